@@ -3,25 +3,23 @@
 #include <algorithm>
 
 #include <QAction>
+#include <QBoxLayout>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace leitstand {
 
 MapQuestion::MapQuestion(const QString& name, QAction& yes, QAction& no, QWidget& over)
-    : QFrame(&over), m_text(new QLabel(this)) {
+    : QFrame(&over), m_text(new QLabel(this)), m_parts(new QBoxLayout(QBoxLayout::TopToBottom, this)) {
     setObjectName(name);
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
     m_text->setAlignment(Qt::AlignCenter);
-    auto* rows = new QVBoxLayout(this);
-    rows->setContentsMargins(10, 6, 10, 8);
-    rows->addWidget(m_text);
+    m_parts->setContentsMargins(10, 6, 10, 8);
+    m_parts->addWidget(m_text, 1);
     auto* buttons = new QHBoxLayout;
     for (QAction* command : {&yes, &no}) {
         auto* button = new QToolButton(this);
@@ -32,13 +30,14 @@ MapQuestion::MapQuestion(const QString& name, QAction& yes, QAction& no, QWidget
         button->setFocusPolicy(Qt::NoFocus);
         buttons->addWidget(button);
     }
-    rows->addLayout(buttons);
+    m_parts->addLayout(buttons);
     over.installEventFilter(this);
     hide();
 }
 
 void MapQuestion::ask(const QString& question) {
-    m_text->setText(question);
+    m_question = question;
+    m_text->setToolTip(question);
     setAccessibleName(question);
     setVisible(!question.isEmpty());
     if (!question.isEmpty()) place();
@@ -50,11 +49,17 @@ bool MapQuestion::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void MapQuestion::place() {
-    constexpr int Widest = 420, Margin = 12, AboveLegend = 48;
+    constexpr int Widest = 420, Margin = 12, AboveLegend = 48, Small = 480, AtEdge = 4;
     const QSize room = parentWidget()->size();
-    const int width = std::max(160, std::min(Widest, room.width() - 2 * Margin));
-    const int height = layout()->heightForWidth(width);
-    setGeometry((room.width() - width) / 2, room.height() - height - AboveLegend, width, height);
+    // A small map is what one drives by: one line at its edge, without what would become of it.
+    const bool small = room.height() < Small;
+    m_text->setText(small ? m_question.section(QLatin1Char('\n'), 0, 0) : m_question);
+    m_parts->setDirection(small ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    const int margin = small ? AtEdge : Margin;
+    const int width = std::max(160, std::min(small ? room.width() : Widest, room.width() - 2 * margin));
+    const int height = m_parts->heightForWidth(width);
+    const int below = small ? AtEdge : AboveLegend;
+    setGeometry((room.width() - width) / 2, room.height() - height - below, width, height);
     raise();
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 bool sameFix(const std::optional<RobotFix>& a, const RobotFix& b) {
     return a && a->stamp == b.stamp && a->doubts == b.doubts && a->certainty == b.certainty &&
-           a->baseInMap.matrix() == b.baseInMap.matrix();
+           a->part == b.part && a->baseInMap.matrix() == b.baseInMap.matrix();
 }
 
 }  // namespace
@@ -304,7 +304,9 @@ void LiveMapping::followFixes() {
         robot.followed = fix;
         const bool certain = fix->doubts == 0;
         robot.tracker.correct({fix->stamp, fix->baseInMap, certain ? fix->certainty : 0.0, certain,
-                               certain ? placement_says::FitsMap : inWords(fix->doubts)});
+                               !certain         ? inWords(fix->doubts)
+                               : fix->part != 0 ? std::string(placement_says::OwnPart)
+                                                : std::string(placement_says::FitsMap)});
     }
 }
 

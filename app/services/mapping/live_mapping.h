@@ -34,7 +34,8 @@ struct LiveMappingListener {
     std::function<void(const RobotPlaceSample&)> onPlace =
         {};                                               ///< likewise, of robots that do not make the map
     std::function<void(const MapUpdate&)> onUpdate = {};  ///< for the log, in order
-    std::function<void(const ScanLinksSample&)> onLoop = {};  ///< likewise: a place was recognised far off
+    /// Likewise: a place was recognised far off, or in another part of the map.
+    std::function<void(const ScanLinksSample&)> onLoop = {};
     std::function<void(const Settled&)> onSettled = {};  ///< likewise, after a loop closed or was taken back
     /// Likewise, without a station: other robots in a scan that entered before they were placed.
     std::function<void(ScanBodiesSample)> onBodies = {};
@@ -119,6 +120,7 @@ private:
         std::optional<RobotFix> followed;          ///< that the tracker was corrected by last
         std::shared_ptr<const SeenScan> newest;    ///< its newest scan
         std::uint64_t put = 0;                     ///< how often somebody said where it stands
+        int unplaced = 0;                          ///< its 3D scans while nobody knew where it is
         std::string scanner;                       ///< its only one; empty: it has several, or none
         std::optional<ScannerCorrection> advised;  ///< that was told about it
         bool certain = false;                      ///< its place is
@@ -149,6 +151,8 @@ private:
     /// ... or where its scan, which came to @p update, shows them; @p before: the map without it.
     void placeSeen(const MapUpdate& update, const LiveMapPtr& before, Time now);
     void place(Robot& robot, const LiveScan& scan, Time now);
+    /// Looks for @p name, whose scans make a part of the map of their own, in the others.
+    void lookElsewhere(const std::string& name);
     /// It was looked for, with @p scan, in @p map: goes on from where it was found.
     void lookedFor(const std::string& name, const SeenScan& scan, const LiveMapPtr& map,
                    const Relocalisation& found);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double AboutARobot = 0.1;      ///< so much about its corners may be of a robot, too [m]
 constexpr std::size_t MostBodies = 500;  ///< in a scan
+constexpr int Unplaced = 3;              ///< after so many 3D scans a robot maps a part of its own
 constexpr double Jumped = 0.5,
                  JumpedAngle = degrees(15);  ///< more than odometry errs between two fixes [m], [rad]
 
@@ -56,7 +57,8 @@ bool LiveMapping::leaveOutPlaced(Time now) {
     const bool ours = !m_listener.makesMap || m_listener.makesMap();  // else who makes it says so
     std::map<std::uint64_t, std::vector<BodyInScan>> found;
     for (auto& [name, robot] : m_robots) {
-        const bool certain = robot.tracker.now().certain;
+        // Of one in another part of the map nobody knows where it was in this one.
+        const bool certain = robot.tracker.now().certain && !(robot.followed && robot.followed->part != 0);
         const auto& odomInMap = robot.tracker.odomInMap();
         if (certain && !robot.certain && ours && m_map) {
             // One whose laser alone told where it is, and that stands somewhere else than its odometry had
@@ -96,13 +98,16 @@ void LiveMapping::lookFor(const std::string& name) {
     post([this, name](LiveMapper&) {
         Robot& robot = m_robots.at(name);
         const std::uint64_t put = ++robot.put;
+        if (robot.followed && robot.followed->part != 0) return lookElsewhere(name);
         if (!robot.newest || !m_map) {
             if (m_listener.onLookedFor) m_listener.onLookedFor(name, 0);
             return;
         }
         m_solving.submit([this, name, put, scan = robot.newest, map = m_map](const std::stop_token& stop) {
             const Progress progress{{}, stop};
-            const Relocaliser relocaliser(map, m_settings, {}, progress);
+            const auto first = std::make_shared<LiveMap>(*map);  // how the others lie to it is not known
+            std::erase_if(first->scans, [](const LiveKeyScan& one) { return one.part != 0; });
+            const Relocaliser relocaliser(first, m_settings, {}, progress);
             const auto found = relocaliser.find(*scan->ready, reducedAgain(*scan->ready, m_settings.match),
                                                 scan->live.up, progress);
             if (stop.stop_requested()) return;
@@ -176,7 +181,27 @@ void LiveMapping::place(Robot& robot, const LiveScan& scan, Time now) {
     if (!m_map || m_map->scans.empty() || m_mapper.fix(name)) return;
     // Without a plane laser its 3D scans do as well.
     if (!robot.tracker.placed() || robot.laser.resumes()) seeing(name, robot, laserView(scan), now);
-    if (const auto there = robot.tracker.baseInMap(scan.scan->end)) m_mapper.place(name, *there);
+    if (const auto there = robot.tracker.baseInMap(scan.scan->end)) return m_mapper.place(name, *there);
+    if (++robot.unplaced >= Unplaced) m_mapper.beginPart(name);
+}
+
+void LiveMapping::lookElsewhere(const std::string& name) {
+    const auto newest =
+        std::find_if(m_map->scans.rbegin(), m_map->scans.rend(),
+                     [&](const LiveKeyScan& scan) { return scan.scan->robot == name && scan.counts(); });
+    if (newest == m_map->scans.rend()) return;
+    SoughtPlace sought{newest->id, m_map, {}, true};
+    m_solving.submit([this, name, sought = std::move(sought)](const std::stop_token& stop) {
+        const auto found = recognise(sought, m_settings, {}, Progress{{}, stop});
+        if (stop.stop_requested()) return;
+        post([this, name, id = sought.scan, found](LiveMapper& mapper) {
+            if (m_listener.makesMap && !m_listener.makesMap()) return;
+            const auto question =
+                found ? mapper.propose(id, *found, stationTime()) : Result<ScanLinksSample>(Error{});
+            if (question && m_listener.onLoop) m_listener.onLoop(*question);
+            if (!question && m_listener.onLookedFor) m_listener.onLookedFor(name, 0);
+        });
+    });
 }
 
 void LiveMapping::adopt(const KeyScanSample& keyScan) {

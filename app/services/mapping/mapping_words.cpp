@@ -35,6 +35,11 @@ std::string question() {
         "it is the same place");
 }
 
+std::string partsMeet() {
+    return translate("leitstand::Station",
+                     "two parts of the map seem to have seen the same place: say whether they did");
+}
+
 std::string met(double largest) {
     return fill(translate("leitstand::Station", "the map meets itself: its parts moved by up to {} m"),
                 fmt::format("{:.2f}", largest));

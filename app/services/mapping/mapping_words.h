@@ -11,6 +11,8 @@ namespace leitstand::mapping_words {
 
 /// The map may meet itself, and asks.
 [[nodiscard]] std::string question();
+/// Two parts of it, of which nobody knew how they lie to each other, may have seen one place, and it asks.
+[[nodiscard]] std::string partsMeet();
 /// A loop closed; scans moved by up to @p largest [m].
 [[nodiscard]] std::string met(double largest);
 /// A closed loop does not count any more.

@@ -10,19 +10,14 @@
 
 #include <fmt/format.h>
 
-#include "app/services/log/event_decoder.h"
 #include "app/services/log/live_mission.h"
-#include "app/services/log/mission_robots.h"
-#include "app/services/log/replay/bag_history.h"
 #include "app/services/log/sequencer.h"
 #include "app/services/mapping/live_mapping.h"
 #include "app/services/places/mission_map.h"
-#include "app/services/recorded/review_log.h"
+#include "app/services/recorded/recorded_map.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
-#include "core/mapping/graph/scan_graph.h"
-#include "core/mission/state/fold.h"
 #include "core/mission/state/undo_says.h"
 
 namespace leitstand {
@@ -31,39 +26,8 @@ namespace {
 constexpr std::string_view Tidying = TidyingStation;
 constexpr std::size_t LinksAtOnce = 5'000;  ///< in an event
 
-/// A mission as it was read.
-struct ReadMission {
-    std::filesystem::path folder;
-    std::unique_ptr<BagReader> bag;
-    std::vector<RobotDescription> robots;
-    MissionState state;
-};
-
-Result<ReadMission> readMission(const std::filesystem::path& folder) {
-    ReadMission read;
-    auto bag = BagReader::open(folder);
-    if (!bag) return bag.error();
-    if (!std::filesystem::is_directory(folder))
-        return Error{
-            fill(translate("leitstand::Station", "{}: expected the mission's folder"), folder.string())};
-    if (isOfOthers(folder)) {
-        return Error{fill(translate("leitstand::Station",
-                                    "{}: no station of ours recorded it, so that it stays as it is; "
-                                    "nothing can be written into it"),
-                          folder.string())};
-    }
-    read.folder = folder;
-    read.bag = std::move(bag).value();
-    std::vector<std::string> ignored;
-    read.robots = robotsOf(folder, *read.bag, ignored);
-    EventDecoder decoder(read.robots);
-    BagHistory history(*read.bag, decoder);
-    read.state = stateAt(history, read.bag->lastSequence());
-    return read;
-}
-
 /// A session of @p read, to write into. An error where somebody decided something since.
-Result<std::unique_ptr<LiveMission>> opened(const ReadMission& read, const std::string& version) {
+Result<std::unique_ptr<LiveMission>> opened(const RecordedMap& read, const std::string& version) {
     LiveMissionSettings settings;
     settings.folder = read.folder;
     settings.robots = read.robots;
@@ -76,16 +40,6 @@ Result<std::unique_ptr<LiveMission>> opened(const ReadMission& read, const std::
         return Error{fill(translate("leitstand::Station", "{}: somebody wrote into it meanwhile; try again"),
                           read.folder.string())};
     return LiveMission::open(settings);
-}
-
-/// The links of the mission @p folder as they are now, by rising id.
-std::vector<Link> linksOf(const std::filesystem::path& folder, const MissionState& state) {
-    ScanGraph graph;
-    for (const ScanLinksSample& sample : scanLinksOf(folder)) {
-        for (const Link& link : sample.links) graph.add(link);
-    }
-    for (const Link& link : loopsOf(state)) graph.add(link);
-    return graph.links();
 }
 
 /// What is known of @p links from now on, as @p found has it.
@@ -178,14 +132,14 @@ bool canUntidy(const MissionState& finished) {
 Result<TidiedMap> tidyMap(const std::filesystem::path& folder, const TidySettings& settings,
                           const Progress& progress) {
     constexpr double Reading = 0.1;  // share of the work
-    const auto read = readMission(folder);
+    const auto read = readMap(folder);
     if (!read) return read.error();
     const MissionState& state = read->state;
     EarlierMap earlier{keyScansOf(*read->bag), posesOf(state)};
     if (earlier.scans.empty())
         return Error{fill(translate("leitstand::Station", "{}: expected a map of ours, found no key scans"),
                           folder.string())};
-    const std::vector<Link> links = linksOf(folder, state);
+    const std::vector<Link> links = linksOf(*read);
     earlier.bodies = *state.bodies;
     LiveSettings mapping = settings.mapping;
     mapping.crop = cropOf(state).value_or(MapCrop{});
@@ -215,7 +169,7 @@ Result<TidiedMap> tidyMap(const std::filesystem::path& folder, const TidySetting
 }
 
 Result<void> untidyMap(const std::filesystem::path& folder, const std::string& version) {
-    const auto read = readMission(folder);
+    const auto read = readMap(folder);
     if (!read) return read.error();
     const MissionState& state = read->state;
     const Decision* const newest = newestTidying(state);
@@ -226,7 +180,7 @@ Result<void> untidyMap(const std::filesystem::path& folder, const std::string& v
                           folder.string())};
     const Time tidied = std::get<ScanPosesSample>(newest->content).stamp;
     std::map<std::uint64_t, bool> now;  // whether links count
-    for (const Link& link : linksOf(folder, state)) now[link.id] = link.active;
+    for (const Link& link : linksOf(*read)) now[link.id] = link.active;
     std::vector<Link> changes;
     for (const ScanLinksSample& sample : scanLinksOf(folder)) {
         if (sample.station != Tidying || sample.stamp != tidied) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -20,6 +21,7 @@
 #include "app/services/places/mission_map.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
+#include "core/mapping/live/map/local_map.h"
 
 namespace leitstand {
 namespace {
@@ -87,6 +89,9 @@ struct StationMapping::State {
     [[nodiscard]] Result<void> granted() const;
     void decide(std::function<Result<ScanPosesSample>(LiveMapper&, Time)> what);
     [[nodiscard]] Result<void> placeable(const std::string& robot) const;
+    /// The newest scan of @p robot, whose scans make a part of the map of their own, as it would lie with the
+    /// robot at @p baseInMap in another part; empty: it is in no part of its own, or put into that.
+    [[nodiscard]] std::optional<ScanPose> inOtherPart(const std::string& robot, const Pose& baseInMap) const;
     [[nodiscard]] Result<void> takeBack(Undoing undoing, const std::string& nothing);
 };
 
@@ -131,7 +136,8 @@ void StationMapping::State::logLoop(const ScanLinksSample& loop) {
     sayOrTell(loop, station_topic::ScanLinks);
     const bool closes = loop.links.front().active;
     loopClosed = loopClosed || closes;
-    if (!closes) tell(mapping_words::question());
+    const bool parts = loop.links.front().kind == LinkKind::Session;
+    if (!closes) tell(parts ? mapping_words::partsMeet() : mapping_words::question());
 }
 
 void StationMapping::State::log(const Settled& settled) {
@@ -462,8 +468,33 @@ Result<void> StationMapping::State::placeable(const std::string& robot) const {
     return {};
 }
 
+std::optional<ScanPose> StationMapping::State::inOtherPart(const std::string& robot,
+                                                           const Pose& baseInMap) const {
+    const RobotsInMapPtr robots = mapping->robots();
+    const auto now = std::find_if(robots->begin(), robots->end(),
+                                  [&](const RobotInMap& one) { return one.robot == robot; });
+    const std::lock_guard lock(mutex);
+    const LiveKeyScan *newest = nullptr, *nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const LiveKeyScan& scan : scans->scans) {
+        if (!scan.counts()) continue;
+        if (scan.scan->robot == robot) newest = &scan;
+        const double distance = mapDistance(scan.pose.scanInMap * scan.sensorInBase.inverse(), baseInMap);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = &scan;
+    }
+    if (now == robots->end() || newest == nullptr || newest->part == 0 || newest->part == nearest->part)
+        return std::nullopt;
+    ScanPose shown = newest->pose;
+    shown.scanInMap = baseInMap * now->baseInMap.inverse() * newest->pose.scanInMap;
+    return shown;
+}
+
 Result<void> StationMapping::place(const std::string& robot, const Pose& baseInMap) {
     if (auto may = m_state->placeable(robot); !may) return may;
+    if (const auto shown = m_state->inOtherPart(robot, baseInMap))
+        return propose(shown->scan, shown->scanInMap);
     m_state->mapping->place(robot, baseInMap);
     return {};
 }

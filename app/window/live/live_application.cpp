@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -22,6 +23,7 @@
 #include "app/services/handin/writing/report_folder.h"
 #include "app/services/handin/writing/report_telling.h"
 #include "app/services/handin/writing/report_writer.h"
+#include "app/services/recorded/carried_map.h"
 #include "app/services/station/choose_robots.h"
 #include "app/services/station/last_station.h"
 #include "app/window/live/demo_robots.h"
@@ -33,6 +35,7 @@
 #include "app/window/shell/first_geometry.h"
 #include "app/window/shell/picture_size.h"
 #include "app/window/shell/terminal.h"
+#include "app/window/shell/work_in_front.h"
 #include "core/mission/state/mission_state.h"
 #include "core/version/version.h"
 #include "widgets/map_view/map_view.h"
@@ -183,6 +186,7 @@ struct Ended {
     std::string robot = {};  ///< file of a robot that is wanted too; empty: none is
     QString language = {};   ///< in which the window is wanted; empty: it is over
     bool earlier = false;    ///< the mission before is to be gone on with
+    fs::path mapOf = {};     ///< in the map of this one a new mission is to begin; empty: none is
     QString problem = {};    ///< why there is no station; empty: there was one
 };
 
@@ -210,6 +214,10 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
     if (!hint.isEmpty()) window.tell(hint);
     QObject::connect(&window.mission(), &MissionFeature::earlierWanted, &window, [&] {
         ended.earlier = true;
+        window.closeUnasked();
+    });
+    QObject::connect(&window.mission(), &MissionFeature::mapWanted, &window, [&](const QString& folder) {
+        ended.mapOf = folder.toStdString();
         window.closeUnasked();
     });
     QObject::connect(&window.preflight(), &PreflightFeature::robotWanted, &window, [&](const QString& file) {
@@ -248,6 +256,27 @@ Ended showStation(const StationSettings& settings, const Options& options, DemoR
         if (ended.language.isEmpty()) return ended;
         useLanguage(ended.language);
     }
+}
+
+/// Carries the map of the mission @p from into the new one that @p settings are for. An error in words;
+/// empty: none.
+QString carryInto(const StationSettings& settings, const fs::path& from) {
+    QString problem;
+    workInFront(
+        {.name = QStringLiteral("carrying"),
+         .label = QCoreApplication::translate("leitstand::Application", "The map of %1 is being copied.")
+                      .arg(QString::fromStdString(from.filename().string()))},
+        [&](const Progress& progress) {
+            try {
+                const auto carried = carryMap(
+                    from, {settings.mission.folder, settings.mission.robots, settings.mission.version},
+                    progress);
+                if (!carried) problem = QString::fromStdString(carried.error().text);
+            } catch (const std::exception& broken) {  // no memory
+                problem = QString::fromUtf8(broken.what());
+            }
+        });
+    return problem;
 }
 
 /// A judges' folder that was kept up to date has what came since it was written last, too.
@@ -297,11 +326,20 @@ int runLive(const Options& options) {
     fs::path earlier = interrupted(before, settings);
     QString hint = hintAt(earlier);
     bool switched = false;  // from another mission, which is the earlier one now
+    fs::path mapOf = options.mapOf;
     // With each robot that the operator adds the station begins anew, and goes on with its mission.
     while (true) {
         auto robots = chooseRobots(files);
         if (!robots) return complain(robots.error().text), 1;
         settings.mission.robots = std::move(robots).value();
+        if (!mapOf.empty()) {
+            const QString problem = carryInto(settings, std::exchange(mapOf, {}));
+            if (!problem.isEmpty() && recorded.empty()) return complain(problem.toStdString()), 1;
+            if (!problem.isEmpty()) {
+                settings.mission.folder = earlier;
+                hint = problem;
+            }
+        }
         if (!options.demo && options.screenshot.empty())
             rememberStation(lastFile(), {files, options.domain, options.interfaces, options.keys});
         const Ended ended =
@@ -316,6 +354,9 @@ int runLive(const Options& options) {
             switched = ended.earlier;
         } else if (!ended.robot.empty()) {
             files.push_back(ended.robot);
+        } else if (!ended.mapOf.empty()) {
+            mapOf = ended.mapOf;
+            earlier = std::exchange(settings.mission.folder, newMission());
         } else {
             if (ended.status != 0) return ended.status;  // the mission may be another station's
             for (const fs::path& mission : recorded) handInLast(mission, settings.mission.version);

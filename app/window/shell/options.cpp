@@ -83,6 +83,10 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
                           "Go on with the newest of the missions named by the time, as after a crash; alone: "
                           "with the robots of last time"),
              mission);
+    onRobots(app.add_option("--map-of", options.mapOf,
+                            "A new mission begins in the map of this one, which is copied"),
+             nullptr)
+        ->type_name("FOLDER");
     onRobots(app.add_option("--layout", options.layout,
                             "How panes are arranged: drive, explore, map, review, link, or one of your own"),
              nullptr)
@@ -113,6 +117,10 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     options.live = options.live || options.demo;
     if (options.after > 0 && !options.live) {
         tellTerminal("--after waits for live robots: --live or --demo");
+        return UsageError;
+    }
+    if (!options.mapOf.empty() && (!options.live || options.resume)) {
+        tellTerminal("--map-of begins a new mission on live robots: --live or --demo, without --resume");
         return UsageError;
     }
     if ((options.live || options.resume) && !options.scans.empty()) {

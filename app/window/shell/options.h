@@ -27,6 +27,7 @@ struct Options {
     std::vector<std::string> robots;      ///< files or names; empty: Kurt3D and the Crawler
     std::string mission;                  ///< folder; empty: a new one
     bool resume = false;                  ///< the newest of this computer is gone on with
+    std::string mapOf;                    ///< folder of the mission whose map the new one begins in
     std::string layout;                   ///< name; empty: the one used last
     std::string keys;                     ///< folder of an identity; empty: no security
     int domain = 0;                       ///< DDS domain

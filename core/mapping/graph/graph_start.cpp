@@ -1,7 +1,10 @@
 #include "core/mapping/graph/graph_start.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <unordered_map>
+#include <vector>
 
 namespace leitstand {
 namespace {
@@ -25,6 +28,27 @@ int rankOf(LinkKind kind) {
     return 4;
 }
 
+/// By node, the place of the one that stays and that single links lead to it from.
+using Roots = std::vector<std::size_t>;
+
+/// The surest link that joins what @p root stays for with another such part, which comes before it.
+const Link* joining(const PoseGraph& graph, const std::unordered_map<std::uint64_t, std::size_t>& places,
+                    const Roots& roots) {
+    const Link* best = nullptr;
+    const auto order = [&](const Link& link) {
+        const std::size_t a = roots[places.at(link.from)], b = roots[places.at(link.to)];
+        return std::tuple(std::min(a, b), std::max(a, b), rankOf(link.kind), link.id);
+    };
+    for (const Link& link : graph.links) {
+        const auto from = places.find(link.from), to = places.find(link.to);
+        if (!link.active || from == places.end() || to == places.end()) continue;
+        const std::size_t a = roots[from->second], b = roots[to->second];
+        if (a == b || graph.nodes[std::max(a, b)].fixed) continue;
+        if (best == nullptr || order(link) < order(*best)) best = &link;
+    }
+    return best;
+}
+
 }  // namespace
 
 void startFromLinks(PoseGraph& graph) {
@@ -37,12 +61,26 @@ void startFromLinks(PoseGraph& graph) {
         const Link*& best = surest[std::max(from->second, to->second)];
         if (best == nullptr || rankOf(link.kind) < rankOf(best->kind)) best = &link;
     }
+    Roots roots(graph.nodes.size());
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
         const Link* const link = surest[i];
+        roots[i] = i;
         if (link == nullptr || graph.nodes[i].fixed) continue;
         const std::size_t from = places.at(link->from), to = places.at(link->to);
         graph.nodes[i].pose =
             to == i ? graph.nodes[from].pose * link->pose : graph.nodes[to].pose * link->pose.inverse();
+        roots[i] = roots[to == i ? from : to];
+    }
+    while (const Link* const link = joining(graph, places, roots)) {
+        const std::size_t from = places.at(link->from), to = places.at(link->to);
+        const Pose wanted = graph.nodes[from].pose * link->pose * graph.nodes[to].pose.inverse();
+        const bool forward = roots[from] < roots[to];
+        const std::size_t stays = std::min(roots[from], roots[to]), goes = std::max(roots[from], roots[to]);
+        for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+            if (roots[i] != goes) continue;
+            graph.nodes[i].pose = (forward ? wanted : wanted.inverse()) * graph.nodes[i].pose;
+            roots[i] = stays;
+        }
     }
 }
 

@@ -47,13 +47,14 @@ Pose LiveMapper::State::guessOf(const LiveScan& live, const RobotTrack& robot, S
 
 const LocalMap& LiveMapper::State::localAt(const Pose& place, const RobotTrack& robot) {
     if (!localStale && localKey == robot.key && distanceBetween(place, localPlace) <= SamePlace) return local;
-    if (robot.key == 0 || robot.placedInMap || robot.lost || !settings.loops.on) {
+    if (robot.key == 0 || robot.placedInMap || !settings.loops.on) {
         local = localMap(map.scans, place, settings.local);
     } else {
-        const std::map<std::uint64_t, double> together = loops.sameAge(robot.key);
+        const std::uint64_t part = partOf(robot);
+        const auto together = robot.lost ? std::map<std::uint64_t, double>{} : loops.sameAge(robot.key);
         std::vector<LiveKeyScan> scans;
         for (const LiveKeyScan& scan : map.scans) {
-            if (together.contains(scan.id)) scans.push_back(scan);
+            if (robot.lost ? scan.part == part : together.contains(scan.id)) scans.push_back(scan);
         }
         local = localMap(scans, place, settings.local);
     }
@@ -79,12 +80,12 @@ void LiveMapper::State::refine(const LiveScan& live, const RobotTrack& robot, co
                                Match& match) {
     const bool on = settings.refinement.on || settings.refined.contains(live.scan->robot);
     if (!on || match.doubts != 0) return;
-    const auto drift = turnDrift(cleaned(live, robot.body, match.scanInMap, settings, others),
+    const auto drift = turnDrift(cleaned(live, robot.body, match.scanInMap, preparing(robot), others),
                                  localAt(guess, robot), match.scanInMap, settings.refinement);
     if (!drift) return;
     LiveScan straight = live;
     straight.scan = std::make_shared<const Scan>(straightened(*live.scan, *drift));
-    ReadyScan second = readyScan(straight, robot.body, match.scanInMap, settings, others);
+    ReadyScan second = readyScan(straight, robot.body, match.scanInMap, preparing(robot), others);
     Match again = matched(straight, robot, second.reduced, guess, step);
     if (again.doubts != 0 || again.icp.overlap < match.icp.overlap) return;
     ready = std::move(second);
@@ -216,6 +217,19 @@ void LiveMapper::place(const std::string& robot, const Pose& baseInMap) {
     m_state->robots[robot].placedInMap = baseInMap;
 }
 
+void LiveMapper::beginPart(const std::string& robot) {
+    m_state->robots[robot].beginsPart = true;
+}
+
+Pose LiveMapper::State::aside(const Eigen::Vector3d& up) const {
+    Pose pose = levelled(Pose::Identity(), up, 1.0);
+    pose.translation() = map.scans.front().pose.scanInMap.translation();
+    for (const LiveKeyScan& scan : map.scans)
+        pose.translation().y() = std::min(pose.translation().y(), scan.pose.scanInMap.translation().y());
+    pose.translation().y() -= settings.loops.partsApart;
+    return pose;
+}
+
 MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const PlacedBody> others) {
     const auto start = std::chrono::steady_clock::now();
     State& state = *m_state;
@@ -227,16 +241,18 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     here.stamp = scan.end;
     // A robot with several scanners: what one is off by is not told from what the other is.
     if (robot.known && !robot.sensorInBase.isApprox(live.sensorInBase, 1e-3)) recalibrate(scan.robot);
-    const bool first = state.empty();
-    const bool placed = robot.known || robot.placedInMap;
+    const bool placed = robot.known || robot.placedInMap, empty = state.empty();
+    const bool begins = !empty && !placed && robot.beginsPart, first = empty || begins;  // of a part
     Step step;
-    const Pose guess = placed ? state.guessOf(live, robot, step) : levelled(Pose::Identity(), live.up, 1.0);
+    const Pose guess = placed  ? state.guessOf(live, robot, step)
+                       : empty ? levelled(Pose::Identity(), live.up, 1.0)
+                               : state.aside(live.up);
     if (!first && !placed) {
         here.trust = ScanTrust::Uncertain;
         here.doubts = static_cast<std::uint8_t>(ScanDoubt::Odometry);
         return update;
     }
-    ReadyScan ready = readyScan(live, robot.body, guess, state.settings, others);
+    ReadyScan ready = readyScan(live, robot.body, guess, state.preparing(robot), others);
     if (first && !canBegin(live, ready.reduced, state.settings.fit)) {
         here.trust = ScanTrust::Uncertain;
         here.doubts = static_cast<std::uint8_t>(ScanDoubt::Points);
@@ -297,6 +313,8 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         if (live.extrapolated || live.bridged)
             key.pose.doubts |= static_cast<std::uint8_t>(ScanDoubt::Guessed);
         key.matched = nearest;
+        key.part = begins ? key.id : state.partOf(robot);
+        key.enteredAt = match.scanInMap;
         key.entered = state.entering(now);
         if (live.levelKnown) key.up = state.upOf(live, robot);
         if (match.doubts == 0 && live.levelByUnit && !first)
@@ -324,6 +342,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         robot.wheels.forget();
     }
     robot.known = true;
+    robot.beginsPart = false;
     robot.placedInMap.reset();
     robot.stamp = scan.end;
     robot.sensorInBase = live.sensorInBase;
@@ -348,8 +367,9 @@ std::optional<RobotFix> LiveMapper::fix(const std::string& name) const {
     const RobotTrack& track = robot->second;
     if (track.placedInMap)
         return RobotFix{track.stamp, *track.placedInMap, 0.0, static_cast<std::uint8_t>(ScanDoubt::Odometry)};
-    return RobotFix{track.stamp, track.sensorInMap * track.sensorInBase.inverse(), track.certainty,
-                    track.doubts, track.wheels.way()};
+    return RobotFix{track.stamp,        track.sensorInMap * track.sensorInBase.inverse(),
+                    track.certainty,    track.doubts,
+                    track.wheels.way(), m_state->partOf(track)};
 }
 
 LiveMapPtr LiveMapper::map() const {

@@ -55,6 +55,7 @@ struct RobotFix {
     double certainty = 0.0;             ///< 0 to 1: of what meets the map, and of its least certain direction
     std::uint8_t doubts = 0;            ///< bits of ScanDoubt
     double spinning = 0.0;              ///< SpinningWheels::way() [m]
+    std::uint64_t part = 0;             ///< LiveKeyScan::part of what it is in
 
     /// The same at @p now, robot's clock: 0 where no scan came of late, which alone would tell.
     [[nodiscard]] double spinningAt(Time now) const {
@@ -102,10 +103,14 @@ public:
     [[nodiscard]] std::vector<BodyInScan> bodiesIn(std::uint64_t id) const;
     /// Where @p robot is when it sends its next scan, roughly: for a second robot, or one that was carried.
     void place(const std::string& robot, const Pose& baseInMap);
+    /// The next scan of @p robot that is whole enough begins a part of the map of its own, unless the robot
+    /// is in the map, or placed, by then: nobody knows where it is. That part lies aside until a place is
+    /// found that it and another one have seen: then come a question, and links.
+    void beginPart(const std::string& robot);
 
     /// Registers @p scan. The first one that is whole enough defines the map: level, with its position and
-    /// heading. Scans of another robot do not enter before it is placed. @p others: other robots, wherever
-    /// they were in the map while it was taken; they are left out.
+    /// heading. Scans of another robot do not enter before it is placed, or begins a part. @p others: other
+    /// robots, wherever they were in the map while it was taken; they are left out.
     [[nodiscard]] MapUpdate add(const LiveScan& scan, Time now, std::span<const PlacedBody> others = {});
 
     /// The operator's decisions on the key scan @p id; errors name it where the map does not have it.

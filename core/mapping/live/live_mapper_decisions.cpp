@@ -71,6 +71,7 @@ void LiveMapper::State::apply(std::span<const ScanPose> poses) {
         const std::string& robot = scan->scan->robot;
         if (newest[robot] == scan->id) moved.push_back(robot);
     }
+    findParts();
     for (const std::string& robot : moved) goOn(robot);
 }
 
@@ -146,6 +147,7 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     key.sensorInBase = sample.sensorInBase;
     key.pose = {.scan = sample.id, .scanInMap = sample.scanInMap};
     key.matched = sample.matched;
+    key.enteredAt = sample.scanInMap;
     key.entered = sample.stamp;
     key.reduced = state.matchedOf(key, reducedAgain(*sample.scan, state.settings.match));
     state.cropped.fit(key, state.clouds);

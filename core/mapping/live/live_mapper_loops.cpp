@@ -5,10 +5,40 @@
 #include <vector>
 
 #include "core/base/words.h"
+#include "core/mapping/graph/map_parts.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/live_mapper_state.h"
 
 namespace leitstand {
+
+void LiveMapper::State::findParts() {
+    const MapParts parts(loops.graph().links());
+    const auto first = std::find_if(map.scans.begin(), map.scans.end(), [](const LiveKeyScan& scan) {
+        return scan.pose.trust != ScanTrust::SetAside;
+    });
+    if (first == map.scans.end()) return;
+    const std::uint64_t firstPart = parts.lowest(first->id);
+    for (LiveKeyScan& scan : map.scans) {
+        const std::uint64_t lowest = parts.lowest(scan.id);
+        // Links of old missions, and of scans that were decided on, are missing: those are where they were.
+        const LiveKeyScan* const beginning = lowest == firstPart ? nullptr : find(lowest);
+        const std::uint64_t part = beginning != nullptr && beginning->begins() ? lowest : 0;
+        if (part == scan.part) continue;
+        scan.part = part;
+        cropped.fit(scan, clouds);
+    }
+}
+
+const LiveSettings& LiveMapper::State::preparing(const RobotTrack& robot) {
+    const bool apart = robot.known ? partOf(robot) != 0 : robot.beginsPart;
+    return apart && !robot.placedInMap ? uncropped : settings;
+}
+
+std::uint64_t LiveMapper::State::partOf(const RobotTrack& robot) {
+    const LiveKeyScan* const key = find(robot.key);
+    return key != nullptr ? key->part : 0;
+}
+
 void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
                              std::span<const std::uint64_t> against, const Match& match, Time now) {
     const LiveKeyScan& key = map.scans.back();
@@ -20,6 +50,7 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     const LiveKeyScan* const before = robot.key == 0 || robot.placedInMap ? nullptr : find(robot.key);
     std::vector<Link> links = loops.add({key, before, others, match});
     if (!links.empty()) update.links = ScanLinksSample{now, station, std::move(links)};
+    findParts();
     if (!key.counts()) return;
     std::vector<Link> loop = loops.close(key, map);
     if (loop.empty()) {
@@ -47,6 +78,7 @@ std::optional<ScanLinksSample> LiveMapper::takeLinks() {
 void LiveMapper::restore(const ScanLinksSample& sample) {
     State& state = *m_state;
     state.loops.restore(sample.links);
+    state.findParts();
     ++state.revision;
     state.unsolved = state.unsolved || std::any_of(sample.links.begin(), sample.links.end(),
                                                    [](const Link& link) { return closesLoop(link.kind); });
@@ -54,6 +86,7 @@ void LiveMapper::restore(const ScanLinksSample& sample) {
 
 void LiveMapper::followLoops(std::span<const Link> loops) {
     if (!m_state->loops.follow(loops)) return;
+    m_state->findParts();
     ++m_state->revision;
     m_state->unsolved = true;
 }
@@ -63,7 +96,7 @@ std::optional<SoughtPlace> LiveMapper::sought() {
     const std::uint64_t id = std::exchange(state.sought, 0);
     const LiveKeyScan* const scan = id == 0 ? nullptr : state.find(id);
     if (scan == nullptr || !scan->counts()) return std::nullopt;
-    return SoughtPlace{id, map(), state.loops.sameAge(id)};
+    return SoughtPlace{id, map(), state.loops.sameAge(id), inParts(state.map)};
 }
 
 std::optional<ScanLinksSample> LiveMapper::recognised(const SoughtPlace& sought, const Pose& scanInMap,
@@ -99,8 +132,10 @@ MapProblem LiveMapper::State::problem() const {
     problem.revision = revision;
     std::set<std::uint64_t> counting;
     for (const LiveKeyScan& scan : map.scans) {
+        // What begins a part lies where it entered, unless a link leads to it.
+        const bool aside = scan.begins() && scan.id != map.scans.front().id;
         if (scan.pose.trust != ScanTrust::SetAside)
-            problem.graph.nodes.push_back({scan.id, scan.pose.scanInMap, false});
+            problem.graph.nodes.push_back({scan.id, aside ? scan.enteredAt : scan.pose.scanInMap, false});
         if (scan.counts()) counting.insert(scan.id);
     }
     problem.graph.links = loops.graph().links();
@@ -146,6 +181,7 @@ Settled LiveMapper::settle(const MapSolution& solution, Time now) {
         return settled;
     }
     const std::vector<Link> contradicted = state.loops.contradict(solution.contradicted);
+    if (!contradicted.empty()) state.findParts();
     if (!contradicted.empty()) settled.links = ScanLinksSample{now, state.station, contradicted};
     std::map<std::uint64_t, Pose> solved;
     for (const GraphNode& node : solution.nodes) solved.emplace(node.id, node.pose);

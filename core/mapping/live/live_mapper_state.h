@@ -49,6 +49,7 @@ struct RobotTrack {
     std::uint64_t key = 0;             ///< its id; 0: none of this run
     Pose unspun = Pose::Identity();    ///< LiveKeyScan::unspun, now
     std::optional<Pose> placedInMap;   ///< base_link, by the operator, for the next scan
+    bool beginsPart = false;           ///< with its next scan, unless it is known where it is
 };
 
 /// Insides of LiveMapper.
@@ -56,8 +57,10 @@ struct LiveMapper::State {
     State(std::string name, LiveSettings chosen)
         : station(std::move(name)),
           settings(std::move(chosen)),
+          uncropped(settings),
           clouds(settings.pages, settings.inMemory),
           loops(settings.loops, settings.match, settings.fit) {
+        uncropped.crop = {};
         cropped.setCrop(settings.crop);
     }
 
@@ -80,6 +83,12 @@ struct LiveMapper::State {
     /// @p live, which fits as @p match says, tells how its scanner leans.
     void lean(RobotTrack& robot, const LiveScan& live, const Match& match, double way) const;
     [[nodiscard]] bool empty() const;  ///< nothing counts
+    /// Where a scan that looks upwards by @p up begins a part of its own.
+    [[nodiscard]] Pose aside(const Eigen::Vector3d& up) const;
+    void findParts();  ///< which part each scan is of, since links changed
+    [[nodiscard]] std::uint64_t partOf(const RobotTrack& robot);
+    /// For the next scan of @p robot.
+    [[nodiscard]] const LiveSettings& preparing(const RobotTrack& robot);
     /// What @p entered, of which @p cloud is matched, tells of its scanner.
     void calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud);
     /// Whether the newest scan of @p robot that is not set aside is uncertain.
@@ -99,6 +108,7 @@ struct LiveMapper::State {
 
     std::string station;
     LiveSettings settings;
+    LiveSettings uncropped;  ///< the same, of parts of which nobody knows how they lie to the area
     std::map<std::string, RobotTrack> robots;
     LiveMap map;
     MatchedClouds clouds;  ///< of the map's scans

@@ -38,6 +38,8 @@ constexpr auto WhereLeftBut =
     translatable("leitstand::Station", "where it was when the station was left: {}");
 constexpr auto WhereLeft = translatable("leitstand::Station", "where it was when the station was left");
 constexpr auto FitsMap = translatable("leitstand::Station", "its scan fits the map");
+constexpr auto OwnPart =
+    translatable("leitstand::Station", "it maps a part of its own, which has not met the rest yet");
 constexpr auto DoesNotFit = translatable("leitstand::Station", "its scan does not fit");
 constexpr auto NewestKeyScan = translatable("leitstand::Station", "its newest key scan");
 constexpr auto OdometryAnew = translatable("leitstand::Station", "its odometry began anew");

@@ -12,7 +12,8 @@ constexpr double TogetherAngle = degrees(1.0);  ///< ... [rad]
 /// Whether @p link, as the mission has it now, waits for an answer: those of the operator are answers.
 bool waits(const MissionState& state, const Link& link) {
     const auto now = state.loops->find(link.id);
-    return now != state.loops->end() && !now->second.link.active && now->second.link.kind == LinkKind::Loop &&
+    const auto asks = [](LinkKind kind) { return kind == LinkKind::Loop || kind == LinkKind::Session; };
+    return now != state.loops->end() && !now->second.link.active && asks(now->second.link.kind) &&
            state.keyScans->contains(link.from) && state.keyScans->contains(link.to);
 }
 
@@ -41,6 +42,7 @@ std::optional<OpenLoop> openLoop(const MissionState& state) {
         });
         if (holds) continue;  // also where there is none
         const Link& newest = loop.links.back();
+        loop.parts = newest.kind == LinkKind::Session;
         loop.at = state.keyScans->at(newest.to).pose.scanInMap.translation();
         loop.would = (state.keyScans->at(newest.from).pose.scanInMap * newest.pose).translation();
         return loop;

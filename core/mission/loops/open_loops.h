@@ -16,6 +16,7 @@ namespace leitstand {
 struct OpenLoop {
     std::uint64_t event = 0;                          ///< sequence that told it
     std::vector<Link> links;                          ///< not active, never empty
+    bool parts = false;                               ///< it would join parts of the map that have not met
     Eigen::Vector3d at = Eigen::Vector3d::Zero();     ///< where the later scan is, map's frame [m] ...
     Eigen::Vector3d would = Eigen::Vector3d::Zero();  ///< ... and where the links want it
 

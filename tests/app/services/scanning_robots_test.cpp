@@ -56,6 +56,10 @@ protected:
             const std::scoped_lock lock(m_mutex);
             m_vain.push_back(robot);
         };
+        listener.onLoop = [this](const ScanLinksSample& question) {
+            const std::scoped_lock lock(m_mutex);
+            m_questions.push_back(question);
+        };
         listener.onMap = [this](const LiveMapPtr& map) {
             const std::scoped_lock lock(m_mutex);
             m_map = map;
@@ -174,7 +178,8 @@ protected:
     std::vector<ScanPose> m_poses;
     std::vector<RobotPlaceSample> m_places;
     std::vector<ScanBodiesSample> m_bodies;
-    std::vector<std::string> m_vain;  ///< were looked for, and not found
+    std::vector<ScanLinksSample> m_questions;  ///< about places that were recognised
+    std::vector<std::string> m_vain;           ///< were looked for, and not found
     LiveMapPtr m_map;
     std::vector<Eigen::Vector3d> m_seen;  ///< what scanners see beside the room, in the room
     Time m_time = Time(1'700'000'000s);
@@ -196,6 +201,39 @@ TEST_F(ScanningRobots, TheSecondOneEntersFromItsSlotAlsoWhenTheStationStartsAgai
     scan("crawler", Slot);
     EXPECT_TRUE(enters("crawler"));
     EXPECT_TRUE(stands("crawler", Slot));
+}
+
+TEST_F(ScanningRobots, ARobotThatIsNowhereToBeFoundMapsAPartUntilSomebodySaysHowItLies) {
+    begin();
+    for (int i = 0; i < 5; ++i) {
+        const Pose way = poseFrom({0.4 * i, -0.05 * i, 0}, 0, 0, degrees(4) * i);
+        scan("kurt3d", KurtBegins * way, way);
+    }
+    ASSERT_TRUE(enters("kurt3d"));
+    const Pose far = poseFrom({1.6, -1.4, 0}, 0, 0, degrees(130));
+    scan("crawler", far);
+    scan("crawler", far);
+    EXPECT_FALSE(placeOf("crawler").placed);
+    scan("crawler", far);
+    ASSERT_TRUE(enters("crawler"));
+    ASSERT_TRUE(waitUntil([&] { return placeOf("crawler").certain; }, 20s));
+    EXPECT_EQ(placeOf("crawler").how, placement_says::OwnPart);
+    EXPECT_GT(distanceBetween(placeOf("crawler").baseInMap, inMap(far)), 10.0) << "aside";
+    m_mapping->lookFor("crawler");
+    const auto asked = [&] {
+        const std::scoped_lock lock(m_mutex);
+        return !m_questions.empty();
+    };
+    ASSERT_TRUE(waitUntil(asked, 30s)) << m_vain.size() << " times in vain";
+    ScanLinksSample answer = m_questions.front();
+    ASSERT_EQ(answer.links.front().kind, LinkKind::Session);
+    for (Link& link : answer.links) {
+        link.kind = LinkKind::Operator;
+        link.active = true;
+    }
+    m_mapping->adopt(answer);
+    EXPECT_TRUE(stands("crawler", far)) << placeOf("crawler").baseInMap.matrix();
+    EXPECT_EQ(placeOf("crawler").how, placement_says::FitsMap);
 }
 
 TEST_F(ScanningRobots, OneThatDroveOnWhileTheStationWasAwayIsFoundWhereItsOdometryWentTo) {

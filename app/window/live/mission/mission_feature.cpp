@@ -3,6 +3,8 @@
 #include <chrono>
 
 #include <QAction>
+#include <QDir>
+#include <QFileDialog>
 #include <QInputDialog>
 #include <QMainWindow>
 #include <QMenu>
@@ -84,6 +86,13 @@ void MissionFeature::addCommands() {
                                   "shortly before it: map, finds, clock")});
     m_earlier->setEnabled(false);
     connect(m_earlier, &QAction::triggered, this, &MissionFeature::askForEarlier);
+    m_inMap =
+        &commands.add({.id = "mission.inMap",
+                       .menu = CommandMenu::Mission,
+                       .text = tr("A &new mission in the map of…"),
+                       .hint = tr("Ends this mission, and begins a new one that goes on in its map, or in "
+                                  "that of an earlier one; robots find their place in it as they drive")});
+    connect(m_inMap, &QAction::triggered, this, &MissionFeature::askForMap);
 }
 
 void MissionFeature::offerEarlier(const QString& name) {
@@ -93,18 +102,40 @@ void MissionFeature::offerEarlier(const QString& name) {
 }
 
 void MissionFeature::askForEarlier() {
+    askToEnd(QStringLiteral("goOnWithEarlier"), tr("The mission before"),
+             tr("End this mission and go on with %1?").arg(m_earlierName), tr("Go on with it"),
+             [this] { emit earlierWanted(); });
+}
+
+void MissionFeature::askForMap() {
+    auto* choice = new QFileDialog(&m_context.window, tr("A new mission in the map of…"), m_folder);
+    choice->setObjectName(QStringLiteral("mapOf"));
+    choice->setAttribute(Qt::WA_DeleteOnClose);
+    choice->setModal(false);
+    choice->setFileMode(QFileDialog::Directory);
+    choice->setOption(QFileDialog::ShowDirsOnly);
+    connect(choice, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+        askToEnd(QStringLiteral("newInMap"), tr("A new mission"),
+                 tr("End this mission and begin a new one in the map of %1?").arg(QDir(folder).dirName()),
+                 tr("Begin it"), [this, folder] { emit mapWanted(folder); });
+    });
+    choice->show();
+}
+
+void MissionFeature::askToEnd(const QString& name, const QString& title, const QString& text,
+                              const QString& yes, const std::function<void()>& ends) {
     auto* question = new QMessageBox(&m_context.window);  // not modal: robots may be driving
-    question->setObjectName(QStringLiteral("goOnWithEarlier"));
+    question->setObjectName(name);
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setModal(false);
     question->setIcon(QMessageBox::Question);
-    question->setWindowTitle(tr("The mission before"));
-    question->setText(tr("End this mission and go on with %1?").arg(m_earlierName));
+    question->setWindowTitle(title);
+    question->setText(text);
     question->setInformativeText(tr("Robots stop for some seconds. This mission is kept."));
     question->addButton(tr("Stay"), QMessageBox::RejectRole);
-    QPushButton* const goOn = question->addButton(tr("Go on with it"), QMessageBox::AcceptRole);
+    QPushButton* const goOn = question->addButton(yes, QMessageBox::AcceptRole);
     goOn->setObjectName(QStringLiteral("goOn"));
-    connect(goOn, &QPushButton::clicked, this, &MissionFeature::earlierWanted);
+    connect(goOn, &QPushButton::clicked, this, ends);
     question->show();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <QObject>
 #include <QString>
 
@@ -31,11 +33,17 @@ public:
 signals:
     void told(const QString& text);
     void earlierWanted();  ///< of offerEarlier()
+    /// This mission is to end, and a new one to begin in the map of the mission @p folder.
+    void mapWanted(const QString& folder);
 
 private:
     void addCommands();
     void askForLength();
     void askForEarlier();
+    void askForMap();
+    /// Asks, without holding anything up, whether this mission is to end.
+    void askToEnd(const QString& name, const QString& title, const QString& text, const QString& yes,
+                  const std::function<void()>& ends);
     void show(const LiveMoment& moment);
 
     LiveContext m_context;
@@ -44,7 +52,8 @@ private:
     QWidget* m_bar;
     RecordLight* m_light;
     ClockFace* m_face;
-    QAction *m_run = nullptr, *m_length = nullptr, *m_reset = nullptr, *m_earlier = nullptr;
+    QAction *m_run = nullptr, *m_length = nullptr, *m_reset = nullptr, *m_earlier = nullptr,
+            *m_inMap = nullptr;
     int m_sinceLog = 0;  ///< ticks
 };
 

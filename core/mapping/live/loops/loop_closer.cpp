@@ -99,13 +99,14 @@ double LoopCloser::deviation(std::uint64_t from, std::uint64_t to) const {
     return way ? m_settings.driftAtLeast + *way : std::numeric_limits<double>::infinity();
 }
 
-const LiveKeyScan* LoopCloser::olderAt(const LiveKeyScan& entered, const Pose& guess,
-                                       const LiveMap& map) const {
+const LiveKeyScan* LoopCloser::olderAt(const LiveKeyScan& entered, const Pose& guess, const LiveMap& map,
+                                       bool samePart) const {
     const std::map<std::uint64_t, double> near = sameAge(entered.id);
     const LiveKeyScan* nearest = nullptr;
     double least = m_settings.reach;
     for (const LiveKeyScan& scan : map.scans) {
         if (!scan.counts() || near.contains(scan.id) || scan.id == entered.id) continue;
+        if (samePart && scan.part != entered.part) continue;
         const double distance = mapDistance(scan.pose.scanInMap, guess);
         if (distance < least) {
             least = distance;
@@ -116,8 +117,8 @@ const LiveKeyScan* LoopCloser::olderAt(const LiveKeyScan& entered, const Pose& g
 }
 
 std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, const Pose& guess,
-                                                  const LiveMap& map) const {
-    const LiveKeyScan* const older = olderAt(entered, guess, map);
+                                                  const LiveMap& map, bool samePart) const {
+    const LiveKeyScan* const older = olderAt(entered, guess, map, samePart);
     if (older == nullptr || wasRefused(older->id, entered.id)) return std::nullopt;
     return look(entered, *older, guess, map);
 }
@@ -145,11 +146,12 @@ std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, co
     Found found;
     LiveKeyScan there = entered;
     there.pose.scanInMap = match.scanInMap;
-    found.link = linkBetween(older, there, LinkKind::Loop);
+    found.link = linkBetween(older, there, older.part == entered.part ? LinkKind::Loop : LinkKind::Session);
     found.link.information = informationOf(match.icp, match.scanInMap, m_settings, m_match);
     found.correction = match.scanInMap * entered.pose.scanInMap.inverse();
     found.at = entered.pose.scanInMap.translation();
     found.robot = entered.scan->robot;
+    found.met = older.part;
     return found;
 }
 
@@ -161,6 +163,7 @@ bool LoopCloser::agree(const Found& a, const Found& b) const {
 }
 
 bool LoopCloser::tooFar(const Found& found) const {
+    if (found.link.kind == LinkKind::Session) return false;  // nobody knew how the two parts lie
     const double shift = (found.correction * found.at - found.at).norm();
     return shift > m_settings.farBeyond * deviation(found.link.from, found.link.to) ||
            Eigen::AngleAxisd(found.correction.linear()).angle() > m_settings.farTurn;
@@ -183,15 +186,19 @@ bool LoopCloser::wasAsked(const Found& found, const LiveMap& map) const {
     });
 }
 
-std::vector<Link> LoopCloser::meet(Found found) {
+std::vector<Link> LoopCloser::meet(Found found, bool verified) {
     std::vector<const Found*> agreeing;
     for (const Found& other : m_pending) {
         const bool all = std::all_of(agreeing.begin(), agreeing.end(),
                                      [&](const Found* one) { return agree(*one, other); });
-        if (other.robot == found.robot && agree(other, found) && (all || !found.far))
+        if (other.robot == found.robot && other.met == found.met && agree(other, found) &&
+            (all || !found.far))
             agreeing.push_back(&other);
     }
-    if (agreeing.size() + 1 < (found.far ? m_settings.farAgree : 2)) {
+    const bool parts = found.link.kind == LinkKind::Session;
+    const std::size_t wanted = parts ? m_settings.partsAgree : found.far ? m_settings.farAgree : 2;
+    // How parts lie is a question once all that is known of them does not speak against it.
+    if (agreeing.size() + 1 < wanted || (parts && !verified)) {
         const bool apart = std::all_of(m_pending.begin(), m_pending.end(), [&](const Found& other) {
             return (other.at - found.at).norm() >= 0.5 * m_settings.apart;
         });
@@ -218,20 +225,20 @@ std::vector<Link> LoopCloser::close(const LiveKeyScan& entered, const LiveMap& m
     std::erase_if(m_pending, [&](const Found& other) {
         return other.robot == robot && (other.at - here).norm() > m_settings.pendingWithin;
     });
-    std::optional<Found> found = look(entered, entered.pose.scanInMap, map);
-    if (found) return meet(std::move(*found));
+    std::optional<Found> found = look(entered, entered.pose.scanInMap, map, true);
+    if (found) return meet(std::move(*found), false);
     const auto far = std::find_if(m_pending.rbegin(), m_pending.rend(),
                                   [&](const Found& other) { return other.far && other.robot == robot; });
     if (far == m_pending.rend()) return {};
-    return closeFar(entered, far->correction * entered.pose.scanInMap, map);
+    return closeFar(entered, far->correction * entered.pose.scanInMap, map, false);
 }
 
-std::vector<Link> LoopCloser::closeFar(const LiveKeyScan& entered, const Pose& scanInMap,
-                                       const LiveMap& map) {
-    std::optional<Found> found = look(entered, scanInMap, map);
+std::vector<Link> LoopCloser::closeFar(const LiveKeyScan& entered, const Pose& scanInMap, const LiveMap& map,
+                                       bool verified) {
+    std::optional<Found> found = look(entered, scanInMap, map, false);
     if (!found || tooFar(*found) || wasAsked(*found, map)) return {};
     found->far = true;
-    return meet(std::move(*found));
+    return meet(std::move(*found), verified);
 }
 
 bool LoopCloser::seeks(const LiveKeyScan& entered, const LiveMap& map) {
@@ -242,8 +249,8 @@ bool LoopCloser::seeks(const LiveKeyScan& entered, const LiveMap& map) {
     const auto earliest = std::find_if(map.scans.begin(), map.scans.end(), [&](const LiveKeyScan& scan) {
         return scan.counts() && !near.contains(scan.id);
     });
-    if (earliest == map.scans.end() ||
-        m_settings.farBeyond * deviation(earliest->id, entered.id) <= m_settings.reach)
+    if (earliest == map.scans.end()) return false;
+    if (!inParts(map) && m_settings.farBeyond * deviation(earliest->id, entered.id) <= m_settings.reach)
         return false;
     sought = entered.id;
     return true;
@@ -262,7 +269,7 @@ Result<Link> LoopCloser::propose(const LiveKeyScan& scan, Pose guess, const Live
         least = std::abs(there.z() - height);
         guess.translation().z() = there.z();
     }
-    const LiveKeyScan* const older = olderAt(scan, guess, map);
+    const LiveKeyScan* const older = olderAt(scan, guess, map, false);
     if (older == nullptr)
         return Error{leitstand::fill(
             translate("leitstand::Station", "scan {}: no older part of the map is within {} m of there"),

@@ -46,9 +46,10 @@ public:
     /// Whether the scan @p entered, where nothing closed, is to be looked for in the whole map: so much way
     /// after the one before, and where the map may err by more than is looked for anyway.
     [[nodiscard]] bool seeks(const LiveKeyScan& entered, const LiveMap& map);
-    /// The same as close() for a scan that was found at @p scanInMap, far from where it stands.
+    /// The same as close() for a scan that was found at @p scanInMap, far from where it stands. @p verified:
+    /// whether all of its part, moved along, was compared with what is there.
     [[nodiscard]] std::vector<Link> closeFar(const LiveKeyScan& entered, const Pose& scanInMap,
-                                             const LiveMap& map);
+                                             const LiveMap& map, bool verified = true);
 
     /// A loop that the operator shows: @p scan was taken at about @p guess. Its link, not active, which is
     /// taken into the graph as a question. Errors, in words: nothing older is about there, or it does not
@@ -64,19 +65,21 @@ private:
         Pose correction = Pose::Identity();  ///< to put before poses, in the map
         Eigen::Vector3d at = Eigen::Vector3d::Zero();
         std::string robot;
-        bool far = false;  ///< it was not looked for where the map has it
+        bool far = false;       ///< it was not looked for where the map has it
+        std::uint64_t met = 0;  ///< LiveKeyScan::part of the other scan
     };
-    /// The nearest scan within reach of @p guess that does not hang together with @p entered; null: none.
+    /// The nearest scan within reach of @p guess that does not hang together with @p entered, and of its part
+    /// of the map where @p samePart; null: none.
     [[nodiscard]] const LiveKeyScan* olderAt(const LiveKeyScan& entered, const Pose& guess,
-                                             const LiveMap& map) const;
+                                             const LiveMap& map, bool samePart) const;
     /// Whether @p entered, roughly at @p guess, sees what @p older and the scans about it have seen.
     [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const LiveKeyScan& older,
                                             const Pose& guess, const LiveMap& map) const;
     /// The same with olderAt(), unless the operator said no there.
-    [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const Pose& guess,
-                                            const LiveMap& map) const;
+    [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const Pose& guess, const LiveMap& map,
+                                            bool samePart) const;
     /// The links of @p found where others agree with it; else it is kept for those to come. Far ones ask.
-    [[nodiscard]] std::vector<Link> meet(Found found);
+    [[nodiscard]] std::vector<Link> meet(Found found, bool verified);
     /// Whether the map cannot have erred by so much.
     [[nodiscard]] bool tooFar(const Found& found) const;
     [[nodiscard]] bool agree(const Found& a, const Found& b) const;

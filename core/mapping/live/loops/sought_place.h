@@ -12,6 +12,7 @@ struct SoughtPlace {
     std::uint64_t scan = 0;                  ///< id
     LiveMapPtr map;                          ///< with it
     std::map<std::uint64_t, double> lately;  ///< scans nearly certain to lie right to it: not looked at
+    bool elsewhere = false;  ///< only parts of the map are looked at that have not met its own yet
 };
 
 }  // namespace leitstand

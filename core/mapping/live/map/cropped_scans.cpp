@@ -82,7 +82,9 @@ std::vector<BodyInScan> CroppedScans::bodies(std::uint64_t id) const {
 void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
     const auto known = m_fitted.find(scan.id);
     const auto bodies = m_bodies.find(scan.id);
-    if (m_crop.open() && bodies == m_bodies.end()) {
+    const MapCrop everything;
+    const MapCrop& crop = scan.part != 0 ? everything : m_crop;
+    if (crop.open() && bodies == m_bodies.end()) {
         if (known == m_fitted.end()) return;
         known->second.scan->putAllBack();
         scan.scan = known->second.scan->inside();
@@ -97,16 +99,17 @@ void CroppedScans::fit(LiveKeyScan& scan, const MatchedClouds& clouds) {
         fitted.wholeReduced = scan.reduced;
     }
     const Pose& here = scan.pose.scanInMap;
-    if (fitted.stale || fitted.scanInMap.matrix() != here.matrix()) {
+    if (fitted.stale || fitted.part != scan.part || fitted.scanInMap.matrix() != here.matrix()) {
         std::vector<PlacedBody> others;
         if (bodies != m_bodies.end()) others = placed(bodies->second, here);
         fitted.stale = false;
         fitted.scanInMap = here;
+        fitted.part = scan.part;
         const ScanPtr whole = fitted.scan->whole();
-        fitted.scan->leaveOutAllBut(pointsInside(whole->points, m_crop, here, others), whole);
+        fitted.scan->leaveOutAllBut(pointsInside(whole->points, crop, here, others), whole);
         fitted.reduced = fitted.scan->leftOut() == 0
                              ? fitted.wholeReduced
-                             : insideCrop(fitted.wholeReduced, m_crop, here, others, clouds);
+                             : insideCrop(fitted.wholeReduced, crop, here, others, clouds);
     }
     scan.scan = fitted.scan->inside();
     scan.reduced = fitted.reduced;

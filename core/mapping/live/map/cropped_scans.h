@@ -18,7 +18,8 @@ namespace leitstand {
 
 /// What of a map's key scans is inside the area that belongs into it, as the area is now, and not on other
 /// robots, as it is known now where they were: spectators may have been scanned before the area was drawn, a
-/// robot before it was placed. What is left out is kept, so that a wider area brings it back.
+/// robot before it was placed. What is left out is kept, so that a wider area brings it back. Scans of a part
+/// of which nobody knows how it lies to the area are all inside.
 class CroppedScans {
 public:
     void setCrop(MapCrop crop);
@@ -41,6 +42,7 @@ private:
         std::shared_ptr<KeptScan> scan;
         MatchedCloudPtr wholeReduced, reduced;
         Pose scanInMap = Pose::Identity();  ///< from where what is inside was told
+        std::uint64_t part = 0;             ///< LiveKeyScan::part then
         bool stale = true;                  ///< what is inside has changed
     };
 

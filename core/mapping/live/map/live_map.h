@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,6 +24,10 @@ struct LiveKeyScan {
     Pose sensorInBase = Pose::Identity();
     ScanPose pose;                      ///< and how sure that is
     std::uint64_t matched = 0;          ///< id of the nearest scan that it was registered against; 0: none
+    Pose enteredAt = Pose::Identity();  ///< KeyScanSample::scanInMap
+    /// With which scan the part of the map begins that it is of, where that has not met the map's first part
+    /// yet: how the two lie to each other is not known. 0: it is of the first part.
+    std::uint64_t part = 0;
     Time entered{};                     ///< station's clock; another one for each scan
     std::optional<Eigen::Vector3d> up;  ///< against gravity, scan's frame; empty: unknown
     int odometryFrame = -1;             ///< of scan->sensorInOdom; negative: of an earlier run of the station
@@ -30,6 +35,10 @@ struct LiveKeyScan {
     Pose unspun = Pose::Identity();     ///< takes out of its odometry what wheels spun before, this run
 
     [[nodiscard]] bool counts() const { return pose.trust == ScanTrust::Certain; }
+    /// Whether a part of the map begins with it: nothing that was there before led to it.
+    [[nodiscard]] bool begins() const {
+        return matched == 0 && (pose.doubts & ~static_cast<std::uint8_t>(ScanDoubt::Guessed)) == 0;
+    }
     /// By odometry without what wheels spun: for ways between scans of one odometry frame.
     [[nodiscard]] Pose sensorByWheels() const { return unspun * scan->sensorInOdom; }
 };
@@ -39,5 +48,11 @@ struct LiveMap {
     std::vector<LiveKeyScan> scans;  ///< by rising id
 };
 using LiveMapPtr = std::shared_ptr<const LiveMap>;
+
+/// Whether @p map has scans that count of a part that has not met its first one yet.
+[[nodiscard]] inline bool inParts(const LiveMap& map) {
+    return std::any_of(map.scans.begin(), map.scans.end(),
+                       [](const LiveKeyScan& scan) { return scan.part != 0 && scan.counts(); });
+}
 
 }  // namespace leitstand

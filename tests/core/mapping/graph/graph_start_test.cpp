@@ -45,5 +45,22 @@ TEST(GraphStart, LeavesWhatNoActiveLinkLeadsToAndWhatIsFixed) {
     EXPECT_DOUBLE_EQ(graph.nodes[2].pose.translation().x(), 8.0);
 }
 
+TEST(GraphStart, WhatLiesApartGoesAlongWithItsSurestLinkToWhatStays) {
+    PoseGraph graph;
+    // The third node begins a part of its own, which a later scan of it was found to join.
+    graph.nodes = {{1, at(0.0), false}, {2, at(0.0), false}, {3, at(50.0), false}, {4, at(0.0), false}};
+    graph.links = {link(1, 2, 1.0, LinkKind::Match), link(3, 4, 1.0, LinkKind::Match),
+                   link(1, 4, 9.0, LinkKind::Session), link(4, 2, -2.0, LinkKind::Operator)};
+    startFromLinks(graph);
+    EXPECT_DOUBLE_EQ(graph.nodes[1].pose.translation().x(), 1.0);
+    EXPECT_DOUBLE_EQ(graph.nodes[3].pose.translation().x(), 3.0) << "by the operator's link";
+    EXPECT_DOUBLE_EQ(graph.nodes[2].pose.translation().x(), 2.0);
+    graph.links[2].active = graph.links[3].active = false;
+    graph.nodes[2].pose = at(50.0);
+    startFromLinks(graph);
+    EXPECT_DOUBLE_EQ(graph.nodes[2].pose.translation().x(), 50.0);
+    EXPECT_DOUBLE_EQ(graph.nodes[3].pose.translation().x(), 51.0);
+}
+
 }  // namespace
 }  // namespace leitstand

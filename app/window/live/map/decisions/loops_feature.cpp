@@ -106,8 +106,11 @@ void LoopsFeature::showPreview(const MissionState& mission) {
 QString LoopsFeature::question(const MissionState& mission) const {
     if (!m_asked) return {};
     const auto metres = [](double length) { return numberText(length, 2) + QStringLiteral(" m"); };
-    QString text = tr("Is this a place that was seen before? The map is %1 off here, more than expected.")
-                       .arg(metres(m_asked->seam()));
+    QString text =
+        m_asked->parts
+            ? tr("Did these two parts of the map see the same place?")
+            : tr("Is this a place that was seen before? The map is %1 off here, more than expected.")
+                  .arg(metres(m_asked->seam()));
     if (!m_preview) return text;
     text += QLatin1Char('\n');
     text += m_preview->moved.empty() ? tr("If it is, no scan moves.")

@@ -1,0 +1,132 @@
+#include "app/services/recorded/carried_map.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "app/services/log/live_mission.h"
+#include "app/services/log/sequencer.h"
+#include "app/services/places/mission_map.h"
+#include "app/services/recorded/recorded_map.h"
+#include "core/base/words.h"
+#include "core/event/station_topics.h"
+
+namespace leitstand {
+namespace {
+
+constexpr auto Station = "carried map";  ///< no station of ours: nobody takes back what it says
+constexpr std::size_t AtOnce = 5'000;    ///< links or poses in an event
+
+/// What @p all holds that is to be said, some at a time.
+template <class T, class Say>
+Result<void> sayInPieces(const std::vector<T>& all, const Say& say) {
+    for (std::size_t first = 0; first < all.size(); first += AtOnce) {
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(first + AtOnce, all.size()));
+        if (auto said = say(std::vector<T>(begin, end)); !said) return said;
+    }
+    return {};
+}
+
+/// What of @p links holds @p scans: a loop that closed is one of what holds the map from now on.
+std::vector<Link> carriedLinks(const std::vector<Link>& links, const std::set<std::uint64_t>& scans) {
+    std::vector<Link> carried;
+    for (const Link& link : links) {
+        const bool refused = !link.active && link.kind == LinkKind::Operator;
+        if (!scans.contains(link.from) || !scans.contains(link.to) || (!link.active && !refused)) continue;
+        carried.push_back(link);
+        carried.back().station = Station;
+        if (link.active && closesLoop(link.kind)) carried.back().kind = LinkKind::Match;
+    }
+    return carried;
+}
+
+/// What @p scan is called in another mission: of robots of @p folder.
+ScanPtr renamed(const ScanPtr& scan, const std::string& folder) {
+    Scan other = *scan;
+    if (other.robot.find('@') == std::string::npos) other.robot += "@" + folder;
+    return std::make_shared<const Scan>(std::move(other));
+}
+
+Result<std::size_t> carry(const std::filesystem::path& from, const CarriedInto& into,
+                          const Progress& progress) {
+    if (!keyScansOf(into.folder).empty())
+        return Error{fill(
+            translate("leitstand::Station", "{}: it has a map already: a map is carried into a new mission"),
+            into.folder.string())};
+    const auto read = readMap(from);
+    if (!read) return read.error();
+    std::vector<ScanPose> poses;
+    std::set<std::uint64_t> counting;
+    for (const ScanPose& pose : posesOf(read->state)) {
+        if (pose.trust != ScanTrust::Certain) continue;
+        poses.push_back(pose);
+        counting.insert(pose.scan);
+    }
+    std::vector<KeyScanSample> scans = keyScansOf(*read->bag);
+    std::erase_if(scans,
+                  [&](const KeyScanSample& scan) { return !scan.scan || !counting.contains(scan.id); });
+    if (scans.empty())
+        return Error{fill(translate("leitstand::Station", "{}: expected a map of ours, found no key scans"),
+                          from.string())};
+    LiveMissionSettings settings;
+    settings.folder = into.folder;
+    settings.robots = into.robots;
+    settings.station = Station;
+    settings.title = from.filename().string();
+    settings.version = into.version;
+    auto mission = LiveMission::open(settings);
+    if (!mission) return mission.error();
+    const std::string name = std::filesystem::weakly_canonical(from).filename().string();
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        if (progress.cancelled()) return Error{translate("leitstand::Station", "cancelled")};
+        KeyScanSample scan = std::move(scans[i]);
+        scan.stamp = stationTime();
+        scan.scan = renamed(scan.scan, name);
+        if (auto said = (*mission)->say(scan, station_topic::KeyScans); !said) return said.error();
+        // What waits for the disk waits in memory.
+        if (i % 50 == 49) {
+            if (auto kept = (*mission)->flush(); !kept) return kept.error();
+        }
+        progress.done(static_cast<double>(i + 1) / static_cast<double>(scans.size()));
+    }
+    const Time now = stationTime();
+    auto said = sayInPieces(carriedLinks(linksOf(*read), counting), [&](std::vector<Link> links) {
+        return (*mission)->say(ScanLinksSample{now, Station, std::move(links)}, station_topic::ScanLinks);
+    });
+    if (!said) return said.error();
+    said = sayInPieces(poses, [&](std::vector<ScanPose> some) {
+        return (*mission)->say(
+            ScanPosesSample{now, Station, ScanPosesSample::Cause::Registration, std::move(some)},
+            station_topic::ScanPoses);
+    });
+    if (!said) return said.error();
+    auto bodies = *read->state.bodies;
+    std::erase_if(bodies, [&](const auto& one) { return !counting.contains(one.first); });
+    for (ScanBodiesSample& sample : inSamples(std::move(bodies), now)) {
+        sample.station = Station;
+        if (auto kept = (*mission)->say(sample, station_topic::ScanBodies); !kept) return kept.error();
+    }
+    if (const auto crop = cropOf(read->state)) {
+        const MapCropSample area{now, Station, crop->polygon, crop->ceiling};
+        if (auto kept = (*mission)->say(area, station_topic::MapCrop); !kept) return kept.error();
+    }
+    if (auto closed = (*mission)->close(); !closed) return closed.error();
+    return scans.size();
+}
+
+}  // namespace
+
+Result<std::size_t> carryMap(const std::filesystem::path& from, const CarriedInto& into,
+                             const Progress& progress) {
+    std::error_code none;
+    const bool fresh = !std::filesystem::exists(into.folder, none);
+    auto carried = carry(from, into, progress);
+    // Half a map is none, and there was no mission before.
+    if (!carried && fresh) std::filesystem::remove_all(into.folder, none);
+    return carried;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,49 @@
+#include "app/services/recorded/recorded_map.h"
+
+#include <string>
+#include <utility>
+
+#include "app/services/log/event_decoder.h"
+#include "app/services/log/mission_robots.h"
+#include "app/services/log/replay/bag_history.h"
+#include "app/services/places/mission_map.h"
+#include "app/services/recorded/review_log.h"
+#include "core/base/words.h"
+#include "core/mapping/graph/scan_graph.h"
+#include "core/mission/state/fold.h"
+
+namespace leitstand {
+
+Result<RecordedMap> readMap(const std::filesystem::path& folder) {
+    RecordedMap read;
+    auto bag = BagReader::open(folder);
+    if (!bag) return bag.error();
+    if (!std::filesystem::is_directory(folder))
+        return Error{
+            fill(translate("leitstand::Station", "{}: expected the mission's folder"), folder.string())};
+    if (isOfOthers(folder)) {
+        return Error{fill(translate("leitstand::Station",
+                                    "{}: no station of ours recorded it, so that it stays as it is; "
+                                    "nothing can be written into it"),
+                          folder.string())};
+    }
+    read.folder = folder;
+    read.bag = std::move(bag).value();
+    std::vector<std::string> ignored;
+    read.robots = robotsOf(folder, *read.bag, ignored);
+    EventDecoder decoder(read.robots);
+    BagHistory history(*read.bag, decoder);
+    read.state = stateAt(history, read.bag->lastSequence());
+    return read;
+}
+
+std::vector<Link> linksOf(const RecordedMap& map) {
+    ScanGraph graph;
+    for (const ScanLinksSample& sample : scanLinksOf(map.folder)) {
+        for (const Link& link : sample.links) graph.add(link);
+    }
+    for (const Link& link : loopsOf(map.state)) graph.add(link);
+    return graph.links();
+}
+
+}  // namespace leitstand

@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/relocalisation/place_recognition.h"
+#include "tests/core/mapping/live/mapped_room.h"
+
+namespace leitstand::test {
+namespace {
+
+using testing::Each;
+using testing::Field;
+using testing::IsEmpty;
+using testing::Not;
+
+/// In a room there is little way on which places can agree.
+LiveSettings inARoom() {
+    LiveSettings settings;
+    settings.loops.seekEvery = 0.3;
+    settings.loops.partsAgree = 3;
+    return settings;
+}
+
+/// A room that one robot has mapped, and another one that nobody has placed in it.
+struct TwoRobotsInARoom : MappedRoom {
+    TwoRobotsInARoom() : MappedRoom(inARoom()) { drive(6); }
+
+    /// What the second robot sees from @p sensorInRoom; its odometry has a frame of its own.
+    LiveScan seen(const Pose& sensorInRoom) {
+        LiveScan live = scanAt(sensorInRoom, seed++);
+        Scan scan = *live.scan;
+        scan.robot = "second";
+        scan.sensorInOdom = poseFrom({3, 1, 0}, 0, 0, degrees(70)) * scan.sensorInOdom;
+        live.scan = std::make_shared<const Scan>(std::move(scan));
+        return live;
+    }
+    /// It goes across the room and turns a little; what is sought is found where it can be.
+    std::optional<ScanLinksSample> explore(int scans) {
+        std::optional<ScanLinksSample> question;
+        for (int i = 0; i < scans && !question; ++i) {
+            const Pose here = poseFrom({1.5 - 0.45 * i, 1.0 - 0.3 * i, 0.9}, 0, 0, degrees(200 + 4 * i));
+            const MapUpdate update = add(seen(here));
+            if (update.keyScan) second.emplace_back(update.keyScan->id, here);
+            question = update.loop;
+            const auto sought = mapper.sought();
+            const auto place = sought ? recognise(*sought, {}) : std::nullopt;
+            if (place) question = mapper.recognised(*sought, *place, now);
+            if (question) log.say(*question, "/leitstand/scan_links");
+        }
+        return question;
+    }
+    /// What the operator says to @p question.
+    void answer(ScanLinksSample question, bool same) {
+        for (Link& link : question.links) {
+            link.kind = LinkKind::Operator;
+            link.active = same;
+        }
+        log.say(question, "/leitstand/scan_links");
+        mapper.restore(question);
+    }
+    /// How far the second robot's scans are from where they were taken, in the first one's map [m].
+    double worst() {
+        const LiveMapPtr map = mapper.map();
+        const Pose roomInMap =
+            map->scans.front().pose.scanInMap * poseFrom({-1.4, 0, 0.9}, 0, 0, 0).inverse();
+        double largest = 0.0;
+        for (const auto& [id, inRoom] : second) {
+            for (const LiveKeyScan& scan : map->scans) {
+                if (scan.id == id)
+                    largest = std::max(largest, distanceBetween(scan.pose.scanInMap, roomInMap * inRoom));
+            }
+        }
+        return largest;
+    }
+    std::vector<LiveKeyScan> scansOf(const std::string& robot) {
+        std::vector<LiveKeyScan> found;
+        for (const LiveKeyScan& scan : mapper.map()->scans) {
+            if (scan.scan->robot == robot) found.push_back(scan);
+        }
+        return found;
+    }
+
+    std::vector<std::pair<std::uint64_t, Pose>> second;  ///< ids, and where they were taken
+};
+
+TEST(LiveMapperParts, ARobotThatNobodyPlacedWaitsUntilItIsToBeginAPart) {
+    TwoRobotsInARoom room;
+    EXPECT_FALSE(room.add(room.seen(poseFrom({1.5, 1, 0.9}, 0, 0, 0))).keyScan);
+    room.mapper.beginPart("second");
+    const MapUpdate update = room.add(room.seen(poseFrom({1.5, 1, 0.9}, 0, 0, 0)));
+    ASSERT_TRUE(update.keyScan);
+    EXPECT_EQ(update.localisation.trust, ScanTrust::Certain);
+    EXPECT_EQ(update.keyScan->matched, 0U) << "it was registered against nothing";
+    EXPECT_LT(update.keyScan->scanInMap.translation().y(), -20.0) << "beside the map";
+    EXPECT_EQ(room.mapper.map()->scans.back().part, update.keyScan->id);
+    ASSERT_TRUE(room.mapper.fix("second"));
+    EXPECT_EQ(room.mapper.fix("second")->part, update.keyScan->id);
+    EXPECT_EQ(room.mapper.fix("kurt3d")->part, 0U);
+}
+
+TEST(LiveMapperParts, ItsPartGrowsByItselfAndNothingClosesIntoTheOtherUnasked) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    for (int i = 0; i < 4; ++i) {
+        const MapUpdate update = room.add(room.seen(poseFrom({1.5 - 0.4 * i, 1, 0.9}, 0, 0, 0)));
+        ASSERT_TRUE(update.keyScan) << i;
+        EXPECT_EQ(update.localisation.trust, ScanTrust::Certain) << i;
+        EXPECT_FALSE(update.loop) << i;
+    }
+    EXPECT_THAT(room.scansOf("kurt3d"), Each(Field(&LiveKeyScan::part, 0U)));
+    const auto second = room.scansOf("second");
+    EXPECT_THAT(second, Each(Field(&LiveKeyScan::part, second.front().id)));
+    EXPECT_FALSE(room.mapper.problem());
+}
+
+TEST(LiveMapperParts, ScansWhereBothSawTheSameAreAQuestionAndTheAnswerBringsThePartsTogether) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    const auto question = room.explore(8);
+    ASSERT_TRUE(question);
+    EXPECT_THAT(question->links, Not(IsEmpty()));
+    EXPECT_THAT(question->links, Each(Field(&Link::kind, LinkKind::Session)));
+    EXPECT_THAT(question->links, Each(Field(&Link::active, false)));
+    const auto before = room.poses();
+    EXPECT_FALSE(room.mapper.problem()) << "unanswered nothing moves";
+    room.answer(*question, true);
+    ASSERT_TRUE(room.solveAll());
+    EXPECT_LT(room.worst(), 0.03);
+    for (std::size_t i = 0; i < 6; ++i)
+        EXPECT_LT(distanceBetween(before[i].scanInMap, room.poses()[i].scanInMap), 0.02) << i;
+    EXPECT_THAT(room.mapper.map()->scans, Each(Field(&LiveKeyScan::part, 0U))) << "one map";
+    EXPECT_TRUE(alike(room.poses(), room.log.poses()));
+    const MapUpdate next = room.add(room.seen(poseFrom({-1.5, -1.2, 0.9}, 0, 0, degrees(240))));
+    EXPECT_EQ(next.localisation.trust, ScanTrust::Certain) << "the robot goes on in the other's map";
+}
+
+TEST(LiveMapperParts, TakenBackThePartLiesWhereItWas) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    const auto question = room.explore(8);
+    ASSERT_TRUE(question);
+    const auto before = room.poses();
+    room.answer(*question, true);
+    ASSERT_TRUE(room.solveAll());
+    room.answer(*question, false);
+    ASSERT_TRUE(room.solveAll());
+    ASSERT_TRUE(alike(room.poses(), before));
+    EXPECT_NE(room.mapper.map()->scans.back().part, 0U);
+    EXPECT_FALSE(room.explore(3)) << "it is not asked again";
+}
+
+TEST(LiveMapperParts, AStationThatStartsAgainKnowsTheParts) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    const auto question = room.explore(8);
+    ASSERT_TRUE(question);
+    LiveMapper apart = room.log.readAgain();
+    EXPECT_EQ(apart.map()->scans.front().part, 0U);
+    EXPECT_EQ(apart.map()->scans.back().part, room.second.front().first);
+    room.answer(*question, true);
+    LiveMapper together = room.log.readAgain();
+    EXPECT_EQ(together.map()->scans.back().part, 0U);
+    EXPECT_TRUE(together.problem()) << "a log that ends before the poses is solved";
+}
+
+TEST(LiveMapperParts, ByHandAScanIsShownItsPlaceInTheOtherPart) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    const Pose here = poseFrom({1.0, 0.8, 0.9}, 0, 0, degrees(200));
+    const MapUpdate update = room.add(room.seen(here));
+    ASSERT_TRUE(update.keyScan);
+    const Pose roomInMap =
+        room.mapper.map()->scans.front().pose.scanInMap * poseFrom({-1.4, 0, 0.9}, 0, 0, 0).inverse();
+    const auto question = room.mapper.propose(
+        update.keyScan->id, roomInMap * here * poseFrom({0.3, 0.2, 0}, 0, 0, degrees(5)), room.now);
+    ASSERT_TRUE(question) << question.error().text;
+    room.answer(*question, true);
+    room.second.emplace_back(update.keyScan->id, here);
+    ASSERT_TRUE(room.solveAll());
+    EXPECT_LT(room.worst(), 0.03);
+}
+
+}  // namespace
+}  // namespace leitstand::test

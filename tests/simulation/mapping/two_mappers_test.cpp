@@ -1,0 +1,247 @@
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/mapping/relocalisation/place_recognition.h"
+#include "tests/simulation/mapping/building_sets.h"
+
+namespace leitstand::simulation::test {
+namespace {
+
+constexpr double Off = 0.3, OffAngle = degrees(3);  ///< a link is wrong from there on
+
+/// Two robots of which nobody knows how they stand to each other, each on its way.
+struct TwoDrives {
+    ScriptedDrive first, second;
+};
+
+/// What came of mapping them together.
+struct TwoMapped {
+    bool together = false;  ///< in the end
+    int wrong = 0;          ///< links that were asked about and are none
+    double until = 0.0;     ///< way of both between them since one came to where the other had been [m]
+    double worstLink = 0.0, ate = 0.0, seam = 0.0;  ///< [m]
+    double seeking = 0.0;                           ///< processor time [s]
+};
+
+/// Of the ring, once around, from share @p from to @p to; backwards where that is less.
+std::vector<Eigen::Vector3d> stretch(const BuildingWays& ways, double from, double to) {
+    std::vector<Eigen::Vector3d> corners = ringRoute(ways, std::max(from, to));
+    double left = std::min(from, to) * 2.0 * ways.ring.sizes().sum();
+    while ((corners[1] - corners[0]).norm() <= left) {
+        left -= (corners[1] - corners[0]).norm();
+        corners.erase(corners.begin());
+    }
+    corners[0] += left * (corners[1] - corners[0]).normalized();
+    if (to < from) std::reverse(corners.begin(), corners.end());
+    return corners;
+}
+
+TwoDrives twoDrives(const Building& building, const SensorErrors& sensor, std::uint64_t seed) {
+    ScriptSettings script;
+    script.seed = seed;
+    script.sensor = sensor;
+    TwoDrives drives;
+    drives.first = scriptedDrive(building.arena, DrivePath(stretch(building.ways, 0.0, 0.6)), script);
+    script.seed = seed + 5000;
+    drives.second = scriptedDrive(building.arena, DrivePath(stretch(building.ways, 0.8, 0.1)), script);
+    for (LiveScan& live : drives.second.scans) {
+        Scan scan = *live.scan;
+        scan.robot = "second";
+        live.scan = std::make_shared<const Scan>(std::move(scan));
+    }
+    return drives;
+}
+
+class TogetherMapped {
+public:
+    explicit TogetherMapped(const TwoDrives& drives) : m_drives(drives), m_mapper("test", {}) {
+        m_mapper.setBody("kurt3d", {drives.first.drive.robot.footprint, drives.first.drive.robot.height});
+        m_mapper.setBody("second", {drives.first.drive.robot.footprint, drives.first.drive.robot.height});
+        m_mapper.beginPart("second");
+    }
+
+    TwoMapped run() {
+        std::vector<LiveScan> scans = m_drives.first.scans;
+        scans.insert(scans.end(), m_drives.second.scans.begin(), m_drives.second.scans.end());
+        std::stable_sort(scans.begin(), scans.end(),
+                         [](const LiveScan& a, const LiveScan& b) { return a.scan->end < b.scan->end; });
+        for (const LiveScan& live : scans) {
+            const MapUpdate update = m_mapper.add(live, live.scan->end);
+            if (update.loop) answer(*update.loop, live.scan->end);
+            follow(*live.scan);
+            seek(live.scan->end);
+            if (const auto problem = m_mapper.problem())
+                (void)m_mapper.settle(solve(*problem), live.scan->end);
+        }
+        judge();
+        return m_result;
+    }
+
+private:
+    [[nodiscard]] Pose truthOf(const Scan& scan) const {
+        const RecordedDrive& drive = scan.robot == "second" ? m_drives.second.drive : m_drives.first.drive;
+        return drive.baseInArena(scan.end);
+    }
+
+    /// How far both have come since their ways met.
+    void follow(const Scan& scan) {
+        const Pose here = truthOf(scan);
+        std::vector<Pose>& mine = m_ways[scan.robot];
+        for (const auto& [robot, way] : m_ways) {
+            m_met =
+                m_met || (robot != scan.robot && std::any_of(way.begin(), way.end(), [&](const Pose& pose) {
+                              return distanceBetween(pose, here) < 1.5;
+                          }));
+        }
+        if (m_met && !mine.empty() && !m_result.together)
+            m_result.until += distanceBetween(mine.back(), here);
+        mine.push_back(here);
+    }
+
+    void seek(Time now) {
+        const auto sought = m_mapper.sought();
+        if (!sought) return;
+        const double began = processorTime();
+        const auto found = recognise(*sought, {});
+        m_result.seeking += processorTime() - began;
+        const auto question =
+            found ? m_mapper.recognised(*sought, *found, now) : std::optional<ScanLinksSample>{};
+        if (question) answer(*question, now);
+    }
+
+    /// As an operator does who knows the truth.
+    void answer(ScanLinksSample question, Time now) {
+        if (question.links.front().active) return;
+        const LiveMapPtr map = m_mapper.map();
+        const auto truth = [&](std::uint64_t id) -> Pose {
+            const auto scan = std::find_if(map->scans.begin(), map->scans.end(),
+                                           [id](const LiveKeyScan& one) { return one.id == id; });
+            return truthOf(*scan->scan) * scan->sensorInBase;
+        };
+        bool right = true;
+        for (const Link& link : question.links) {
+            const Pose between = truth(link.from).inverse() * truth(link.to);
+            const double off = distanceBetween(between, link.pose);
+            const bool fits = off <= Off && angleBetween(between, link.pose) <= OffAngle;
+            right = right && fits;
+            if (!fits) ++m_result.wrong;
+            if (fits) m_result.worstLink = std::max(m_result.worstLink, off);
+        }
+        if (std::getenv("LEITSTAND_TELL") != nullptr) {
+            const Link& newest = question.links.back();
+            const Pose between = truth(newest.from).inverse() * truth(newest.to);
+            std::printf(
+                "  %s: %zu links, scans %llu and %llu, %.1f m and %.0f degrees off, truly %.1f m apart, %zu "
+                "and "
+                "%zu scans\n",
+                right ? "right" : "wrong", question.links.size(),
+                static_cast<unsigned long long>(newest.from), static_cast<unsigned long long>(newest.to),
+                distanceBetween(between, newest.pose), inDegrees(angleBetween(between, newest.pose)),
+                between.translation().norm(), m_ways["kurt3d"].size(), m_ways["second"].size());
+        }
+        for (Link& link : question.links) {
+            link.kind = LinkKind::Operator;
+            link.active = right;
+        }
+        question.stamp = now;
+        m_mapper.restore(question);
+        m_result.together = m_result.together || right;
+    }
+
+    void judge() {
+        const LiveMapPtr map = m_mapper.map();
+        m_result.together = !inParts(*map);
+        Trajectory trajectory;
+        for (const std::string robot : {"kurt3d", "second"}) {
+            for (const LiveKeyScan& key : map->scans) {
+                if (key.scan->robot != robot || !key.counts()) continue;
+                trajectory.found.push_back(key.pose.scanInMap * key.sensorInBase.inverse());
+                trajectory.truth.push_back(truthOf(*key.scan));
+            }
+        }
+        m_result.ate = errorOf(trajectory).distance;
+        m_result.seam = worstSeam(trajectory);
+    }
+
+    const TwoDrives& m_drives;
+    LiveMapper m_mapper;
+    TwoMapped m_result;
+    bool m_met = false;
+    std::map<std::string, std::vector<Pose>> m_ways;  ///< by robot
+};
+
+int buildings() {
+    const char* told = std::getenv("LEITSTAND_BUILDINGS");
+    return told == nullptr ? 10 : std::atoi(told);
+}
+
+std::uint64_t firstSeed(std::uint64_t usual) {
+    const char* told = std::getenv("LEITSTAND_SEED");
+    return told == nullptr ? usual : std::strtoull(told, nullptr, 10);
+}
+
+/// Of buildings in which the two maps came to be one.
+struct Sum {
+    int together = 0, wrong = 0;
+    double ate = 0.0, seam = 0.0;  ///< the worst of those [m]
+};
+
+Sum mapTogether(const char* name, bool twins, const SensorErrors& sensor, std::uint64_t first, int count) {
+    BuildingSettings settings;
+    settings.width = 30.0;
+    settings.depth = 20.0;
+    settings.twins = twins;
+    Sum sum;
+    for (int i = 0; i < count; ++i) {
+        const std::uint64_t seed = firstSeed(first) + static_cast<std::uint64_t>(i);
+        const Building building = std::move(generateBuilding(settings, seed)).value();
+        const TwoDrives drives = twoDrives(building, sensor, seed);
+        const TwoMapped one = TogetherMapped(drives).run();
+        std::printf(
+            "%s %llu: %s after %.1f m of both ways, link off by %.3f m, %d wrong links asked, ATE %.3f m, "
+            "worst "
+            "seam %.3f m, %.0f s of a core looked for\n",
+            name, static_cast<unsigned long long>(seed), one.together ? "together" : "apart", one.until,
+            one.worstLink, one.wrong, one.ate, one.seam, one.seeking);
+        sum.wrong += one.wrong;
+        if (!one.together) continue;
+        ++sum.together;
+        sum.ate = std::max(sum.ate, one.ate);
+        sum.seam = std::max(sum.seam, one.seam);
+    }
+    std::printf("%s: %d of %d together, %d wrong links asked\n", name, sum.together, count, sum.wrong);
+    return sum;
+}
+
+TEST(TwoMappersLong, WhoMeetsTheOthersWayComesIntoOneMapWithIt) {
+    const int count = buildings();
+    const Sum sum = mapTogether("two robots", false, {}, 801, count);
+    EXPECT_GE(sum.together, 0.9 * count);
+    EXPECT_EQ(sum.wrong, 0);
+    EXPECT_LT(sum.ate, 0.04);
+    EXPECT_LT(sum.seam, 0.06);
+}
+
+TEST(TwoMappersLong, WithRealScanners) {
+    const int count = std::min(buildings(), 5);
+    const Sum sum = mapTogether("two robots with real scanners", false, realScanner(), 811, count);
+    EXPECT_GE(sum.together, 0.8 * count);
+    EXPECT_EQ(sum.wrong, 0);
+}
+
+TEST(TwoMappersLong, AmongTwins) {
+    const Sum sum = mapTogether("two robots among twins", true, {}, 821, std::min(buildings(), 5));
+    EXPECT_LT(sum.ate, 0.04) << "of those that came together";
+}
+
+}  // namespace
+}  // namespace leitstand::simulation::test
