@@ -736,6 +736,10 @@
         <source>%1 was recorded until a moment ago: Mission ▸ Go on with the mission before (or leitstand --resume)</source>
         <translation>%1 wurde bis eben aufgezeichnet: Mission ▸ Vorherige Mission fortsetzen (oder leitstand --resume)</translation>
     </message>
+    <message>
+        <source>The map of %1 is being copied.</source>
+        <translation>Die Karte von %1 wird kopiert.</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::AttitudeGauge</name>
@@ -4254,6 +4258,14 @@ Apache License 2.0</translation>
         <source>Links of other loops that speak against it: %1.</source>
         <translation>Verbindungen anderer Schleifen, die widersprechen: %1.</translation>
     </message>
+    <message>
+        <source>Did these two parts of the map see the same place?</source>
+        <translation>Haben diese beiden Teile der Karte denselben Ort gesehen?</translation>
+    </message>
+    <message>
+        <source>Map of %1, not joined yet</source>
+        <translation>Karte von %1, noch nicht verbunden</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MainWindow</name>
@@ -4753,6 +4765,30 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Go on with it</source>
         <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>A &amp;new mission in the map of…</source>
+        <translation>Eine &amp;neue Mission in der Karte von …</translation>
+    </message>
+    <message>
+        <source>Ends this mission, and begins a new one that goes on in its map, or in that of an earlier one; robots find their place in it as they drive</source>
+        <translation>Beendet diese Mission und beginnt eine neue, die in ihrer Karte oder in der einer früheren weitergeht; Roboter finden ihren Ort darin, während sie fahren</translation>
+    </message>
+    <message>
+        <source>A new mission in the map of…</source>
+        <translation>Eine neue Mission in der Karte von …</translation>
+    </message>
+    <message>
+        <source>A new mission</source>
+        <translation>Eine neue Mission</translation>
+    </message>
+    <message>
+        <source>End this mission and begin a new one in the map of %1?</source>
+        <translation>Diese Mission beenden und eine neue in der Karte von %1 beginnen?</translation>
+    </message>
+    <message>
+        <source>Begin it</source>
+        <translation>Beginnen</translation>
     </message>
 </context>
 <context>
@@ -7763,6 +7799,22 @@ F1 listet alle Tasten</translation>
     <message>
         <source>nothing is asked about the scanner any more</source>
         <translation>zum Scanner wird nichts mehr gefragt</translation>
+    </message>
+    <message>
+        <source>two parts of the map seem to have seen the same place: say whether they did</source>
+        <translation>zwei Teile der Karte haben anscheinend denselben Ort gesehen: sagen Sie, ob es so ist</translation>
+    </message>
+    <message>
+        <source>{}: it has a map already: a map is carried into a new mission</source>
+        <translation>{}: hat schon eine Karte: eine Karte wird nur in eine neue Mission übernommen</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>it maps a part of its own, which has not met the rest yet</source>
+        <translation>er kartiert einen eigenen Teil, der den Rest noch nicht getroffen hat</translation>
     </message>
 </context>
 <context>

@@ -736,6 +736,10 @@
         <source>%1 was recorded until a moment ago: Mission ▸ Go on with the mission before (or leitstand --resume)</source>
         <translation>%1 は直前まで記録されていました: ミッション ▸ 前のミッションを続ける (または leitstand --resume)</translation>
     </message>
+    <message>
+        <source>The map of %1 is being copied.</source>
+        <translation>%1の地図をコピーしています。</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::AttitudeGauge</name>
@@ -4254,6 +4258,14 @@ Apache License 2.0</translation>
         <source>Links of other loops that speak against it: %1.</source>
         <translation>矛盾する他のループの結合: %1。</translation>
     </message>
+    <message>
+        <source>Did these two parts of the map see the same place?</source>
+        <translation>地図のこの2つの部分は同じ場所を見ましたか？</translation>
+    </message>
+    <message>
+        <source>Map of %1, not joined yet</source>
+        <translation>%1の地図（未結合）</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MainWindow</name>
@@ -4753,6 +4765,30 @@ F1 でキー一覧</translation>
     <message>
         <source>Go on with it</source>
         <translation>続ける</translation>
+    </message>
+    <message>
+        <source>A &amp;new mission in the map of…</source>
+        <translation>地図を引き継ぐ新しいミッション(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Ends this mission, and begins a new one that goes on in its map, or in that of an earlier one; robots find their place in it as they drive</source>
+        <translation>このミッションを終了し、その地図または以前のミッションの地図を引き継ぐ新しいミッションを始めます。ロボットは走行しながら地図内の位置を見つけます</translation>
+    </message>
+    <message>
+        <source>A new mission in the map of…</source>
+        <translation>地図を引き継ぐ新しいミッション…</translation>
+    </message>
+    <message>
+        <source>A new mission</source>
+        <translation>新しいミッション</translation>
+    </message>
+    <message>
+        <source>End this mission and begin a new one in the map of %1?</source>
+        <translation>このミッションを終了し、%1の地図で新しいミッションを始めますか？</translation>
+    </message>
+    <message>
+        <source>Begin it</source>
+        <translation>始める</translation>
     </message>
 </context>
 <context>
@@ -7763,6 +7799,22 @@ F1 でキー一覧</translation>
     <message>
         <source>nothing is asked about the scanner any more</source>
         <translation>スキャナーについての質問はもうありません</translation>
+    </message>
+    <message>
+        <source>two parts of the map seem to have seen the same place: say whether they did</source>
+        <translation>地図の2つの部分が同じ場所を見たようです。同じかどうか答えてください</translation>
+    </message>
+    <message>
+        <source>{}: it has a map already: a map is carried into a new mission</source>
+        <translation>{}: すでに地図があります。地図は新しいミッションにのみ引き継げます</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>中止しました</translation>
+    </message>
+    <message>
+        <source>it maps a part of its own, which has not met the rest yet</source>
+        <translation>独自の部分を作成中で、まだ残りの地図と結合していません</translation>
     </message>
 </context>
 <context>

@@ -211,6 +211,10 @@ void MapView::State::paintOverlays(QPainter& painter) {
     paintRobots(painter, projection, robots, overlay);
     paintVictims(painter, projection, finds, chosenFind, overlay);
     tools.paint(painter, projection, overlay);
+    if (content.settings.follow == MapFollow::Free) {
+        for (const MapCaption& caption : captions)
+            paintCaption(painter, projection, caption.places, caption.text, overlay);
+    }
     if (seam) paintMeasurement(painter, projection, seam->from, seam->to, overlay);
     if (from) paintMeasurement(painter, projection, *from, to, overlay);
     const QRect scaleBar = paintScaleBar(painter, projection, gridStep, overlay);

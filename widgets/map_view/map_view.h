@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <QImage>
+#include <QString>
 #include <QWidget>
 
 #include "core/mapping/map.h"
@@ -30,6 +31,12 @@ struct PickedPoint {
 /// Two picked points.
 struct Measurement {
     Eigen::Vector3d from, to;  ///< in the map's frame [m]
+};
+
+/// Something said of a part of the map, over what is drawn there highest.
+struct MapCaption {
+    std::vector<Eigen::Vector3d> places;  ///< of the part, in the map's frame [m]
+    QString text;
 };
 
 /// Shows a map. A plain raster widget: VTK draws in its own EGL context on one render thread; the widget
@@ -79,6 +86,8 @@ public:
     void setArea(std::vector<Eigen::Vector2d> area);
     /// Two places of which somebody asks whether they are one, with what lies between; empty: none.
     void setSeam(const std::optional<Measurement>& seam);
+    /// Not while the camera follows a robot: there the map is for driving.
+    void setCaptions(std::vector<MapCaption> captions);
     /// Height of the floor that gestures draw on where no floor was scanned, map frame [m].
     void setGround(double height);
     /// Says @p text over the map; empty: nothing.

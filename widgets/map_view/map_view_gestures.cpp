@@ -61,6 +61,11 @@ void MapView::setSeam(const std::optional<Measurement>& seam) {
     update();
 }
 
+void MapView::setCaptions(std::vector<MapCaption> captions) {
+    m_state->captions = std::move(captions);
+    update();
+}
+
 void MapView::State::describe() {
     QStringList lines = {hint, detailsOf(robots)};
     lines.removeAll(QString());

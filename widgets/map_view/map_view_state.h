@@ -58,6 +58,7 @@ struct MapView::State {
     double ground = 0.0;                ///< height of the floor, map frame [m]
     QString hint;
     std::optional<Measurement> seam;
+    std::vector<MapCaption> captions;
     std::uint64_t highlighted = 0;
 
     bool measuring = false;

@@ -151,7 +151,11 @@ void LiveMapping::tellPlace(const std::optional<RobotPlaceSample>& place) {
 
 void LiveMapping::placeBeside(const std::string& name, Robot& robot, Time now) {
     if (!m_map || m_map->scans.empty()) return;
-    const LiveKeyScan& first = m_map->scans.front();
+    // Where a robot of ours began; before one did, where one of a map did that was carried here.
+    const auto ours = std::find_if(m_map->scans.begin(), m_map->scans.end(), [&](const LiveKeyScan& scan) {
+        return m_robots.contains(scan.scan->robot);
+    });
+    const LiveKeyScan& first = ours != m_map->scans.end() ? *ours : m_map->scans.front();
     if (name == first.scan->robot || m_mapper.fix(name)) return;
     tellPlace(robot.laser.placeBeside(first.pose.scanInMap * first.sensorInBase.inverse(), m_map, now,
                                       othersThan(robot, false)));

@@ -17,6 +17,8 @@ class BagReader;
 
 /// Who says what a tidying of the map says: no station, so that nobody takes it back who did not ask for it.
 inline constexpr std::string_view TidyingStation = "tidying";
+/// Likewise, what a map says that was carried here from another mission.
+inline constexpr std::string_view CarriedStation = "carried map";
 
 /// Key scans that @p bag holds, the newest of each number.
 [[nodiscard]] std::vector<KeyScanSample> keyScansOf(BagReader& bag);

@@ -16,8 +16,7 @@
 namespace leitstand {
 namespace {
 
-constexpr auto Station = "carried map";  ///< no station of ours: nobody takes back what it says
-constexpr std::size_t AtOnce = 5'000;    ///< links or poses in an event
+constexpr std::size_t AtOnce = 5'000;  ///< links or poses in an event
 
 /// What @p all holds that is to be said, some at a time.
 template <class T, class Say>
@@ -37,7 +36,7 @@ std::vector<Link> carriedLinks(const std::vector<Link>& links, const std::set<st
         const bool refused = !link.active && link.kind == LinkKind::Operator;
         if (!scans.contains(link.from) || !scans.contains(link.to) || (!link.active && !refused)) continue;
         carried.push_back(link);
-        carried.back().station = Station;
+        carried.back().station = CarriedStation;
         if (link.active && closesLoop(link.kind)) carried.back().kind = LinkKind::Match;
     }
     return carried;
@@ -74,7 +73,7 @@ Result<std::size_t> carry(const std::filesystem::path& from, const CarriedInto& 
     LiveMissionSettings settings;
     settings.folder = into.folder;
     settings.robots = into.robots;
-    settings.station = Station;
+    settings.station = CarriedStation;
     settings.title = from.filename().string();
     settings.version = into.version;
     auto mission = LiveMission::open(settings);
@@ -94,23 +93,24 @@ Result<std::size_t> carry(const std::filesystem::path& from, const CarriedInto& 
     }
     const Time now = stationTime();
     auto said = sayInPieces(carriedLinks(linksOf(*read), counting), [&](std::vector<Link> links) {
-        return (*mission)->say(ScanLinksSample{now, Station, std::move(links)}, station_topic::ScanLinks);
+        return (*mission)->say(ScanLinksSample{now, std::string(CarriedStation), std::move(links)},
+                               station_topic::ScanLinks);
     });
     if (!said) return said.error();
     said = sayInPieces(poses, [&](std::vector<ScanPose> some) {
-        return (*mission)->say(
-            ScanPosesSample{now, Station, ScanPosesSample::Cause::Registration, std::move(some)},
-            station_topic::ScanPoses);
+        return (*mission)->say(ScanPosesSample{now, std::string(CarriedStation),
+                                               ScanPosesSample::Cause::Registration, std::move(some)},
+                               station_topic::ScanPoses);
     });
     if (!said) return said.error();
     auto bodies = *read->state.bodies;
     std::erase_if(bodies, [&](const auto& one) { return !counting.contains(one.first); });
     for (ScanBodiesSample& sample : inSamples(std::move(bodies), now)) {
-        sample.station = Station;
+        sample.station = CarriedStation;
         if (auto kept = (*mission)->say(sample, station_topic::ScanBodies); !kept) return kept.error();
     }
     if (const auto crop = cropOf(read->state)) {
-        const MapCropSample area{now, Station, crop->polygon, crop->ceiling};
+        const MapCropSample area{now, std::string(CarriedStation), crop->polygon, crop->ceiling};
         if (auto kept = (*mission)->say(area, station_topic::MapCrop); !kept) return kept.error();
     }
     if (auto closed = (*mission)->close(); !closed) return closed.error();

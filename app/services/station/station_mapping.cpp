@@ -314,7 +314,8 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     earlier.shared =
         std::any_of(before->decisions->begin(), before->decisions->end(), [&](const Decision& one) {
             const auto* poses = std::get_if<ScanPosesSample>(&one.content);
-            return poses != nullptr && poses->station != setup.station && poses->station != TidyingStation;
+            return poses != nullptr && poses->station != setup.station && poses->station != TidyingStation &&
+                   poses->station != CarriedStation;
         });
     for (const auto& [name, robot] : before->robots) {
         // One that was looked for in vain is nowhere: its place was a guess.

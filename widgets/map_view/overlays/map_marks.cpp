@@ -190,6 +190,20 @@ void paintHighlight(QPainter& painter, const MapProjection& projection, const Sc
     }
 }
 
+void paintCaption(QPainter& painter, const MapProjection& projection, std::span<const Eigen::Vector3d> places,
+                  const QString& text, const OverlayStyle& style) {
+    constexpr double Above = 70.0;  // walls stand about the scans [px]
+    std::optional<QPointF> highest;
+    for (const Eigen::Vector3d& place : places) {
+        const auto seen = projection.project(place);
+        if (seen && (!highest || seen->position.y() < highest->y())) highest = seen->position;
+    }
+    if (!highest || !QRectF(QPointF(), projection.size()).contains(*highest)) return;
+    painter.setFont(style.font);
+    const QPointF aside(painter.fontMetrics().horizontalAdvance(text) / 2.0, Above);
+    paintTextBeside(painter, *highest - aside, text, projection.size(), style);
+}
+
 void paintMeasurement(QPainter& painter, const MapProjection& projection, const Eigen::Vector3d& from,
                       const std::optional<Eigen::Vector3d>& to, const OverlayStyle& style) {
     const auto start = projection.project(from);

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include <Eigen/Core>
+#include <QString>
 
 class QPainter;
 
@@ -26,6 +28,10 @@ void paintScanPositions(QPainter& painter, const MapProjection& projection, cons
 /// A ring around where the scan of this id was taken, and its number.
 void paintHighlight(QPainter& painter, const MapProjection& projection, const SceneContent& content,
                     std::uint64_t id, const OverlayStyle& style);
+
+/// @p text over that of @p places of the map which is highest on the screen.
+void paintCaption(QPainter& painter, const MapProjection& projection, std::span<const Eigen::Vector3d> places,
+                  const QString& text, const OverlayStyle& style);
 
 /// The ends of a measurement, the line between them and its length; @p to may not be chosen yet.
 void paintMeasurement(QPainter& painter, const MapProjection& projection, const Eigen::Vector3d& from,

@@ -1,5 +1,10 @@
 #include "app/window/live/map/decisions/loops_feature.h"
 
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
 #include <QAction>
 #include <QKeySequence>
 
@@ -8,6 +13,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_moment.h"
+#include "app/window/live/map/decisions/robot_title.h"
 #include "core/mission/loops/moved_finds.h"
 #include "widgets/map_decisions/map_question.h"
 #include "widgets/map_view/map_view.h"
@@ -64,6 +70,7 @@ void LoopsFeature::follow(const MissionState& mission) {
     const bool same = newest == m_shown;
     m_shown = newest;
     if (!same) ask(openLoop(mission));
+    nameParts();
     showPreview(mission);
     if (same) return;
     m_question->ask(question(mission));
@@ -74,6 +81,24 @@ void LoopsFeature::follow(const MissionState& mission) {
         closed ? tr("The newest place where the map met itself comes apart again: scans go back to where "
                     "they were, and it does not close there by itself")
                : tr("No loop closed in the map"));
+}
+
+void LoopsFeature::nameParts() {
+    const LiveMapPtr map = m_context.bridge.station().mapping().scans();
+    if (!map || map == m_named) return;
+    m_named = map;
+    std::map<std::uint64_t, MapCaption> parts;
+    for (const LiveKeyScan& scan : map->scans) {
+        if (scan.part == 0 || !scan.counts()) continue;
+        MapCaption& part = parts[scan.part];
+        part.places.emplace_back(scan.pose.scanInMap.translation());
+        if (!part.text.isEmpty()) continue;
+        const auto& robots = m_context.bridge.station().robots();
+        part.text = tr("Map of %1, not joined yet").arg(titleOfRobot(robots, scan.scan->robot));
+    }
+    std::vector<MapCaption> captions;
+    for (auto& [begins, caption] : parts) captions.push_back(std::move(caption));
+    m_view.setCaptions(std::move(captions));
 }
 
 void LoopsFeature::ask(const std::optional<OpenLoop>& loop) {

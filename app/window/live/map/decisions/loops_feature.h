@@ -7,6 +7,7 @@
 
 #include "app/window/live/live_context.h"
 #include "core/mapping/live/loops/loop_preview.h"
+#include "core/mapping/live/map/live_map.h"
 #include "core/mission/loops/open_loops.h"
 
 class QAction;
@@ -30,6 +31,8 @@ private:
     void addCommands();
     void answer(bool same);
     void follow(const MissionState& mission);
+    /// Names the parts of the map of which nobody knows how they lie to its first one.
+    void nameParts();
     void ask(const std::optional<OpenLoop>& loop);
     /// What would move, as soon as that is worked out.
     void showPreview(const MissionState& mission);
@@ -41,6 +44,7 @@ private:
     MapQuestion* m_question = nullptr;
     std::optional<OpenLoop> m_asked;
     LoopPreviewPtr m_preview;   ///< of it, that is shown; null: none yet
+    LiveMapPtr m_named;         ///< the map whose parts are named
     std::uint64_t m_shown = 0;  ///< sequence of the newest decision of the mission that is shown
 };
 

@@ -9,6 +9,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/live_moment.h"
+#include "app/window/live/map/decisions/robot_title.h"
 #include "core/mission/loops/open_loops.h"
 #include "widgets/map_decisions/map_question.h"
 #include "widgets/map_view/map_view.h"
@@ -62,10 +63,7 @@ void ScannerFeature::follow(const LiveMoment& moment) {
 QString ScannerFeature::question() const {
     if (!m_asked) return {};
     const ScannerCorrection& more = m_asked->more;
-    QString robot = QString::fromStdString(m_asked->robot);
-    for (const RobotDescription& one : m_context.bridge.station().robots()) {
-        if (one.name == m_asked->robot && !one.title.empty()) robot = QString::fromStdString(one.title);
-    }
+    const QString robot = titleOfRobot(m_context.bridge.station().robots(), m_asked->robot);
     if (more.range != 0.0) {
         const QString off = numberText(100.0 * std::abs(more.range), 1) + QStringLiteral(" cm");
         return (more.range < 0.0 ? tr("%1: its 3D scanner measures %2 too far. Correct that?")
