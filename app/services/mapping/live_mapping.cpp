@@ -220,6 +220,7 @@ void LiveMapping::registerDone(Time now) {
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) tellMap();
                 if (update.keyScan) tellScanner(name, robot);
+                if (update.keyScan) m_entered.push_back(update.keyScan->id);
                 placeOthers(now);  // also while this one stands: the others' lasers may have come since
                 placeSeen(update, before, now);
             }
@@ -361,6 +362,7 @@ void LiveMapping::run(const std::stop_token& stop) {
         registerDone(stationTime());
         solveLoops();
         seekPlace();
+        lookForPassing();
         if (leaveOutPlaced(stationTime())) tellMap();
         tellRobots();
     }

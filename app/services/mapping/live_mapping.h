@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -25,6 +26,7 @@
 #include "core/mapping/placement/laser_robot.h"
 #include "core/mapping/relocalisation/place_recognition.h"
 #include "core/mapping/relocalisation/relocaliser.h"
+#include "core/mapping/sighting/passing_bodies.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
@@ -37,7 +39,8 @@ struct LiveMappingListener {
     /// Likewise: a place was recognised far off, or in another part of the map.
     std::function<void(const ScanLinksSample&)> onLoop = {};
     std::function<void(const Settled&)> onSettled = {};  ///< likewise, after a loop closed or was taken back
-    /// Likewise, without a station: other robots in a scan that entered before they were placed.
+    /// Likewise, without a station: other robots in a scan that entered before they were placed, and who
+    /// passed by.
     std::function<void(ScanBodiesSample)> onBodies = {};
     /// A robot was looked for in the whole map in vain: so many places look as what it sees, or none.
     std::function<void(const std::string& robot, std::size_t alike)> onLookedFor = {};
@@ -142,7 +145,9 @@ private:
     void solveLoops();                                ///< where the map meets itself, on a thread beside
     void settle(const MapSolution& solution);
     void tellScanner(const std::string& name, Robot& robot);
-    void seekPlace();            ///< where the map may meet itself far off, likewise
+    void seekPlace();       ///< where the map may meet itself far off, likewise
+    void lookForPassing();  ///< who passed by in scans, likewise
+    void leaveOutPassing(std::map<std::uint64_t, std::vector<BodyInScan>> found);
     void carryAlong();           ///< robots without scans in the map, with the scans about them
     void followFixes();          ///< robots stand where the mapper says
     void layTrails();            ///< where decisions moved the scans
@@ -166,6 +171,8 @@ private:
     /// is left out of those scans now.
     void leaveOut(const std::string& name, const std::optional<Time>& since,
                   std::map<std::uint64_t, std::vector<BodyInScan>>& found);
+    /// Says what is left out of scans now.
+    void tellBodies(std::map<std::uint64_t, std::vector<BodyInScan>> found, Time now);
     [[nodiscard]] std::vector<Disc> othersThan(const Robot& robot, bool certain) const;
     void tellPlace(const std::optional<RobotPlaceSample>& place);
     void tellMap();
@@ -181,12 +188,15 @@ private:
     std::map<std::string, Robot> m_robots;  ///< fixed
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
-    std::deque<Work> m_waiting;           ///< under the mutex
-    RobotsInMapPtr m_places;              ///< likewise
-    std::map<std::string, Time> m_heard;  ///< likewise: robots' newest scans that others lay onto the map
-    bool m_solves = false;                ///< something is being solved; of the thread
-    bool m_seeks = false;                 ///< a place is being looked for; likewise
-    JobQueue m_solving;                   ///< by the solver
+    std::deque<Work> m_waiting;            ///< under the mutex
+    RobotsInMapPtr m_places;               ///< likewise
+    std::map<std::string, Time> m_heard;   ///< likewise: robots' newest scans that others lay onto the map
+    bool m_solves = false;                 ///< something is being solved; of the thread
+    bool m_seeks = false;                  ///< a place is being looked for; likewise
+    std::vector<std::uint64_t> m_entered;  ///< key scans that nobody who passed was looked for in; likewise
+    std::atomic<bool> m_looksForPassing = false;
+    PassingBodies m_passing;  ///< of the solver's thread
+    JobQueue m_solving;       ///< by the solver
     std::jthread m_solver;
     std::jthread m_thread;  ///< last: joined first
 };

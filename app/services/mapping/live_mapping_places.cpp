@@ -74,11 +74,41 @@ bool LiveMapping::leaveOutPlaced(Time now) {
         robot.wasSureBy = odomInMap;
     }
     if (found.empty()) return false;
-    if (m_listener.onBodies) {
-        for (ScanBodiesSample& sample : inSamples(std::move(found), now))
-            m_listener.onBodies(std::move(sample));
-    }
+    tellBodies(std::move(found), now);
     return true;
+}
+
+void LiveMapping::tellBodies(std::map<std::uint64_t, std::vector<BodyInScan>> found, Time now) {
+    if (!m_listener.onBodies) return;
+    for (ScanBodiesSample& sample : inSamples(std::move(found), now)) m_listener.onBodies(std::move(sample));
+}
+
+void LiveMapping::lookForPassing() {
+    if (m_looksForPassing || m_entered.empty() || !m_map) return;
+    m_looksForPassing = true;
+    m_solving.submit([this, map = m_map, ids = std::exchange(m_entered, {})](const std::stop_token& stop) {
+        std::map<std::uint64_t, std::vector<BodyInScan>> found;
+        for (const std::uint64_t id : ids) {
+            if (stop.stop_requested()) return;
+            for (auto& [scan, bodies] : m_passing.add(*map, id)) found[scan] = std::move(bodies);
+        }
+        m_looksForPassing = false;
+        if (found.empty()) return;
+        post([this, found](LiveMapper&) { leaveOutPassing(found); });
+    });
+}
+
+void LiveMapping::leaveOutPassing(std::map<std::uint64_t, std::vector<BodyInScan>> found) {
+    if (m_listener.makesMap && !m_listener.makesMap()) return;  // who makes it says so
+    std::map<std::uint64_t, std::vector<BodyInScan>> changed;
+    for (auto& [id, passing] : found) {
+        std::vector<BodyInScan> bodies = m_mapper.bodiesIn(id);
+        std::erase_if(bodies, [](const BodyInScan& body) { return body.robot == PassingBodies::Name; });
+        if (bodies.size() + passing.size() > MostBodies) continue;
+        bodies.insert(bodies.end(), passing.begin(), passing.end());
+        if (m_mapper.leaveOut(id, bodies)) changed[id] = std::move(bodies);
+    }
+    if (!changed.empty()) tellBodies(std::move(changed), stationTime());
 }
 
 void LiveMapping::leaveOut(const std::string& name, const std::optional<Time>& since,

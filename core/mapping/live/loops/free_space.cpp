@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace leitstand {
 namespace {
 
 constexpr float Pi = std::numbers::pi_v<float>;
 constexpr int Columns = 180, Rows = 90;  ///< of two degrees: azimuth, elevation
-/// So far before what was seen there a point is in free space: noise, a robot that moved within the turn.
-constexpr float Margin = 0.3F;  ///< [m] ...
-constexpr float Share = 0.05F;  ///< ... and of the range
-/// Nearer to the scanner a cell is smaller than what the robot moved in a turn [m].
-constexpr float Nearest = 1.0F;
-
 int columnOf(const Eigen::Vector3f& direction) {
     const float turn = std::atan2(direction.y(), direction.x()) / (2.0F * Pi) + 0.5F;
     return std::clamp(static_cast<int>(turn * Columns), 0, Columns - 1);
@@ -36,8 +31,8 @@ std::size_t FreeSpace::cellOf(const Eigen::Vector3f& direction) {
     return static_cast<std::size_t>(rowOf(direction) * Columns + columnOf(direction));
 }
 
-FreeSpace::FreeSpace(std::span<const Eigen::Vector3f> points)
-    : m_cells(static_cast<std::size_t>(Columns) * Rows) {
+FreeSpace::FreeSpace(std::span<const Eigen::Vector3f> points, const FreeSpaceSettings& settings)
+    : m_settings(settings), m_cells(static_cast<std::size_t>(Columns) * Rows) {
     std::vector<Cell> seen(m_cells.size());
     for (const Eigen::Vector3f& point : points) {
         const float range = point.norm();
@@ -45,10 +40,16 @@ FreeSpace::FreeSpace(std::span<const Eigen::Vector3f> points)
         Cell& cell = seen[cellOf(point)];
         cell.nearest = cell.nearest == 0.0F ? range : std::min(cell.nearest, range);
         cell.farthest = std::max(cell.farthest, range);
+        ++cell.rays;
+    }
+    if (!settings.beside) {
+        m_cells = std::move(seen);
+        return;
     }
     for (int row = 0; row < Rows; ++row) {
         for (int column = 0; column < Columns; ++column) {
             Cell& cell = m_cells[static_cast<std::size_t>(row * Columns + column)];
+            cell.rays = seen[static_cast<std::size_t>(row * Columns + column)].rays;
             for (int i = std::max(0, row - 1); i <= std::min(Rows - 1, row + 1); ++i) {
                 for (int j = column - 1; j <= column + 1; ++j) {
                     const int around = (j + Columns) % Columns;
@@ -69,16 +70,27 @@ FreeSpaceFit FreeSpace::fit(std::span<const Eigen::Vector3f> points, const Pose&
     for (const Eigen::Vector3f& point : points) {
         const Eigen::Vector3f there = placed * point;
         const float range = there.norm();
-        if (!(range > Nearest)) continue;
+        if (!(range > m_settings.nearest)) continue;
         const Cell& cell = m_cells[cellOf(there)];
         if (cell.nearest == 0.0F) continue;
-        const float margin = Margin + Share * range;
+        const float margin = m_settings.margin + m_settings.marginOfRange * range;
         if (range < cell.nearest - margin)
             ++fit.filled;
         else if (range < cell.farthest + margin)
             ++fit.agreed;
     }
     return fit;
+}
+
+SeenThere FreeSpace::at(const Eigen::Vector3f& place) const {
+    const float range = place.norm();
+    if (!(range > m_settings.nearest)) return SeenThere::Unknown;
+    const Cell& cell = m_cells[cellOf(place)];
+    if (cell.nearest == 0.0F || cell.rays < m_settings.rays) return SeenThere::Unknown;
+    const float margin = m_settings.margin + m_settings.marginOfRange * range;
+    if (range < cell.nearest - margin) return SeenThere::LookedThrough;
+    const bool about = range < cell.farthest + margin && cell.farthest - cell.nearest < 2.0F * margin;
+    return about ? SeenThere::Surface : SeenThere::Unknown;
 }
 
 double filledShare(const Scan& first, const Scan& second, const Pose& secondInFirst) {

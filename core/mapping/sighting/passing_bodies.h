@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/event/map_samples.h"
+#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/map/live_map.h"
+
+namespace leitstand {
+
+/// How what passed by is told from what stays.
+struct PassingSettings {
+    FreeSpaceSettings looking = {
+        .margin = 0.2F, .marginOfRange = 0.03F, .nearest = 0.5F, .beside = false, .rays = 2};
+    double reach = 6.0;             ///< scans so near each other have a say in each other [m]
+    std::size_t scans = 10;         ///< of those so many, the nearest
+    double low = 0.15, high = 2.2;  ///< over the floor, of the points that are asked about [m]
+    double edge = 0.1;              ///< of their grid: one point of each cell is asked about [m]
+    int looksThrough = 3;           ///< so many scans at least looked through where a point is ...
+    int oftener = 3;                ///< ... and so many times as many as saw something there
+    double largest = 1.2;           ///< longer is nobody who walks [m]
+    double tallest = 0.3;           ///< at least so much of its height was seen [m]
+    int leastPoints =
+        6;  ///< of the grid's, that passed beyond doubt: what hangs together with them did so, too
+};
+
+/// Finds what stood in scans while it passed by, people above all: other scans looked through where it was.
+/// Each pair of scans near each other votes on the points of both (the free space of a map that scans carve:
+/// Moravec & Elfes 1985; votes of scans on points: Pomerleau et al. 2014). What hangs together and is of a
+/// person's size is a body, which is left out of its scan as another robot is; what is larger may be a door
+/// that somebody shut. One thread at a time.
+class PassingBodies {
+public:
+    /// What bodies are called that are left out so: BodyInScan::robot.
+    static constexpr auto Name = "passing";
+
+    explicit PassingBodies(const PassingSettings& settings = {}) : m_settings(settings) {}
+
+    /// The key scan @p id of @p map has entered: what it and those near it say of each other. Returns, of
+    /// each scan of which they are noticeably others than before, all bodies.
+    [[nodiscard]] std::map<std::uint64_t, std::vector<BodyInScan>> add(const LiveMap& map, std::uint64_t id);
+
+private:
+    /// A point that is asked about.
+    struct Asked {
+        Eigen::Vector3f place;  ///< scan's frame [m]
+        float ground = 0.0F,
+              height = 0.0F;  ///< of the floor in the map as it was then, of the point over it [m]
+        std::uint8_t through = 0, seen = 0;  ///< votes
+    };
+    struct Looked {
+        ScanPtr scan;  ///< as it was when it was looked at: what is left out of it since is still asked about
+        std::vector<Asked> asked;
+        std::vector<BodyInScan> bodies;  ///< as they were returned
+    };
+    Looked& lookedAt(const LiveKeyScan& scan);
+    void vote(const LiveKeyScan& by, const LiveKeyScan& on);
+    [[nodiscard]] std::vector<BodyInScan> bodiesOf(const LiveKeyScan& scan, const Looked& looked) const;
+    [[nodiscard]] bool passed(const Asked& one) const {
+        return one.through >= m_settings.looksThrough && one.through >= m_settings.oftener * one.seen;
+    }
+
+    PassingSettings m_settings;
+    std::map<std::uint64_t, Looked> m_looked;   ///< by key scan
+    std::map<std::uint64_t, FreeSpace> m_free;  ///< of those that voted last
+};
+
+}  // namespace leitstand
