@@ -119,7 +119,10 @@ std::vector<BodyInScan> PassingBodies::bodiesOf(const LiveKeyScan& scan, const L
             highest = std::max(highest, static_cast<double>(passing[i]->height));
             ground = std::min(ground, static_cast<double>(level[i].z() - passing[i]->height));
         }
-        if (box.diagonal().norm() > m_settings.largest || highest - lowest < m_settings.tallest) continue;
+        const double across = box.diagonal().norm();
+        if (across < m_settings.narrowest || across > m_settings.largest ||
+            highest - lowest < m_settings.tallest)
+            continue;
         BodyInScan body;
         body.robot = Name;
         const Eigen::Vector2d half = 0.5 * box.sizes() + Eigen::Vector2d::Constant(About);

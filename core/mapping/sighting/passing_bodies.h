@@ -23,8 +23,9 @@ struct PassingSettings {
     double edge = 0.1;              ///< of their grid: one point of each cell is asked about [m]
     int looksThrough = 3;           ///< so many scans at least looked through where a point is ...
     int oftener = 3;                ///< ... and so many times as many as saw something there
-    double largest = 1.2;           ///< longer is nobody who walks [m]
-    double tallest = 0.3;           ///< at least so much of its height was seen [m]
+    double narrowest = 0.2,
+           largest = 1.2;  ///< seen from above, of somebody who walks; else it is an edge, or a door [m]
+    double tallest = 0.3;  ///< at least so much of its height was seen [m]
     int leastPoints =
         6;  ///< of the grid's, that passed beyond doubt: what hangs together with them did so, too
 };

@@ -10,14 +10,22 @@ namespace {
 
 constexpr float Pi = std::numbers::pi_v<float>;
 constexpr int Columns = 180, Rows = 90;  ///< of two degrees: azimuth, elevation
-int columnOf(const Eigen::Vector3f& direction) {
+constexpr float Border = 0.35F;  ///< so near to a cell's border its neighbour counts, too; of its edge
+/// Where a direction lies in the grid, in cells.
+struct GridPlace {
+    float column, row;
+};
+
+GridPlace placeOf(const Eigen::Vector3f& direction) {
     const float turn = std::atan2(direction.y(), direction.x()) / (2.0F * Pi) + 0.5F;
-    return std::clamp(static_cast<int>(turn * Columns), 0, Columns - 1);
+    const float up = std::asin(std::clamp(direction.z() / direction.norm(), -1.0F, 1.0F));
+    return {turn * Columns, (up / Pi + 0.5F) * Rows};
 }
 
-int rowOf(const Eigen::Vector3f& direction) {
-    const float up = std::asin(std::clamp(direction.z() / direction.norm(), -1.0F, 1.0F));
-    return std::clamp(static_cast<int>((up / Pi + 0.5F) * Rows), 0, Rows - 1);
+std::size_t cellAt(float column, float row) {
+    const int j = (static_cast<int>(std::floor(column)) + Columns) % Columns;
+    const int i = std::clamp(static_cast<int>(std::floor(row)), 0, Rows - 1);
+    return static_cast<std::size_t>(i * Columns + j);
 }
 
 }  // namespace
@@ -28,7 +36,8 @@ double FreeSpaceFit::filledShare() const {
 }
 
 std::size_t FreeSpace::cellOf(const Eigen::Vector3f& direction) {
-    return static_cast<std::size_t>(rowOf(direction) * Columns + columnOf(direction));
+    const GridPlace place = placeOf(direction);
+    return cellAt(place.column, place.row);
 }
 
 FreeSpace::FreeSpace(std::span<const Eigen::Vector3f> points, const FreeSpaceSettings& settings)
@@ -85,11 +94,20 @@ FreeSpaceFit FreeSpace::fit(std::span<const Eigen::Vector3f> points, const Pose&
 SeenThere FreeSpace::at(const Eigen::Vector3f& place) const {
     const float range = place.norm();
     if (!(range > m_settings.nearest)) return SeenThere::Unknown;
-    const Cell& cell = m_cells[cellOf(place)];
-    if (cell.nearest == 0.0F || cell.rays < m_settings.rays) return SeenThere::Unknown;
+    const GridPlace middle = placeOf(place);
+    const float border = m_settings.beside ? 0.0F : Border;
+    Cell seen;
+    for (const float across : {-border, border}) {
+        for (const float up : {-border, border}) {
+            const Cell& cell = m_cells[cellAt(middle.column + across, middle.row + up)];
+            if (cell.nearest == 0.0F || cell.rays < m_settings.rays) return SeenThere::Unknown;
+            seen.nearest = seen.nearest == 0.0F ? cell.nearest : std::min(seen.nearest, cell.nearest);
+            seen.farthest = std::max(seen.farthest, cell.farthest);
+        }
+    }
     const float margin = m_settings.margin + m_settings.marginOfRange * range;
-    if (range < cell.nearest - margin) return SeenThere::LookedThrough;
-    const bool about = range < cell.farthest + margin && cell.farthest - cell.nearest < 2.0F * margin;
+    if (range < seen.nearest - margin) return SeenThere::LookedThrough;
+    const bool about = range < seen.farthest + margin && seen.farthest - seen.nearest < 2.0F * margin;
     return about ? SeenThere::Surface : SeenThere::Unknown;
 }
 

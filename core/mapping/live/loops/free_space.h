@@ -33,8 +33,9 @@ struct FreeSpaceSettings {
     float margin = 0.3F;          ///< [m] ...
     float marginOfRange = 0.05F;  ///< ... and of the range
     float nearest =
-        1.0F;            ///< nearer to the scanner a cell is smaller than what the robot moved in a turn [m]
-    bool beside = true;  ///< what was seen 2 degrees beside counts, too
+        1.0F;  ///< nearer to the scanner a cell is smaller than what the robot moved in a turn [m]
+    /// Whether what was seen 2 degrees beside counts, too; else only what lies so near to a cell's border.
+    bool beside = true;
     std::uint32_t rays = 1;  ///< so many at least went where at() says anything: between few there is room
 };
 
