@@ -5,6 +5,7 @@
 
 #include "app/services/log/live_mission.h"
 #include "app/services/log/sequencer.h"
+#include "app/services/recorded/review_log.h"
 #include "app/services/review/playing/newest_writing.h"
 #include "app/services/review/playing/until_written.h"
 #include "core/base/words.h"

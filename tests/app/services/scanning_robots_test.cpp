@@ -89,8 +89,8 @@ protected:
         RoomSettings room;
         room.sensorInRoom = baseInRoom * LaserInBase;
         room.sweep = Sweep::Yawing;
-        room.rows = 121;
-        room.columns = 81;
+        room.rows = m_dense ? 360 : 121;
+        room.columns = m_dense ? 120 : 81;
         room.seed = ++m_seed;
         CloudSample cloud;
         cloud.header = {m_time, "laser"};
@@ -182,6 +182,7 @@ protected:
     std::vector<std::string> m_vain;           ///< were looked for, and not found
     LiveMapPtr m_map;
     std::vector<Eigen::Vector3d> m_seen;  ///< what scanners see beside the room, in the room
+    bool m_dense = false;                 ///< as many points as a real scanner has in a turn
     Time m_time = Time(1'700'000'000s);
     unsigned m_seed = 0;
     std::unique_ptr<LiveMapping> m_mapping;
@@ -201,6 +202,43 @@ TEST_F(ScanningRobots, TheSecondOneEntersFromItsSlotAlsoWhenTheStationStartsAgai
     scan("crawler", Slot);
     EXPECT_TRUE(enters("crawler"));
     EXPECT_TRUE(stands("crawler", Slot));
+}
+
+TEST_F(ScanningRobots, WhoWalkedByIsLeftOutOfTheMapOnceOthersLookedThrough) {
+    m_dense = true;
+    begin();
+    const Eigen::Vector2d somewhere(0.4, 1.6);
+    const auto near = [&] {
+        const std::scoped_lock lock(m_mutex);
+        std::size_t points = 0;
+        if (!m_map) return points;
+        for (const LiveKeyScan& one : m_map->scans) {
+            for (const Eigen::Vector3f& point : one.scan->points) {
+                const Eigen::Vector3d there =
+                    inMap(Pose::Identity()).inverse() * (one.pose.scanInMap * point.cast<double>());
+                if (there.z() > 0.3 && there.z() < 1.5 && (there.head<2>() - somewhere).norm() < 0.3)
+                    ++points;
+            }
+        }
+        return points;
+    };
+    for (int i = 0; i < 7; ++i) {
+        const Pose way = poseFrom({0.4 * i, -0.05 * i, 0}, 0, 0, degrees(4) * i);
+        m_seen.clear();
+        for (double z = 0.05; i == 1 && z < 1.7; z += 0.03) {
+            for (double turn = 0.0; turn < 2.0 * M_PI; turn += 0.15)
+                m_seen.emplace_back(somewhere.x() + 0.2 * std::cos(turn),
+                                    somewhere.y() + 0.2 * std::sin(turn), z);
+        }
+        scan("kurt3d", KurtBegins * way, way);
+        if (i == 1) {
+            ASSERT_TRUE(waitUntil([&] { return near() > 200; }, 20s)) << "somebody is there";
+        }
+    }
+    EXPECT_TRUE(waitUntil([&] { return near() < 20; }, 20s)) << near();
+    const auto left = bodies();
+    ASSERT_FALSE(left.empty()) << "the log has it";
+    EXPECT_EQ(left.begin()->second.front().robot, PassingBodies::Name);
 }
 
 TEST_F(ScanningRobots, ARobotThatIsNowhereToBeFoundMapsAPartUntilSomebodySaysHowItLies) {
