@@ -7805,16 +7805,16 @@ F1 listet alle Tasten</translation>
         <translation>zwei Teile der Karte haben anscheinend denselben Ort gesehen: sagen Sie, ob es so ist</translation>
     </message>
     <message>
-        <source>{}: it has a map already: a map is carried into a new mission</source>
-        <translation>{}: hat schon eine Karte: eine Karte wird nur in eine neue Mission übernommen</translation>
-    </message>
-    <message>
         <source>cancelled</source>
         <translation>abgebrochen</translation>
     </message>
     <message>
         <source>it maps a part of its own, which has not met the rest yet</source>
         <translation>er kartiert einen eigenen Teil, der den Rest noch nicht getroffen hat</translation>
+    </message>
+    <message>
+        <source>{}: it is there already: a map is carried into a new mission</source>
+        <translation>{}: gibt es schon: eine Karte wird nur in eine neue Mission übernommen</translation>
     </message>
 </context>
 <context>

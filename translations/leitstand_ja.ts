@@ -7805,16 +7805,16 @@ F1 でキー一覧</translation>
         <translation>地図の2つの部分が同じ場所を見たようです。同じかどうか答えてください</translation>
     </message>
     <message>
-        <source>{}: it has a map already: a map is carried into a new mission</source>
-        <translation>{}: すでに地図があります。地図は新しいミッションにのみ引き継げます</translation>
-    </message>
-    <message>
         <source>cancelled</source>
         <translation>中止しました</translation>
     </message>
     <message>
         <source>it maps a part of its own, which has not met the rest yet</source>
         <translation>独自の部分を作成中で、まだ残りの地図と結合していません</translation>
+    </message>
+    <message>
+        <source>{}: it is there already: a map is carried into a new mission</source>
+        <translation>{}: すでに存在します。地図は新しいミッションにのみ引き継げます</translation>
     </message>
 </context>
 <context>

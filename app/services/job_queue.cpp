@@ -12,6 +12,14 @@ void JobQueue::submit(Job job, bool cancellable) {
     m_arrived.notify_one();
 }
 
+void JobQueue::submitFirst(Job job) {
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_waiting.push_front({std::move(job), true, {}});
+    }
+    m_arrived.notify_one();
+}
+
 void JobQueue::cancel() {
     const std::scoped_lock lock(m_mutex);
     if (m_atWork) m_atWork->request_stop();

@@ -18,6 +18,8 @@ public:
 
     /// Adds @p job; any thread. Unbounded: jobs are single wishes of an operator.
     void submit(Job job, bool cancellable = true);
+    /// Adds @p job before all that wait: somebody waits for it.
+    void submitFirst(Job job);
     /// Cancels the job at work and all that wait, except those that are not cancellable; they still run, and
     /// see that they are cancelled.
     void cancel();

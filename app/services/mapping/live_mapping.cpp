@@ -97,7 +97,8 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
     : m_descriptions(robots),
       m_listener(std::move(listener)),
       m_settings(settingsOf(robots, settings)),
-      m_mapper(station, m_settings) {
+      m_mapper(station, m_settings),
+      m_crop(settings.crop) {
     for (const RobotDescription& robot : m_descriptions) {
         m_robots.try_emplace(robot.name, robot, station).first->second.laser.setCrop(settings.crop);
         m_mapper.setBody(robot.name, {robot.footprint, robot.height});
@@ -154,6 +155,7 @@ void LiveMapping::post(std::function<void(LiveMapper&)> task) {
 void LiveMapping::setCrop(const MapCrop& crop) {
     post([this, crop](LiveMapper& mapper) {
         mapper.setCrop(crop);
+        m_crop = crop;
         for (auto& [name, robot] : m_robots) robot.laser.setCrop(crop);
     });
 }
@@ -220,7 +222,8 @@ void LiveMapping::registerDone(Time now) {
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) tellMap();
                 if (update.keyScan) tellScanner(name, robot);
-                if (update.keyScan) m_entered.push_back(update.keyScan->id);
+                if (update.keyScan && (!m_listener.makesMap || m_listener.makesMap()))
+                    m_entered.push_back(update.keyScan->id);
                 placeOthers(now);  // also while this one stands: the others' lasers may have come since
                 placeSeen(update, before, now);
             }
@@ -251,7 +254,7 @@ void LiveMapping::solveLoops() {
     auto problem = m_mapper.problem();
     if (!problem) return;
     m_solves = true;
-    m_solving.submit([this, problem = std::move(*problem)](const std::stop_token& stop) {
+    m_solving.submitFirst([this, problem = std::move(*problem)](const std::stop_token& stop) {
         const MapSolution solution = leitstand::solve(problem, Progress{{}, stop});
         if (stop.stop_requested()) return;
         post([this, solution](LiveMapper&) { settle(solution); });
@@ -266,19 +269,22 @@ void LiveMapping::settle(const MapSolution& solution) {
     if (m_listener.onSettled && (settled.links || settled.poses)) m_listener.onSettled(settled);
 }
 
+void LiveMapping::look(std::function<void(const LiveMapper&)> look) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting.emplace_back(Look{std::move(look)});
+    }
+    m_came.notify_all();
+}
+
 void LiveMapping::preview(std::vector<Link> links, std::function<void(LoopPreview)> done) {
-    Look looks{[this, links = std::move(links), done = std::move(done)](const LiveMapper& mapper) {
-        m_solving.submit([this, problem = mapper.problemWith(links), map = mapper.map(),
-                          done](const std::stop_token& stop) {
+    look([this, links = std::move(links), done = std::move(done)](const LiveMapper& mapper) {
+        m_solving.submitFirst([this, problem = mapper.problemWith(links), map = mapper.map(),
+                               done](const std::stop_token& stop) {
             const MapSolution solution = leitstand::solve(problem, Progress{{}, stop});
             if (!stop.stop_requested()) done(previewOf(*map, solution, m_settings.loops));
         });
-    }};
-    {
-        const std::lock_guard lock(m_mutex);
-        m_waiting.emplace_back(std::move(looks));
-    }
-    m_came.notify_all();
+    });
 }
 
 void LiveMapping::seekPlace() {

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -136,6 +137,7 @@ private:
         std::function<void(const LiveMapper&)> look;
     };
     using Work = std::variant<Event, Task, Look>;
+    void look(std::function<void(const LiveMapper&)> look);  ///< after what waits
     void run(const std::stop_token& stop);
     void work(const Event& event);
     void work(const Task& task);
@@ -153,9 +155,14 @@ private:
     void layTrails();            ///< where decisions moved the scans
     void placeOthers(Time now);  ///< robots that do not make the map, beside the one that does ...
     void placeBeside(const std::string& name, Robot& robot, Time now);
+    /// Where a robot of ours began; before one did, where one of a map did that was carried here. Null: no
+    /// map.
+    [[nodiscard]] const LiveKeyScan* firstOfOurs() const;
     /// ... or where its scan, which came to @p update, shows them; @p before: the map without it.
     void placeSeen(const MapUpdate& update, const LiveMapPtr& before, Time now);
     void place(Robot& robot, const LiveScan& scan, Time now);
+    /// Looks for @p name where its scans already are, or where nobody knows how that lies: in its own part.
+    void lookInOwnPart(const std::string& name, std::uint64_t part);
     /// Looks for @p name, whose scans make a part of the map of their own, in the others.
     void lookElsewhere(const std::string& name);
     /// It was looked for, with @p scan, in @p map: goes on from where it was found.
@@ -193,6 +200,7 @@ private:
     std::map<std::string, Time> m_heard;   ///< likewise: robots' newest scans that others lay onto the map
     bool m_solves = false;                 ///< something is being solved; of the thread
     bool m_seeks = false;                  ///< a place is being looked for; likewise
+    MapCrop m_crop;                        ///< what of the world belongs into the map; of the thread
     std::vector<std::uint64_t> m_entered;  ///< key scans that nobody who passed was looked for in; likewise
     std::atomic<bool> m_looksForPassing = false;
     PassingBodies m_passing;  ///< of the solver's thread

@@ -86,14 +86,14 @@ void LiveMapping::tellBodies(std::map<std::uint64_t, std::vector<BodyInScan>> fo
 void LiveMapping::lookForPassing() {
     if (m_looksForPassing || m_entered.empty() || !m_map) return;
     m_looksForPassing = true;
-    m_solving.submit([this, map = m_map, ids = std::exchange(m_entered, {})](const std::stop_token& stop) {
-        std::map<std::uint64_t, std::vector<BodyInScan>> found;
-        for (const std::uint64_t id : ids) {
-            if (stop.stop_requested()) return;
-            for (auto& [scan, bodies] : m_passing.add(*map, id)) found[scan] = std::move(bodies);
-        }
+    // One after another: who solves waits for no more.
+    const std::uint64_t id = m_entered.front();
+    m_entered.erase(m_entered.begin());
+    m_solving.submit([this, id, map = m_map, together = m_mapper.together(id)](const std::stop_token& stop) {
+        if (stop.stop_requested()) return;
+        const auto found = m_passing.add(*map, id, together);
         m_looksForPassing = false;
-        if (found.empty()) return;
+        if (found.empty()) return look([](const LiveMapper&) {});  // the next one
         post([this, found](LiveMapper&) { leaveOutPassing(found); });
     });
 }
@@ -126,24 +126,29 @@ void LiveMapping::leaveOut(const std::string& name, const std::optional<Time>& s
 
 void LiveMapping::lookFor(const std::string& name) {
     post([this, name](LiveMapper&) {
-        Robot& robot = m_robots.at(name);
-        const std::uint64_t put = ++robot.put;
-        if (robot.followed && robot.followed->part != 0) return lookElsewhere(name);
-        if (!robot.newest || !m_map) {
-            if (m_listener.onLookedFor) m_listener.onLookedFor(name, 0);
-            return;
-        }
-        m_solving.submit([this, name, put, scan = robot.newest, map = m_map](const std::stop_token& stop) {
-            const Progress progress{{}, stop};
-            const auto first = std::make_shared<LiveMap>(*map);  // how the others lie to it is not known
-            std::erase_if(first->scans, [](const LiveKeyScan& one) { return one.part != 0; });
-            const Relocaliser relocaliser(first, m_settings, {}, progress);
-            const auto found = relocaliser.find(*scan->ready, reducedAgain(*scan->ready, m_settings.match),
-                                                scan->live.up, progress);
-            if (stop.stop_requested()) return;
-            post([this, name, put, scan, map, found](LiveMapper&) {
-                if (m_robots.at(name).put == put) lookedFor(name, *scan, map, found);
-            });
+        const auto& followed = m_robots.at(name).followed;
+        const std::uint64_t part = followed ? followed->part : 0;
+        // One that is where it says may be in another part, too; one that is lost is looked for in its own.
+        part != 0 && followed->doubts == 0 ? lookElsewhere(name) : lookInOwnPart(name, part);
+    });
+}
+
+void LiveMapping::lookInOwnPart(const std::string& name, std::uint64_t part) {
+    Robot& robot = m_robots.at(name);
+    const std::uint64_t put = ++robot.put;
+    if (!robot.newest || !m_map) {
+        if (m_listener.onLookedFor) m_listener.onLookedFor(name, 0);
+        return;
+    }
+    m_solving.submit([this, name, put, part, scan = robot.newest, map = m_map](const std::stop_token& stop) {
+        const Progress progress{{}, stop};
+        const auto own = std::make_shared<LiveMap>(LiveMap{ofPart(map->scans, part)});
+        const Relocaliser relocaliser(own, m_settings, {}, progress);
+        const auto found = relocaliser.find(*scan->ready, reducedAgain(*scan->ready, m_settings.match),
+                                            scan->live.up, progress);
+        if (stop.stop_requested()) return;
+        post([this, name, put, scan, map, found](LiveMapper&) {
+            if (m_robots.at(name).put == put) lookedFor(name, *scan, map, found);
         });
     });
 }
@@ -171,6 +176,11 @@ void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const
 }
 
 void LiveMapping::seeing(const std::string& name, Robot& robot, LaserView view, Time now) {
+    if (const LiveKeyScan* const first = firstOfOurs()) {
+        // How the area lies to another part of the map nobody knows.
+        const Pose here = robot.tracker.placed() ? robot.tracker.now().baseInMap : first->pose.scanInMap;
+        robot.laser.setCrop(partAt(m_map->scans, here) == 0 ? m_crop : MapCrop{});
+    }
     tellPlace(robot.laser.see(std::move(view), m_map, now, othersThan(robot, false)));
     placeBeside(name, robot, now);
 }
@@ -179,13 +189,17 @@ void LiveMapping::tellPlace(const std::optional<RobotPlaceSample>& place) {
     if (place && m_listener.onPlace) m_listener.onPlace(*place);
 }
 
-void LiveMapping::placeBeside(const std::string& name, Robot& robot, Time now) {
-    if (!m_map || m_map->scans.empty()) return;
-    // Where a robot of ours began; before one did, where one of a map did that was carried here.
+const LiveKeyScan* LiveMapping::firstOfOurs() const {
+    if (!m_map || m_map->scans.empty()) return nullptr;
     const auto ours = std::find_if(m_map->scans.begin(), m_map->scans.end(), [&](const LiveKeyScan& scan) {
         return m_robots.contains(scan.scan->robot);
     });
-    const LiveKeyScan& first = ours != m_map->scans.end() ? *ours : m_map->scans.front();
+    return ours != m_map->scans.end() ? &*ours : &m_map->scans.front();
+}
+
+void LiveMapping::placeBeside(const std::string& name, Robot& robot, Time now) {
+    if (!m_map || m_map->scans.empty()) return;
+    const LiveKeyScan& first = *firstOfOurs();
     if (name == first.scan->robot || m_mapper.fix(name)) return;
     tellPlace(robot.laser.placeBeside(first.pose.scanInMap * first.sensorInBase.inverse(), m_map, now,
                                       othersThan(robot, false)));
@@ -223,7 +237,10 @@ void LiveMapping::lookElsewhere(const std::string& name) {
     const auto newest =
         std::find_if(m_map->scans.rbegin(), m_map->scans.rend(),
                      [&](const LiveKeyScan& scan) { return scan.scan->robot == name && scan.counts(); });
-    if (newest == m_map->scans.rend()) return;
+    if (newest == m_map->scans.rend()) {
+        if (m_listener.onLookedFor) m_listener.onLookedFor(name, 0);
+        return;
+    }
     SoughtPlace sought{newest->id, m_map, {}, true};
     m_solving.submit([this, name, sought = std::move(sought)](const std::stop_token& stop) {
         const auto found = recognise(sought, m_settings, {}, Progress{{}, stop});

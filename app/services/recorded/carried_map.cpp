@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -10,8 +11,10 @@
 #include "app/services/log/sequencer.h"
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/recorded_map.h"
+#include "app/services/recorded/review_log.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
+#include "core/io/bag/bag_reader.h"
 
 namespace leitstand {
 namespace {
@@ -42,6 +45,17 @@ std::vector<Link> carriedLinks(const std::vector<Link>& links, const std::set<st
     return carried;
 }
 
+Error noMapIn(const std::filesystem::path& mission) {
+    return Error{fill(translate("leitstand::Station", "{}: expected a map of ours, found no key scans"),
+                      mission.string())};
+}
+
+std::string nameOf(const std::filesystem::path& mission) {
+    std::error_code none;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(mission, none);
+    return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
 /// What @p scan is called in another mission: of robots of @p folder.
 ScanPtr renamed(const ScanPtr& scan, const std::string& folder) {
     Scan other = *scan;
@@ -51,34 +65,33 @@ ScanPtr renamed(const ScanPtr& scan, const std::string& folder) {
 
 Result<std::size_t> carry(const std::filesystem::path& from, const CarriedInto& into,
                           const Progress& progress) {
-    if (!keyScansOf(into.folder).empty())
-        return Error{fill(
-            translate("leitstand::Station", "{}: it has a map already: a map is carried into a new mission"),
-            into.folder.string())};
     const auto read = readMap(from);
     if (!read) return read.error();
     std::vector<ScanPose> poses;
-    std::set<std::uint64_t> counting;
+    std::set<std::uint64_t> carried;
+    std::size_t counting = 0;
     for (const ScanPose& pose : posesOf(read->state)) {
-        if (pose.trust != ScanTrust::Certain) continue;
+        const bool counts = pose.trust == ScanTrust::Certain;
+        // With which scan a part of the map began tells its others apart, also where that does not count any
+        // more.
+        if (!counts && read->state.keyScans->at(pose.scan).entry.matched != 0) continue;
         poses.push_back(pose);
-        counting.insert(pose.scan);
+        if (!counts) poses.back().trust = ScanTrust::SetAside;
+        carried.insert(pose.scan);
+        if (counts) ++counting;
     }
     std::vector<KeyScanSample> scans = keyScansOf(*read->bag);
-    std::erase_if(scans,
-                  [&](const KeyScanSample& scan) { return !scan.scan || !counting.contains(scan.id); });
-    if (scans.empty())
-        return Error{fill(translate("leitstand::Station", "{}: expected a map of ours, found no key scans"),
-                          from.string())};
+    std::erase_if(scans, [&](const KeyScanSample& scan) { return !scan.scan || !carried.contains(scan.id); });
+    if (scans.empty() || counting == 0) return noMapIn(from);
     LiveMissionSettings settings;
     settings.folder = into.folder;
     settings.robots = into.robots;
     settings.station = CarriedStation;
-    settings.title = from.filename().string();
+    const std::string name = nameOf(from);
+    settings.title = name;
     settings.version = into.version;
     auto mission = LiveMission::open(settings);
     if (!mission) return mission.error();
-    const std::string name = std::filesystem::weakly_canonical(from).filename().string();
     for (std::size_t i = 0; i < scans.size(); ++i) {
         if (progress.cancelled()) return Error{translate("leitstand::Station", "cancelled")};
         KeyScanSample scan = std::move(scans[i]);
@@ -92,7 +105,7 @@ Result<std::size_t> carry(const std::filesystem::path& from, const CarriedInto& 
         progress.done(static_cast<double>(i + 1) / static_cast<double>(scans.size()));
     }
     const Time now = stationTime();
-    auto said = sayInPieces(carriedLinks(linksOf(*read), counting), [&](std::vector<Link> links) {
+    auto said = sayInPieces(carriedLinks(linksOf(*read), carried), [&](std::vector<Link> links) {
         return (*mission)->say(ScanLinksSample{now, std::string(CarriedStation), std::move(links)},
                                station_topic::ScanLinks);
     });
@@ -104,7 +117,7 @@ Result<std::size_t> carry(const std::filesystem::path& from, const CarriedInto& 
     });
     if (!said) return said.error();
     auto bodies = *read->state.bodies;
-    std::erase_if(bodies, [&](const auto& one) { return !counting.contains(one.first); });
+    std::erase_if(bodies, [&](const auto& one) { return !carried.contains(one.first); });
     for (ScanBodiesSample& sample : inSamples(std::move(bodies), now)) {
         sample.station = CarriedStation;
         if (auto kept = (*mission)->say(sample, station_topic::ScanBodies); !kept) return kept.error();
@@ -114,18 +127,40 @@ Result<std::size_t> carry(const std::filesystem::path& from, const CarriedInto& 
         if (auto kept = (*mission)->say(area, station_topic::MapCrop); !kept) return kept.error();
     }
     if (auto closed = (*mission)->close(); !closed) return closed.error();
-    return scans.size();
+    return counting;
 }
 
 }  // namespace
 
+Result<void> hasMap(const std::filesystem::path& mission) {
+    auto bag = BagReader::open(mission);
+    if (!bag) return bag.error();
+    const auto& topics = (*bag)->topics();
+    const bool any = std::any_of(topics.begin(), topics.end(), [](const BagTopic& topic) {
+        return topic.info.name == station_topic::KeyScans && topic.messages.value_or(1) > 0;
+    });
+    if (!any || isOfOthers(mission)) return noMapIn(mission);
+    return {};
+}
+
 Result<std::size_t> carryMap(const std::filesystem::path& from, const CarriedInto& into,
                              const Progress& progress) {
     std::error_code none;
-    const bool fresh = !std::filesystem::exists(into.folder, none);
-    auto carried = carry(from, into, progress);
+    if (std::filesystem::exists(into.folder, none) && !std::filesystem::is_empty(into.folder, none))
+        return Error{fill(
+            translate("leitstand::Station", "{}: it is there already: a map is carried into a new mission"),
+            into.folder.string())};
     // Half a map is none, and there was no mission before.
-    if (!carried && fresh) std::filesystem::remove_all(into.folder, none);
+    struct Guard {
+        std::filesystem::path folder;
+        bool done = false;
+        ~Guard() {
+            std::error_code ignored;
+            if (!done) std::filesystem::remove_all(folder, ignored);
+        }
+    } guard{into.folder};
+    auto carried = carry(from, into, progress);
+    guard.done = carried.ok();
     return carried;
 }
 

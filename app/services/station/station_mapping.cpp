@@ -89,8 +89,8 @@ struct StationMapping::State {
     [[nodiscard]] Result<void> granted() const;
     void decide(std::function<Result<ScanPosesSample>(LiveMapper&, Time)> what);
     [[nodiscard]] Result<void> placeable(const std::string& robot) const;
-    /// The newest scan of @p robot, whose scans make a part of the map of their own, as it would lie with the
-    /// robot at @p baseInMap in another part; empty: it is in no part of its own, or put into that.
+    /// The newest scan of @p robot as it would lie with the robot at @p baseInMap, where that is in another
+    /// part of the map than the one it is surely in; empty: it is not.
     [[nodiscard]] std::optional<ScanPose> inOtherPart(const std::string& robot, const Pose& baseInMap) const;
     [[nodiscard]] Result<void> takeBack(Undoing undoing, const std::string& nothing);
 };
@@ -485,8 +485,9 @@ std::optional<ScanPose> StationMapping::State::inOtherPart(const std::string& ro
         least = distance;
         nearest = &scan;
     }
-    if (now == robots->end() || newest == nullptr || newest->part == 0 || newest->part == nearest->part)
-        return std::nullopt;
+    // Of one that is not sure where it is that scan says nothing: it may have been carried.
+    const bool sure = now != robots->end() && now->certain;
+    if (!sure || newest == nullptr || newest->part == nearest->part) return std::nullopt;
     ScanPose shown = newest->pose;
     shown.scanInMap = baseInMap * now->baseInMap.inverse() * newest->pose.scanInMap;
     return shown;

@@ -13,6 +13,7 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QDir>
 #include <QEventLoop>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -265,7 +266,7 @@ QString carryInto(const StationSettings& settings, const fs::path& from) {
     workInFront(
         {.name = QStringLiteral("carrying"),
          .label = QCoreApplication::translate("leitstand::Application", "The map of %1 is being copied.")
-                      .arg(QString::fromStdString(from.filename().string()))},
+                      .arg(QDir(QString::fromStdString(from.string())).dirName())},
         [&](const Progress& progress) {
             try {
                 const auto carried = carryMap(
@@ -326,7 +327,7 @@ int runLive(const Options& options) {
     fs::path earlier = interrupted(before, settings);
     QString hint = hintAt(earlier);
     bool switched = false;  // from another mission, which is the earlier one now
-    fs::path mapOf = options.mapOf;
+    fs::path mapOf = options.mapOf, beforeIt;
     // With each robot that the operator adds the station begins anew, and goes on with its mission.
     while (true) {
         auto robots = chooseRobots(files);
@@ -336,7 +337,7 @@ int runLive(const Options& options) {
             const QString problem = carryInto(settings, std::exchange(mapOf, {}));
             if (!problem.isEmpty() && recorded.empty()) return complain(problem.toStdString()), 1;
             if (!problem.isEmpty()) {
-                settings.mission.folder = earlier;
+                settings.mission.folder = std::exchange(earlier, beforeIt);
                 hint = problem;
             }
         }
@@ -356,6 +357,7 @@ int runLive(const Options& options) {
             files.push_back(ended.robot);
         } else if (!ended.mapOf.empty()) {
             mapOf = ended.mapOf;
+            beforeIt = earlier;
             earlier = std::exchange(settings.mission.folder, newMission());
         } else {
             if (ended.status != 0) return ended.status;  // the mission may be another station's

@@ -47,14 +47,15 @@ Pose LiveMapper::State::guessOf(const LiveScan& live, const RobotTrack& robot, S
 
 const LocalMap& LiveMapper::State::localAt(const Pose& place, const RobotTrack& robot) {
     if (!localStale && localKey == robot.key && distanceBetween(place, localPlace) <= SamePlace) return local;
-    if (robot.key == 0 || robot.placedInMap || !settings.loops.on) {
-        local = localMap(map.scans, place, settings.local);
+    const bool put = robot.key == 0 || robot.placedInMap;
+    if (put || robot.lost || !settings.loops.on) {
+        local = localMap(ofPart(map.scans, put ? partAt(map.scans, place) : partOf(robot)), place,
+                         settings.local);
     } else {
-        const std::uint64_t part = partOf(robot);
-        const auto together = robot.lost ? std::map<std::uint64_t, double>{} : loops.sameAge(robot.key);
+        const std::map<std::uint64_t, double> together = loops.sameAge(robot.key);
         std::vector<LiveKeyScan> scans;
         for (const LiveKeyScan& scan : map.scans) {
-            if (robot.lost ? scan.part == part : together.contains(scan.id)) scans.push_back(scan);
+            if (together.contains(scan.id)) scans.push_back(scan);
         }
         local = localMap(scans, place, settings.local);
     }
@@ -80,12 +81,12 @@ void LiveMapper::State::refine(const LiveScan& live, const RobotTrack& robot, co
                                Match& match) {
     const bool on = settings.refinement.on || settings.refined.contains(live.scan->robot);
     if (!on || match.doubts != 0) return;
-    const auto drift = turnDrift(cleaned(live, robot.body, match.scanInMap, preparing(robot), others),
+    const auto drift = turnDrift(cleaned(live, robot.body, match.scanInMap, preparing(robot, guess), others),
                                  localAt(guess, robot), match.scanInMap, settings.refinement);
     if (!drift) return;
     LiveScan straight = live;
     straight.scan = std::make_shared<const Scan>(straightened(*live.scan, *drift));
-    ReadyScan second = readyScan(straight, robot.body, match.scanInMap, preparing(robot), others);
+    ReadyScan second = readyScan(straight, robot.body, match.scanInMap, preparing(robot, guess), others);
     Match again = matched(straight, robot, second.reduced, guess, step);
     if (again.doubts != 0 || again.icp.overlap < match.icp.overlap) return;
     ready = std::move(second);
@@ -242,17 +243,19 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     // A robot with several scanners: what one is off by is not told from what the other is.
     if (robot.known && !robot.sensorInBase.isApprox(live.sensorInBase, 1e-3)) recalibrate(scan.robot);
     const bool placed = robot.known || robot.placedInMap, empty = state.empty();
-    const bool begins = !empty && !placed && robot.beginsPart, first = empty || begins;  // of a part
+    // Also one whose part is no more: all of it was set aside.
+    const bool begins = !empty && (placed ? state.isAlone(robot) : robot.beginsPart);
+    const bool first = empty || begins;  // of a part
     Step step;
-    const Pose guess = placed  ? state.guessOf(live, robot, step)
-                       : empty ? levelled(Pose::Identity(), live.up, 1.0)
-                               : state.aside(live.up);
+    const Pose guess = begins   ? state.aside(live.up)
+                       : placed ? state.guessOf(live, robot, step)
+                                : levelled(Pose::Identity(), live.up, 1.0);
     if (!first && !placed) {
         here.trust = ScanTrust::Uncertain;
         here.doubts = static_cast<std::uint8_t>(ScanDoubt::Odometry);
         return update;
     }
-    ReadyScan ready = readyScan(live, robot.body, guess, state.preparing(robot), others);
+    ReadyScan ready = readyScan(live, robot.body, guess, state.preparing(robot, guess), others);
     if (first && !canBegin(live, ready.reduced, state.settings.fit)) {
         here.trust = ScanTrust::Uncertain;
         here.doubts = static_cast<std::uint8_t>(ScanDoubt::Points);
@@ -313,7 +316,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         if (live.extrapolated || live.bridged)
             key.pose.doubts |= static_cast<std::uint8_t>(ScanDoubt::Guessed);
         key.matched = nearest;
-        key.part = begins ? key.id : state.partOf(robot);
+        key.part = begins ? key.id : state.partFor(robot, guess);
         key.enteredAt = match.scanInMap;
         key.entered = state.entering(now);
         if (live.levelKnown) key.up = state.upOf(live, robot);

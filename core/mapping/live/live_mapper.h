@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -169,6 +170,8 @@ public:
     void recalibrate(const std::string& robot);
     void leaveUnsettled();  ///< instead, where the map is another station's now: problem() begins anew
 
+    /// Ids of key scans that are nearly certain to lie right to the key scan @p id, itself included.
+    [[nodiscard]] std::set<std::uint64_t> together(std::uint64_t id) const;
     /// Empty: nobody knows.
     [[nodiscard]] std::optional<RobotFix> fix(const std::string& robot) const;
     /// A snapshot.

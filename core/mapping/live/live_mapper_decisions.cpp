@@ -106,7 +106,7 @@ Result<ScanPosesSample> LiveMapper::retry(std::uint64_t id, const RetrySettings&
     const PointCloud cloud = settings.match.reduce == state.settings.match.reduce
                                  ? scan->reduced->unpacked()
                                  : reducedAgain(*scan->scan, settings.match);
-    const LocalMap local = localMap(others, guess, state.settings.local);
+    const LocalMap local = localMap(ofPart(others, partAt(others, guess)), guess, state.settings.local);
     const Match found =
         match(cloud, local, guess, {}, scan->up, settings.match, state.settings.fit, settings.match.wide);
     ScanPose pose{id,

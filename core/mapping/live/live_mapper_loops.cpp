@@ -12,26 +12,39 @@
 namespace leitstand {
 
 void LiveMapper::State::findParts() {
+    constexpr double Aside = 1.0;  // the map's first part begins at its origin [m]
     const MapParts parts(loops.graph().links());
-    const auto first = std::find_if(map.scans.begin(), map.scans.end(), [](const LiveKeyScan& scan) {
-        return scan.pose.trust != ScanTrust::SetAside;
-    });
-    if (first == map.scans.end()) return;
-    const std::uint64_t firstPart = parts.lowest(first->id);
     for (LiveKeyScan& scan : map.scans) {
-        const std::uint64_t lowest = parts.lowest(scan.id);
-        // Links of old missions, and of scans that were decided on, are missing: those are where they were.
-        const LiveKeyScan* const beginning = lowest == firstPart ? nullptr : find(lowest);
-        const std::uint64_t part = beginning != nullptr && beginning->begins() ? lowest : 0;
+        const LiveKeyScan* const beginning = find(parts.lowest(scan.id));
+        std::uint64_t part = scan.part;
+        if (beginning != nullptr && beginning->begins()) {
+            part = beginning->enteredAt.translation().norm() > Aside ? beginning->id : 0;
+        } else if (const LiveKeyScan* const matched = find(scan.matched)) {
+            // Links of old missions, and of scans that were decided on, are missing. It comes later than that
+            // one.
+            part = matched->part;
+        }
         if (part == scan.part) continue;
         scan.part = part;
         cropped.fit(scan, clouds);
     }
+    localStale = true;
 }
 
-const LiveSettings& LiveMapper::State::preparing(const RobotTrack& robot) {
-    const bool apart = robot.known ? partOf(robot) != 0 : robot.beginsPart;
-    return apart && !robot.placedInMap ? uncropped : settings;
+bool LiveMapper::State::isAlone(const RobotTrack& robot) {
+    if (robot.placedInMap || robot.key == 0) return false;
+    const std::uint64_t part = partOf(robot);
+    return std::none_of(map.scans.begin(), map.scans.end(),
+                        [part](const LiveKeyScan& scan) { return scan.counts() && scan.part == part; });
+}
+
+std::uint64_t LiveMapper::State::partFor(const RobotTrack& robot, const Pose& guess) {
+    return robot.placedInMap || robot.key == 0 ? partAt(map.scans, guess) : partOf(robot);
+}
+
+const LiveSettings& LiveMapper::State::preparing(const RobotTrack& robot, const Pose& guess) {
+    const bool begins = !robot.known && !robot.placedInMap && robot.beginsPart;
+    return begins || partFor(robot, guess) != 0 ? uncropped : settings;
 }
 
 std::uint64_t LiveMapper::State::partOf(const RobotTrack& robot) {
@@ -50,7 +63,6 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     const LiveKeyScan* const before = robot.key == 0 || robot.placedInMap ? nullptr : find(robot.key);
     std::vector<Link> links = loops.add({key, before, others, match});
     if (!links.empty()) update.links = ScanLinksSample{now, station, std::move(links)};
-    findParts();
     if (!key.counts()) return;
     std::vector<Link> loop = loops.close(key, map);
     if (loop.empty()) {
@@ -69,6 +81,13 @@ void LiveMapper::State::linkAgain(std::uint64_t id, std::span<const std::uint64_
     }
     std::vector<Link> links = loops.replace({*find(id), nullptr, others, match});
     if (!links.empty()) madeLinks = ScanLinksSample{now, station, std::move(links)};
+    findParts();
+}
+
+std::set<std::uint64_t> LiveMapper::together(std::uint64_t id) const {
+    std::set<std::uint64_t> ids;
+    for (const auto& [scan, way] : m_state->loops.sameAge(id)) ids.insert(scan);
+    return ids;
 }
 
 std::optional<ScanLinksSample> LiveMapper::takeLinks() {
@@ -78,7 +97,6 @@ std::optional<ScanLinksSample> LiveMapper::takeLinks() {
 void LiveMapper::restore(const ScanLinksSample& sample) {
     State& state = *m_state;
     state.loops.restore(sample.links);
-    state.findParts();
     ++state.revision;
     state.unsolved = state.unsolved || std::any_of(sample.links.begin(), sample.links.end(),
                                                    [](const Link& link) { return closesLoop(link.kind); });
@@ -86,7 +104,6 @@ void LiveMapper::restore(const ScanLinksSample& sample) {
 
 void LiveMapper::followLoops(std::span<const Link> loops) {
     if (!m_state->loops.follow(loops)) return;
-    m_state->findParts();
     ++m_state->revision;
     m_state->unsolved = true;
 }
@@ -96,7 +113,11 @@ std::optional<SoughtPlace> LiveMapper::sought() {
     const std::uint64_t id = std::exchange(state.sought, 0);
     const LiveKeyScan* const scan = id == 0 ? nullptr : state.find(id);
     if (scan == nullptr || !scan->counts()) return std::nullopt;
-    return SoughtPlace{id, map(), state.loops.sameAge(id), inParts(state.map)};
+    // In turns, where a place of its own part may be far off, too.
+    const bool elsewhere =
+        inParts(state.map) && !(state.soughtElsewhere && state.loops.mayErrFar(*scan, state.map));
+    state.soughtElsewhere = elsewhere;
+    return SoughtPlace{id, map(), state.loops.sameAge(id), elsewhere};
 }
 
 std::optional<ScanLinksSample> LiveMapper::recognised(const SoughtPlace& sought, const Pose& scanInMap,
@@ -181,7 +202,6 @@ Settled LiveMapper::settle(const MapSolution& solution, Time now) {
         return settled;
     }
     const std::vector<Link> contradicted = state.loops.contradict(solution.contradicted);
-    if (!contradicted.empty()) state.findParts();
     if (!contradicted.empty()) settled.links = ScanLinksSample{now, state.station, contradicted};
     std::map<std::uint64_t, Pose> solved;
     for (const GraphNode& node : solution.nodes) solved.emplace(node.id, node.pose);
@@ -204,6 +224,8 @@ Settled LiveMapper::settle(const MapSolution& solution, Time now) {
         state.cropped.fit(scan, state.clouds);
         moved.push_back(scan.pose);
     }
+    // Only now what came together lies so.
+    state.findParts();
     if (moved.empty()) return settled;
     state.loops.moved();
     for (auto& [name, track] : state.robots) {

@@ -85,10 +85,14 @@ struct LiveMapper::State {
     [[nodiscard]] bool empty() const;  ///< nothing counts
     /// Where a scan that looks upwards by @p up begins a part of its own.
     [[nodiscard]] Pose aside(const Eigen::Vector3d& up) const;
-    void findParts();  ///< which part each scan is of, since links changed
+    void findParts();  ///< which part each scan is of, by the links as they are
+    /// Whether nothing counts of the part that @p robot, which nobody has put anywhere, is in.
+    [[nodiscard]] bool isAlone(const RobotTrack& robot);
+    /// Of the next scan of @p robot, which is looked for about @p guess.
+    [[nodiscard]] std::uint64_t partFor(const RobotTrack& robot, const Pose& guess);
     [[nodiscard]] std::uint64_t partOf(const RobotTrack& robot);
-    /// For the next scan of @p robot.
-    [[nodiscard]] const LiveSettings& preparing(const RobotTrack& robot);
+    /// For the next scan of @p robot, which is looked for about @p guess.
+    [[nodiscard]] const LiveSettings& preparing(const RobotTrack& robot, const Pose& guess);
     /// What @p entered, of which @p cloud is matched, tells of its scanner.
     void calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud);
     /// Whether the newest scan of @p robot that is not set aside is uncertain.
@@ -118,7 +122,8 @@ struct LiveMapper::State {
         0;  ///< of what solutions are for: decisions, and what other stations say, change it
     std::optional<ScanLinksSample> madeLinks;  ///< by the newest decision
     bool unsolved = false;                     ///< since a loop closed or was taken back
-    std::uint64_t sought = 0;  ///< newest scan that is to be looked for in the whole map; 0: none
+    std::uint64_t sought = 0;      ///< newest scan that is to be looked for in the whole map; 0: none
+    bool soughtElsewhere = false;  ///< the last one, in other parts
     std::uint64_t nextId = 1;
     Time entered{};  ///< the newest scan
     LocalMap local;

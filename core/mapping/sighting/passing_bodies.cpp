@@ -16,10 +16,20 @@
 namespace leitstand {
 namespace {
 
-constexpr double FloorCell = 0.25;                    ///< [m]
-constexpr double Linked = 0.2, LinkedOfRange = 0.03;  ///< points so near are of one thing [m], [m / m]
-constexpr double About = 0.05;                        ///< so much about it is of it, too [m]
-constexpr std::size_t MostFree = 64;                  ///< scans whose free space is kept
+constexpr double FloorCell = 0.25;                        ///< [m]
+constexpr double Linked = 0.2, LinkedOfRange = 0.03;      ///< points so near are of one thing [m], [m / m]
+constexpr double About = 0.05;                            ///< so much about it is of it, too [m]
+constexpr std::size_t MostVoters = 64, MostLooked = 400;  ///< scans that are kept in memory
+
+/// Lets go of what of @p scans was not used for longest.
+template <class Scans>
+void keepNewest(Scans& scans, std::size_t most) {
+    while (scans.size() > most) {
+        scans.erase(std::min_element(scans.begin(), scans.end(), [](const auto& a, const auto& b) {
+            return a.second.used < b.second.used;
+        }));
+    }
+}
 
 /// Whether nobody would see a difference.
 bool alike(const std::vector<BodyInScan>& a, const std::vector<BodyInScan>& b) {
@@ -60,7 +70,6 @@ PassingBodies::Looked& PassingBodies::lookedAt(const LiveKeyScan& scan) {
     const auto [known, fresh] = m_looked.try_emplace(scan.id);
     Looked& looked = known->second;
     if (!fresh) return looked;
-    looked.scan = scan.scan;
     const Eigen::Isometry3f inMap = scan.pose.scanInMap.cast<float>();
     std::vector<Eigen::Vector3f> points;
     points.reserve(scan.scan->points.size());
@@ -80,18 +89,21 @@ PassingBodies::Looked& PassingBodies::lookedAt(const LiveKeyScan& scan) {
         const double height = static_cast<double>(point.z()) - *ground;
         if (height < m_settings.low || height > m_settings.high) continue;
         if (!cells.emplace(cell(point.x()), cell(point.y()), cell(point.z())).second) continue;
-        looked.asked.push_back({inScan * point, static_cast<float>(*ground), static_cast<float>(height)});
+        looked.asked.push_back({inScan * point, static_cast<float>(height)});
     }
+    looked.asked.shrink_to_fit();
     return looked;
 }
 
 void PassingBodies::vote(const LiveKeyScan& by, const LiveKeyScan& on) {
     Looked& asked = lookedAt(on);
-    const auto free = m_free.try_emplace(by.id, lookedAt(by).scan->points, m_settings.looking).first;
+    Voter& voter =
+        m_voters.try_emplace(by.id, Voter{FreeSpace(by.scan->points, m_settings.looking)}).first->second;
+    asked.used = voter.used = ++m_votes;
     const Eigen::Isometry3f inVoter = (by.pose.scanInMap.inverse() * on.pose.scanInMap).cast<float>();
     constexpr std::uint8_t Most = std::numeric_limits<std::uint8_t>::max();
     for (Asked& one : asked.asked) {
-        const SeenThere seen = free->second.at(inVoter * one.place);
+        const SeenThere seen = voter.free.at(inVoter * one.place);
         std::uint8_t& votes = seen == SeenThere::LookedThrough ? one.through : one.seen;
         if (seen != SeenThere::Unknown && votes < Most) ++votes;
     }
@@ -137,14 +149,16 @@ std::vector<BodyInScan> PassingBodies::bodiesOf(const LiveKeyScan& scan, const L
     return bodies;
 }
 
-std::map<std::uint64_t, std::vector<BodyInScan>> PassingBodies::add(const LiveMap& map, std::uint64_t id) {
+std::map<std::uint64_t, std::vector<BodyInScan>> PassingBodies::add(const LiveMap& map, std::uint64_t id,
+                                                                    const std::set<std::uint64_t>& together) {
     std::map<std::uint64_t, std::vector<BodyInScan>> changed;
     const auto entered = std::find_if(map.scans.begin(), map.scans.end(),
                                       [id](const LiveKeyScan& one) { return one.id == id; });
-    if (entered == map.scans.end() || !entered->counts()) return changed;
+    if (entered == map.scans.end() || !entered->counts() || entered->odometryFrame < 0) return changed;
     std::vector<std::pair<double, const LiveKeyScan*>> near;
     for (const LiveKeyScan& one : map.scans) {
-        if (!one.counts() || one.id == id || one.part != entered->part) continue;
+        // What an earlier run left out of its scans is not asked about again.
+        if (!one.counts() || one.id == id || one.odometryFrame < 0 || !together.contains(one.id)) continue;
         const double distance = mapDistance(one.pose.scanInMap, entered->pose.scanInMap);
         if (distance <= m_settings.reach) near.emplace_back(distance, &one);
     }
@@ -164,7 +178,8 @@ std::map<std::uint64_t, std::vector<BodyInScan>> PassingBodies::add(const LiveMa
         looked.bodies = bodies;
         changed.emplace(one->id, std::move(bodies));
     }
-    while (m_free.size() > MostFree) m_free.erase(m_free.begin());
+    keepNewest(m_voters, MostVoters);
+    keepNewest(m_looked, MostLooked);
     return changed;
 }
 

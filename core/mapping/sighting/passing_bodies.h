@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include <Eigen/Core>
@@ -42,22 +43,27 @@ public:
 
     explicit PassingBodies(const PassingSettings& settings = {}) : m_settings(settings) {}
 
-    /// The key scan @p id of @p map has entered: what it and those near it say of each other. Returns, of
-    /// each scan of which they are noticeably others than before, all bodies.
-    [[nodiscard]] std::map<std::uint64_t, std::vector<BodyInScan>> add(const LiveMap& map, std::uint64_t id);
+    /// The key scan @p id of @p map has entered: what it and those near it say of each other, of @p together,
+    /// which are nearly certain to lie right to each other, and which this run of the station has heard
+    /// itself. Returns, of each scan of which they are noticeably others than before, all bodies.
+    [[nodiscard]] std::map<std::uint64_t, std::vector<BodyInScan>> add(
+        const LiveMap& map, std::uint64_t id, const std::set<std::uint64_t>& together);
 
 private:
     /// A point that is asked about.
     struct Asked {
-        Eigen::Vector3f place;  ///< scan's frame [m]
-        float ground = 0.0F,
-              height = 0.0F;  ///< of the floor in the map as it was then, of the point over it [m]
+        Eigen::Vector3f place;               ///< scan's frame [m]
+        float height = 0.0F;                 ///< over the floor [m]
         std::uint8_t through = 0, seen = 0;  ///< votes
     };
     struct Looked {
-        ScanPtr scan;  ///< as it was when it was looked at: what is left out of it since is still asked about
-        std::vector<Asked> asked;
+        std::vector<Asked> asked;        ///< of the scan as it entered
         std::vector<BodyInScan> bodies;  ///< as they were returned
+        std::uint64_t used = 0;          ///< when it had a vote last
+    };
+    struct Voter {
+        FreeSpace free;
+        std::uint64_t used = 0;  ///< likewise
     };
     Looked& lookedAt(const LiveKeyScan& scan);
     void vote(const LiveKeyScan& by, const LiveKeyScan& on);
@@ -67,8 +73,9 @@ private:
     }
 
     PassingSettings m_settings;
-    std::map<std::uint64_t, Looked> m_looked;   ///< by key scan
-    std::map<std::uint64_t, FreeSpace> m_free;  ///< of those that voted last
+    std::map<std::uint64_t, Looked> m_looked;  ///< by key scan
+    std::map<std::uint64_t, Voter> m_voters;   ///< of those that voted last, likewise
+    std::uint64_t m_votes = 0;                 ///< so far: tells what was used last
 };
 
 }  // namespace leitstand

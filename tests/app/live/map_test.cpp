@@ -381,6 +381,14 @@ TEST_F(LiveMapOnScreen, APlaceWhereTheMapMayMeetItselfIsAskedAboutAnsweredAndTak
     EXPECT_TRUE(asked->parentWidget()->rect().contains(asked->geometry())) << "nothing of it is cut";
     EXPECT_TRUE(soon([&] { return countViolet(m_window->mapView()) > 100; })) << "the ghost of the map";
     lookAt("map_question");
+    m_window->layouts().use("drive");
+    EXPECT_TRUE(soon([&] {
+        const QRect map = asked->parentWidget()->rect();
+        return asked->isVisible() && map.contains(asked->geometry()) && 5 * asked->height() < map.height();
+    })) << "one drives by the small map: it takes "
+        << asked->height() << " of " << asked->parentWidget()->height();
+    lookAt("map_question_drive");
+    m_window->layouts().use("explore");
     trigger("loop.refuse");
     EXPECT_TRUE(soon([&] { return !asked->isVisible(); }));
     QAction* const undo = m_window->commands().find("scan.undo");

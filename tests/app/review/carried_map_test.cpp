@@ -116,8 +116,11 @@ TEST_F(CarriedMap, AMissionThatHasAMapKeepsItAndOneWithoutHasNoneToGive) {
     ASSERT_TRUE(carryMap(m_yesterday, today()));
     const auto again = carryMap(m_yesterday, today());
     ASSERT_FALSE(again);
-    EXPECT_THAT(again.error().text, HasSubstr("today: it has a map already"));
+    EXPECT_THAT(again.error().text, HasSubstr("today: it is there already"));
     WrittenMission(m_folder / "empty").say(1.0, std::string(station_topic::Notes), NoteSample{});
+    EXPECT_TRUE(hasMap(m_yesterday).ok());
+    EXPECT_FALSE(hasMap(m_folder / "empty").ok());
+    EXPECT_FALSE(hasMap(m_folder / "absent").ok());
     const auto none = carryMap(m_folder / "empty", {m_folder / "new", {}, "test"});
     ASSERT_FALSE(none);
     EXPECT_THAT(none.error().text, HasSubstr("empty: expected a map of ours"));

@@ -24,6 +24,17 @@ TEST(JobQueue, DoesJobsInOrder) {
     EXPECT_THAT(done, ElementsAre(0, 1, 2));
 }
 
+TEST(JobQueue, WhatSomebodyWaitsForComesFirst) {
+    JobQueue queue;
+    std::vector<int> done;
+    std::stop_source end;
+    queue.submit([&done](const std::stop_token&) { done.push_back(1); });
+    queue.submitFirst([&done](const std::stop_token&) { done.push_back(0); });
+    queue.submit([&end](const std::stop_token&) { end.request_stop(); });
+    queue.work(end.get_token());
+    EXPECT_THAT(done, ElementsAre(0, 1));
+}
+
 TEST(JobQueue, ACancelReachesTheJobAtWorkAndThoseWaiting) {
     JobQueue queue;
     std::stop_source end;

@@ -281,7 +281,11 @@ TEST_F(StationMappingTest, TheOperatorShowsAPlaceThatAScanMeetsAndIsAskedBeforeT
     begin();
     ASSERT_TRUE(closesOne()) << words();
     ASSERT_TRUE(m_mapping->undoLoop().ok());
-    ASSERT_TRUE(waitUntil([&] { return m_mission->state()->loops->empty(); })) << words();
+    // Its poses come after it: what is asked before they do is answered by them.
+    ASSERT_TRUE(waitUntil([&] {
+        const MissionStatePtr now = m_mission->state();
+        return now->loops->empty() && std::holds_alternative<ScanPosesSample>(now->decisions->back().content);
+    })) << words();
     const LiveMapPtr map = m_mapping->scans();
     const ScanPose last = map->scans.back().pose;
     EXPECT_FALSE(m_mapping->propose(last.scan + 1, last.scanInMap).ok()) << "there is no such scan";

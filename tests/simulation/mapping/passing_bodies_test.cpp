@@ -60,7 +60,8 @@ void driveAmongPeople(std::uint64_t seed) {
             if (const auto problem = mapper.problem()) (void)mapper.settle(solve(*problem), live.scan->end);
             if (!update.keyScan) continue;
             const double began = processorTime();
-            const auto found = passing.add(*mapper.map(), update.keyScan->id);
+            const auto found =
+                passing.add(*mapper.map(), update.keyScan->id, mapper.together(update.keyScan->id));
             const double took = processorTime() - began;
             longest = std::max(longest, took);
             sum += took;

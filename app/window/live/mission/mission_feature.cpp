@@ -14,6 +14,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "app/services/recorded/carried_map.h"
 #include "app/services/score/score_board.h"
 #include "app/services/station/station.h"
 #include "app/services/station/station_clock.h"
@@ -115,6 +116,10 @@ void MissionFeature::askForMap() {
     choice->setFileMode(QFileDialog::Directory);
     choice->setOption(QFileDialog::ShowDirsOnly);
     connect(choice, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+        if (const auto there = hasMap(folder.toStdString()); !there) {
+            emit told(QString::fromStdString(there.error().text));
+            return;
+        }
         askToEnd(QStringLiteral("newInMap"), tr("A new mission"),
                  tr("End this mission and begin a new one in the map of %1?").arg(QDir(folder).dirName()),
                  tr("Begin it"), [this, folder] { emit mapWanted(folder); });

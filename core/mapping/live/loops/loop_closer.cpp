@@ -241,17 +241,20 @@ std::vector<Link> LoopCloser::closeFar(const LiveKeyScan& entered, const Pose& s
     return meet(std::move(*found), verified);
 }
 
+bool LoopCloser::mayErrFar(const LiveKeyScan& scan, const LiveMap& map) const {
+    const std::map<std::uint64_t, double> near = sameAge(scan.id);
+    const auto earliest = std::find_if(map.scans.begin(), map.scans.end(), [&](const LiveKeyScan& one) {
+        return one.counts() && one.part == scan.part && !near.contains(one.id);
+    });
+    return earliest != map.scans.end() &&
+           m_settings.farBeyond * deviation(earliest->id, scan.id) > m_settings.reach;
+}
+
 bool LoopCloser::seeks(const LiveKeyScan& entered, const LiveMap& map) {
     if (m_settings.seekEvery <= 0.0) return false;
     std::uint64_t& sought = m_sought[entered.scan->robot];
     if (sought != 0 && m_graph.within(entered.id, m_settings.seekEvery).contains(sought)) return false;
-    const std::map<std::uint64_t, double> near = sameAge(entered.id);
-    const auto earliest = std::find_if(map.scans.begin(), map.scans.end(), [&](const LiveKeyScan& scan) {
-        return scan.counts() && !near.contains(scan.id);
-    });
-    if (earliest == map.scans.end()) return false;
-    if (!inParts(map) && m_settings.farBeyond * deviation(earliest->id, entered.id) <= m_settings.reach)
-        return false;
+    if (!inParts(map) && !mayErrFar(entered, map)) return false;
     sought = entered.id;
     return true;
 }

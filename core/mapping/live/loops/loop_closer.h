@@ -46,6 +46,9 @@ public:
     /// Whether the scan @p entered, where nothing closed, is to be looked for in the whole map: so much way
     /// after the one before, and where the map may err by more than is looked for anyway.
     [[nodiscard]] bool seeks(const LiveKeyScan& entered, const LiveMap& map);
+    /// Whether a scan of the part of @p scan may lie farther from where it is expected than is looked for
+    /// anyway.
+    [[nodiscard]] bool mayErrFar(const LiveKeyScan& scan, const LiveMap& map) const;
     /// The same as close() for a scan that was found at @p scanInMap, far from where it stands. @p verified:
     /// whether all of its part, moved along, was compared with what is there.
     [[nodiscard]] std::vector<Link> closeFar(const LiveKeyScan& entered, const Pose& scanInMap,

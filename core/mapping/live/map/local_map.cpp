@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "core/cloud/filters/voxel_grid.h"
 
@@ -20,6 +22,25 @@ double mapDistance(const Pose& a, const Pose& b) {
     constexpr double Storeys = 4.0;
     const Eigen::Vector3d between = a.translation() - b.translation();
     return std::hypot(between.head<2>().norm(), Storeys * between.z());
+}
+
+std::uint64_t partAt(std::span<const LiveKeyScan> scans, const Pose& place) {
+    const LiveKeyScan* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const LiveKeyScan& scan : scans) {
+        const double distance = mapDistance(scan.pose.scanInMap, place);
+        if (!scan.counts() || distance >= least) continue;
+        least = distance;
+        nearest = &scan;
+    }
+    return nearest != nullptr ? nearest->part : 0;
+}
+
+std::vector<LiveKeyScan> ofPart(std::span<const LiveKeyScan> scans, std::uint64_t part) {
+    std::vector<LiveKeyScan> found;
+    std::copy_if(scans.begin(), scans.end(), std::back_inserter(found),
+                 [part](const LiveKeyScan& scan) { return scan.part == part; });
+    return found;
 }
 
 LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place, const LocalMapSettings& settings) {

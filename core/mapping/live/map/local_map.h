@@ -29,6 +29,11 @@ struct LocalMapSettings {
 /// floor what is a storey below [m].
 [[nodiscard]] double mapDistance(const Pose& a, const Pose& b);
 
+/// LiveKeyScan::part of the scan that counts nearest to @p place; 0: there is none.
+[[nodiscard]] std::uint64_t partAt(std::span<const LiveKeyScan> scans, const Pose& place);
+/// Those of @p scans that are of @p part.
+[[nodiscard]] std::vector<LiveKeyScan> ofPart(std::span<const LiveKeyScan> scans, std::uint64_t part);
+
 /// The local map about @p place.
 [[nodiscard]] LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place,
                                 const LocalMapSettings& settings = {});

@@ -152,6 +152,64 @@ TEST(LiveMapperParts, TakenBackThePartLiesWhereItWas) {
     EXPECT_FALSE(room.explore(3)) << "it is not asked again";
 }
 
+TEST(LiveMapperParts, WhatIsDrawnAroundTheMapCutsNothingOutOfAnotherPart) {
+    TwoRobotsInARoom room;
+    MapCrop area;
+    area.polygon = {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}};
+    area.ceiling = 1.0;
+    room.mapper.setCrop(area);
+    room.mapper.beginPart("second");
+    const MapUpdate update = room.add(room.seen(poseFrom({1.5, 1, 0.9}, 0, 0, 0)));
+    ASSERT_TRUE(update.keyScan);
+    EXPECT_EQ(update.keyScan->scan->points.size(), room.mapper.map()->scans.back().scan->points.size());
+    // One that is put there by hand, too.
+    room.mapper.place("second", room.mapper.fix("second")->baseInMap * poseFrom({-0.4, 0, 0}, 0, 0, 0));
+    const MapUpdate next = room.add(room.seen(poseFrom({1.1, 1, 0.9}, 0, 0, 0)));
+    ASSERT_TRUE(next.keyScan);
+    EXPECT_EQ(next.localisation.trust, ScanTrust::Certain);
+    EXPECT_EQ(room.mapper.map()->scans.back().part, update.keyScan->id);
+}
+
+TEST(LiveMapperParts, WhatIsPutIntoAYoungPartIsLinkedWithThatAlone) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    const MapUpdate first = room.add(room.seen(poseFrom({1.5, 1, 0.9}, 0, 0, 0)));
+    room.mapper.place("second", room.mapper.fix("second")->baseInMap * poseFrom({-0.4, 0, 0}, 0, 0, 0));
+    const MapUpdate next = room.add(room.seen(poseFrom({1.1, 1, 0.9}, 0, 0, 0)));
+    ASSERT_TRUE(next.links);
+    EXPECT_THAT(next.links->links, Each(Field(&Link::from, first.keyScan->id)));
+    ASSERT_TRUE(room.mapper.retry(next.keyScan->id, {}, room.now));
+    const auto again = room.mapper.takeLinks();
+    ASSERT_TRUE(again);
+    for (const Link& link : again->links) {
+        EXPECT_TRUE(!link.active || link.from == first.keyScan->id);
+    }
+}
+
+TEST(LiveMapperParts, ARobotWhosePartWasRejectedBeginsAnotherOne) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    const MapUpdate first = room.add(room.seen(poseFrom({1.5, 1, 0.9}, 0, 0, 0)));
+    ASSERT_TRUE(room.mapper.reject(first.keyScan->id, room.now));
+    const MapUpdate next = room.add(room.seen(poseFrom({1.1, 1, 0.9}, 0, 0, 0)));
+    ASSERT_TRUE(next.keyScan);
+    EXPECT_EQ(next.localisation.trust, ScanTrust::Certain);
+    EXPECT_EQ(room.mapper.map()->scans.back().part, next.keyScan->id);
+}
+
+TEST(LiveMapperParts, UntilItIsSolvedAPartIsWhereItLies) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    const auto question = room.explore(8);
+    ASSERT_TRUE(question);
+    room.answer(*question, true);
+    EXPECT_NE(room.mapper.map()->scans.back().part, 0U) << "its scans stand aside yet";
+    const MapUpdate meanwhile = room.add(room.seen(poseFrom({-1.5, -1.2, 0.9}, 0, 0, degrees(240))));
+    EXPECT_EQ(meanwhile.localisation.trust, ScanTrust::Certain);
+    ASSERT_TRUE(room.solveAll());
+    EXPECT_EQ(room.mapper.map()->scans.back().part, 0U);
+}
+
 TEST(LiveMapperParts, AStationThatStartsAgainKnowsTheParts) {
     TwoRobotsInARoom room;
     room.mapper.beginPart("second");

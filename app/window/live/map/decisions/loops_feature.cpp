@@ -1,5 +1,6 @@
 #include "app/window/live/map/decisions/loops_feature.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -101,12 +102,23 @@ void LoopsFeature::nameParts() {
     m_view.setCaptions(std::move(captions));
 }
 
+bool LoopsFeature::areApart(const OpenLoop& loop) const {
+    const LiveMapPtr map = m_context.bridge.station().mapping().scans();
+    const auto partOf = [&](std::uint64_t id) {
+        const auto scan = std::find_if(map->scans.begin(), map->scans.end(),
+                                       [id](const LiveKeyScan& one) { return one.id == id; });
+        return scan != map->scans.end() ? scan->part : 0;
+    };
+    return partOf(loop.links.back().from) != partOf(loop.links.back().to);
+}
+
 void LoopsFeature::ask(const std::optional<OpenLoop>& loop) {
     if (!loop || !m_asked || m_asked->event != loop->event) {
         m_preview.reset();
         m_view.setGhosts({});
     }
     m_asked = loop;
+    if (m_asked) m_asked->parts = m_asked->parts && areApart(*m_asked);
     const bool open = loop.has_value();
     for (QAction* one : {m_close, m_refuse}) one->setEnabled(open);
     const QString none = tr("Nothing is asked about the map");

@@ -33,6 +33,8 @@ private:
     void follow(const MissionState& mission);
     /// Names the parts of the map of which nobody knows how they lie to its first one.
     void nameParts();
+    /// Whether the parts of the map that @p loop would join have not come together otherwise meanwhile.
+    [[nodiscard]] bool areApart(const OpenLoop& loop) const;
     void ask(const std::optional<OpenLoop>& loop);
     /// What would move, as soon as that is worked out.
     void showPreview(const MissionState& mission);
