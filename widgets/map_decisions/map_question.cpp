@@ -6,6 +6,7 @@
 #include <QBoxLayout>
 #include <QEvent>
 #include <QLabel>
+#include <QMargins>
 #include <QToolButton>
 
 namespace leitstand {
@@ -17,8 +18,6 @@ MapQuestion::MapQuestion(const QString& name, QAction& yes, QAction& no, QWidget
     setAutoFillBackground(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
-    m_text->setAlignment(Qt::AlignCenter);
-    m_parts->setContentsMargins(10, 6, 10, 8);
     m_parts->addWidget(m_text, 1);
     auto* buttons = new QHBoxLayout;
     for (QAction* command : {&yes, &no}) {
@@ -55,6 +54,8 @@ void MapQuestion::place() {
     const bool small = room.height() < Small;
     m_text->setText(small ? m_question.section(QLatin1Char('\n'), 0, 0) : m_question);
     m_parts->setDirection(small ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_parts->setContentsMargins(small ? QMargins(8, 2, 8, 2) : QMargins(10, 6, 10, 8));
+    m_text->setAlignment(small ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter);
     const int margin = small ? AtEdge : Margin;
     const int width = std::max(160, std::min(small ? room.width() : Widest, room.width() - 2 * margin));
     const int height = m_parts->heightForWidth(width);

@@ -97,8 +97,10 @@ PassingBodies::Looked& PassingBodies::lookedAt(const LiveKeyScan& scan) {
 
 void PassingBodies::vote(const LiveKeyScan& by, const LiveKeyScan& on) {
     Looked& asked = lookedAt(on);
-    Voter& voter =
-        m_voters.try_emplace(by.id, Voter{FreeSpace(by.scan->points, m_settings.looking)}).first->second;
+    auto known = m_voters.find(by.id);
+    if (known == m_voters.end())
+        known = m_voters.emplace(by.id, Voter{FreeSpace(by.scan->points, m_settings.looking)}).first;
+    Voter& voter = known->second;
     asked.used = voter.used = ++m_votes;
     const Eigen::Isometry3f inVoter = (by.pose.scanInMap.inverse() * on.pose.scanInMap).cast<float>();
     constexpr std::uint8_t Most = std::numeric_limits<std::uint8_t>::max();

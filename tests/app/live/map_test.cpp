@@ -384,7 +384,7 @@ TEST_F(LiveMapOnScreen, APlaceWhereTheMapMayMeetItselfIsAskedAboutAnsweredAndTak
     m_window->layouts().use("drive");
     EXPECT_TRUE(soon([&] {
         const QRect map = asked->parentWidget()->rect();
-        return asked->isVisible() && map.contains(asked->geometry()) && 5 * asked->height() < map.height();
+        return asked->isVisible() && map.contains(asked->geometry()) && 4 * asked->height() < map.height();
     })) << "one drives by the small map: it takes "
         << asked->height() << " of " << asked->parentWidget()->height();
     lookAt("map_question_drive");
