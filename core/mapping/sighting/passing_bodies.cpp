@@ -12,6 +12,7 @@
 #include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/scan_cleaning.h"
 #include "core/mapping/sighting/floor_field.h"
+#include "core/mapping/sighting/grouped.h"
 
 namespace leitstand {
 namespace {
@@ -44,24 +45,10 @@ bool alike(const std::vector<BodyInScan>& a, const std::vector<BodyInScan>& b) {
 
 /// Points that hang together, seen from above, by their places in @p points.
 std::vector<std::vector<std::size_t>> together(const std::vector<Eigen::Vector3f>& points) {
-    std::vector<std::vector<std::size_t>> found;
-    std::vector<std::size_t> left(points.size());
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
-    while (!left.empty()) {
-        std::vector<std::size_t> thing = {left.back()};
-        left.pop_back();
-        for (std::size_t next = 0; next < thing.size(); ++next) {
-            const Eigen::Vector3f here = points[thing[next]];
-            const double reach = Linked + LinkedOfRange * static_cast<double>(here.norm());
-            const auto near = std::partition(left.begin(), left.end(), [&](std::size_t other) {
-                return static_cast<double>((points[other] - here).head<2>().squaredNorm()) > reach * reach;
-            });
-            thing.insert(thing.end(), near, left.end());
-            left.erase(near, left.end());
-        }
-        found.push_back(std::move(thing));
-    }
-    return found;
+    return grouped(points.size(), [&](std::size_t here, std::size_t other) {
+        const double reach = Linked + LinkedOfRange * static_cast<double>(points[here].norm());
+        return static_cast<double>((points[other] - points[here]).head<2>().squaredNorm()) > reach * reach;
+    });
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "core/mapping/sighting/floor_field.h"
+#include "core/mapping/sighting/grouped.h"
 
 namespace leitstand {
 namespace {
@@ -49,24 +49,10 @@ Box boxOf(std::size_t count, Of of) {
 
 /// Points that hang together, by their places in @p points.
 std::vector<std::vector<std::size_t>> things(const std::vector<Low>& points, const Eigen::Vector2d& scanner) {
-    std::vector<std::vector<std::size_t>> found;
-    std::vector<std::size_t> left(points.size());
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
-    while (!left.empty()) {
-        std::vector<std::size_t> thing = {left.back()};
-        left.pop_back();
-        for (std::size_t next = 0; next < thing.size(); ++next) {
-            const Eigen::Vector2d here = points[thing[next]].place;
-            const double reach = Linked + LinkedOfRange * (here - scanner).norm();
-            const auto near = std::partition(left.begin(), left.end(), [&](std::size_t other) {
-                return (points[other].place - here).squaredNorm() > reach * reach;
-            });
-            std::copy(near, left.end(), std::back_inserter(thing));
-            left.erase(near, left.end());
-        }
-        found.push_back(std::move(thing));
-    }
-    return found;
+    return grouped(points.size(), [&](std::size_t here, std::size_t other) {
+        const double reach = Linked + LinkedOfRange * (points[here].place - scanner).norm();
+        return (points[other].place - points[here].place).squaredNorm() > reach * reach;
+    });
 }
 
 /// Looks for bodies in one scan.

@@ -1,20 +1,14 @@
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "tests/simulation/mapping/building_sets.h"
 #include "tests/simulation/mapping/loop_score.h"
+#include "tests/simulation/mapping/measured_seed.h"
 
 namespace leitstand::simulation::test {
 namespace {
-
-/// How many buildings, each of its own seed: LEITSTAND_BUILDINGS=2 takes fewer.
-int buildings() {
-    const char* told = std::getenv("LEITSTAND_BUILDINGS");
-    return told == nullptr ? 20 : std::atoi(told);
-}
 
 /// The loops of a drive of some 200 m through a building of 30 x 20 m.
 LoopScore scoreIn(const BuildingSettings& settings, const OdometryErrors& odometry, std::uint64_t seed) {
@@ -37,7 +31,7 @@ void print(const std::string& name, const LoopScore& score) {
 LoopScore total(const char* name, const BuildingSettings& settings, const OdometryErrors& odometry,
                 std::uint64_t first) {
     LoopScore sum;
-    for (int i = 0; i < buildings(); ++i) {
+    for (int i = 0; i < measuredBuildings(20); ++i) {
         const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
         const LoopScore one = scoreIn(settings, odometry, seed);
         print(name + std::string(" ") + std::to_string(seed), one);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/simulation/mapping/building_sets.h"
+#include "tests/simulation/mapping/measured_seed.h"
 #include "tests/support/latency.h"
 
 namespace leitstand::simulation::test {
@@ -90,22 +90,12 @@ void print(const char* name, const Recognitions& sum) {
         quantile(sum.seconds, 0.95));
 }
 
-int buildings() {
-    const char* told = std::getenv("LEITSTAND_BUILDINGS");
-    return told == nullptr ? 10 : std::atoi(told);
-}
-
-std::uint64_t firstSeed(std::uint64_t usual) {
-    const char* told = std::getenv("LEITSTAND_SEED");
-    return told == nullptr ? usual : std::strtoull(told, nullptr, 10);
-}
-
 TEST(PlaceRecognitionLong, PlacesAreRecognisedWhereTheMapIsFiveMetresOff) {
     BuildingSettings settings;
     settings.width = 30.0;
     settings.depth = 20.0;
     Recognitions sum;
-    for (int i = 0; i < buildings(); ++i) {
+    for (int i = 0; i < measuredBuildings(10); ++i) {
         recogniseIn(settings, firstSeed(601) + static_cast<std::uint64_t>(i), 2.0, sum);
         print("so far", sum);
     }
@@ -121,7 +111,7 @@ TEST(PlaceRecognitionLong, AmongTwins) {
     settings.depth = 20.0;
     settings.twins = true;
     Recognitions sum;
-    for (int i = 0; i < buildings(); ++i) {
+    for (int i = 0; i < measuredBuildings(10); ++i) {
         recogniseIn(settings, firstSeed(701) + static_cast<std::uint64_t>(i), 2.0, sum);
         print("so far", sum);
     }

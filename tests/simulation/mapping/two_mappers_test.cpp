@@ -12,6 +12,7 @@
 
 #include "core/mapping/relocalisation/place_recognition.h"
 #include "tests/simulation/mapping/building_sets.h"
+#include "tests/simulation/mapping/measured_seed.h"
 
 namespace leitstand::simulation::test {
 namespace {
@@ -179,16 +180,6 @@ private:
     std::map<std::string, std::vector<Pose>> m_ways;  ///< by robot
 };
 
-int buildings() {
-    const char* told = std::getenv("LEITSTAND_BUILDINGS");
-    return told == nullptr ? 10 : std::atoi(told);
-}
-
-std::uint64_t firstSeed(std::uint64_t usual) {
-    const char* told = std::getenv("LEITSTAND_SEED");
-    return told == nullptr ? usual : std::strtoull(told, nullptr, 10);
-}
-
 /// Of buildings in which the two maps came to be one.
 struct Sum {
     int together = 0, wrong = 0;
@@ -223,7 +214,7 @@ Sum mapTogether(const char* name, bool twins, const SensorErrors& sensor, std::u
 }
 
 TEST(TwoMappersLong, WhoMeetsTheOthersWayComesIntoOneMapWithIt) {
-    const int count = buildings();
+    const int count = measuredBuildings(10);
     const Sum sum = mapTogether("two robots", false, {}, 801, count);
     EXPECT_GE(sum.together, 0.9 * count);
     EXPECT_EQ(sum.wrong, 0);
@@ -232,14 +223,14 @@ TEST(TwoMappersLong, WhoMeetsTheOthersWayComesIntoOneMapWithIt) {
 }
 
 TEST(TwoMappersLong, WithRealScanners) {
-    const int count = std::min(buildings(), 5);
+    const int count = std::min(measuredBuildings(10), 5);
     const Sum sum = mapTogether("two robots with real scanners", false, realScanner(), 811, count);
     EXPECT_GE(sum.together, 0.8 * count);
     EXPECT_EQ(sum.wrong, 0);
 }
 
 TEST(TwoMappersLong, AmongTwins) {
-    const int count = std::min(buildings(), 5);
+    const int count = std::min(measuredBuildings(10), 5);
     const Sum sum = mapTogether("two robots among twins", true, {}, 821, count);
     EXPECT_GE(sum.together, 0.8 * count) << "whatever was asked before and answered with no";
     EXPECT_LT(sum.ate, 0.04);
