@@ -11,6 +11,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
@@ -19,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/handin/writing/report_folder.h"
+#include "app/services/places/mission_map.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_application.h"
 #include "app/window/live/live_window.h"
@@ -137,6 +139,61 @@ TEST_F(ResumeTest, WithoutAMissionItIsTold) {
     EXPECT_EQ(station->wait(), 1);
     EXPECT_THAT(station->out(), HasSubstr("no mission was recorded so far"));
     EXPECT_EQ(runProcess(program("leitstand"), {"--resume", "--mission", "there"}).exitCode, 2);
+}
+
+TEST_F(ResumeTest, ANewMissionBeginsInTheMapOfAnEarlierOne) {
+    const fs::path earlier = fs::path(sourceFolder()) / "resources/samples/yellow-7",
+                   today = m_home / "today";
+    auto arguments = onKurt();
+    arguments.insert(arguments.end(), {"--map-of", earlier.string(), "--mission", today.string()});
+    auto station = start(arguments);
+    ASSERT_EQ(recordedInto(*station), today) << station->out();
+    station->signal(SIGTERM);
+    EXPECT_EQ(station->wait(), 0) << station->out();
+    const auto scans = keyScansOf(today);
+    ASSERT_EQ(scans.size(), keyScansOf(earlier).size());
+    EXPECT_EQ(scans.front().scan->robot, "kurt3d@yellow-7");
+    // Once more it would be another map in the same mission.
+    station = start(arguments);
+    EXPECT_EQ(station->wait(), 1);
+    EXPECT_THAT(station->out(), HasSubstr("today: it is there already"));
+    EXPECT_EQ(runProcess(program("leitstand"), {"--map-of", earlier.string()}).exitCode, 2);
+}
+
+TEST_F(ResumeTest, TheWindowBeginsANewMissionInTheMapOfAnother) {
+    const Options options = here();
+    const QString earlier =
+        QString::fromStdString((fs::path(sourceFolder()) / "resources/samples/yellow-7").string());
+    bool asked = false;
+    QTimer glance;
+    QObject::connect(&glance, &QTimer::timeout, [&] {
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            auto* const window = qobject_cast<LiveWindow*>(widget);
+            if (window == nullptr || !window->isVisible()) continue;
+            if (auto* const question = window->findChild<QMessageBox*>("newInMap")) {
+                EXPECT_TRUE(question->text().contains("yellow-7")) << question->text().toStdString();
+                asked = true;
+                question->findChild<QPushButton*>("goOn")->click();
+            } else if (asked) {
+                window->close();
+            } else if (auto* const choice = window->findChild<QFileDialog*>("mapOf")) {
+                emit choice->fileSelected(QString::fromStdString(m_home.path().string()));
+                EXPECT_TRUE(window->recent().join(u' ').contains("expected")) << "that is no mission";
+                emit choice->fileSelected(earlier);
+            } else {
+                window->commands().trigger(QStringLiteral("mission.inMap"));
+            }
+            return;
+        }
+    });
+    glance.start(300);
+    EXPECT_EQ(runLive(options), 0);
+    ASSERT_TRUE(asked);
+    std::vector<std::size_t> scans;
+    for (const auto& one : fs::directory_iterator(m_home / "leitstand" / "missions"))
+        scans.push_back(keyScansOf(one.path()).size());
+    EXPECT_THAT(scans, testing::UnorderedElementsAre(0U, keyScansOf(fs::path(earlier.toStdString())).size()))
+        << "the one that was begun first is kept";
 }
 
 TEST_F(ResumeTest, TheWindowOffersToGoOnWithTheMissionBefore) {
