@@ -220,7 +220,10 @@ void LiveMapping::registerDone(Time now) {
                     robot.newest = std::make_shared<const SeenScan>(SeenScan{scan, update.ready});
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
-                if (update.keyScan || update.poses) tellMap();
+                if (update.keyScan || update.poses) {
+                    tellRobots();  // before the map: who hears of it asks where they are in it
+                    tellMap();
+                }
                 if (update.keyScan) tellScanner(name, robot);
                 if (update.keyScan && (!m_listener.makesMap || m_listener.makesMap()))
                     m_entered.push_back(update.keyScan->id);

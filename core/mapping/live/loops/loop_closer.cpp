@@ -253,7 +253,8 @@ bool LoopCloser::mayErrFar(const LiveKeyScan& scan, const LiveMap& map) const {
 bool LoopCloser::seeks(const LiveKeyScan& entered, const LiveMap& map) {
     if (m_settings.seekEvery <= 0.0) return false;
     std::uint64_t& sought = m_sought[entered.scan->robot];
-    if (sought != 0 && m_graph.within(entered.id, m_settings.seekEvery).contains(sought)) return false;
+    const double every = inParts(map) ? m_settings.seekPartsEvery : m_settings.seekEvery;
+    if (sought != 0 && m_graph.within(entered.id, every).contains(sought)) return false;
     if (!inParts(map) && !mayErrFar(entered, map)) return false;
     sought = entered.id;
     return true;

@@ -19,8 +19,7 @@ using testing::Not;
 /// In a room there is little way on which places can agree.
 LiveSettings inARoom() {
     LiveSettings settings;
-    settings.loops.seekEvery = 0.3;
-    settings.loops.partsAgree = 3;
+    settings.loops.seekPartsEvery = 0.3;
     return settings;
 }
 
