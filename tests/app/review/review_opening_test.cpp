@@ -58,8 +58,13 @@ TEST_F(ReviewOpeningTest, AReviewOpensWhereItsPanesHaveSomething) {
 TEST_F(ReviewOpeningTest, WhoeverSeeksBeforeItIsReadGoesThere) {
     const auto player = ReviewPlayer::open(m_mission).value();
     player->seek(Mission::at(20.0));
-    ASSERT_TRUE(waitUntil([&] { return player->moment() != nullptr; }, 60s));
-    EXPECT_EQ(player->moment()->now, Mission::at(20.0));
+    // A log that is read before the seek is heard shows its beginning first.
+    EXPECT_TRUE(waitUntil(
+        [&] {
+            const auto moment = player->moment();
+            return moment != nullptr && moment->now == Mission::at(20.0);
+        },
+        60s));
 }
 
 TEST_F(ReviewOpeningTest, HowOftenStreamsCameIsKnown) {
