@@ -31,7 +31,7 @@ int rankOf(LinkKind kind) {
 /// By node, the place of the one that stays and that single links lead to it from.
 using Roots = std::vector<std::size_t>;
 
-/// The surest link that joins what @p root stays for with another such part, which comes before it.
+/// The surest link between the two earliest parts of @p graph that one joins; null: none is joined.
 const Link* joining(const PoseGraph& graph, const std::unordered_map<std::uint64_t, std::size_t>& places,
                     const Roots& roots) {
     const Link* best = nullptr;
