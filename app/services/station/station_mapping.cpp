@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -475,19 +474,13 @@ std::optional<ScanPose> StationMapping::State::inOtherPart(const std::string& ro
     const auto now = std::find_if(robots->begin(), robots->end(),
                                   [&](const RobotInMap& one) { return one.robot == robot; });
     const std::lock_guard lock(mutex);
-    const LiveKeyScan *newest = nullptr, *nearest = nullptr;
-    double least = std::numeric_limits<double>::infinity();
-    for (const LiveKeyScan& scan : scans->scans) {
-        if (!scan.counts()) continue;
-        if (scan.scan->robot == robot) newest = &scan;
-        const double distance = mapDistance(scan.pose.scanInMap * scan.sensorInBase.inverse(), baseInMap);
-        if (distance >= least) continue;
-        least = distance;
-        nearest = &scan;
-    }
+    const auto newest =
+        std::find_if(scans->scans.rbegin(), scans->scans.rend(),
+                     [&](const LiveKeyScan& scan) { return scan.counts() && scan.scan->robot == robot; });
     // Of one that is not sure where it is that scan says nothing: it may have been carried.
     const bool sure = now != robots->end() && now->certain;
-    if (!sure || newest == nullptr || newest->part == nearest->part) return std::nullopt;
+    if (!sure || newest == scans->scans.rend() || newest->part == partAt(scans->scans, baseInMap))
+        return std::nullopt;
     ScanPose shown = newest->pose;
     shown.scanInMap = baseInMap * now->baseInMap.inverse() * newest->pose.scanInMap;
     return shown;

@@ -243,8 +243,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     // A robot with several scanners: what one is off by is not told from what the other is.
     if (robot.known && !robot.sensorInBase.isApprox(live.sensorInBase, 1e-3)) recalibrate(scan.robot);
     const bool placed = robot.known || robot.placedInMap, empty = state.empty();
-    // Also one whose part is no more: all of it was set aside.
-    const bool begins = !empty && (placed ? state.isAlone(robot) : robot.beginsPart);
+    const bool begins = state.beginsPart(robot);
     const bool first = empty || begins;  // of a part
     Step step;
     const Pose guess = begins   ? state.aside(live.up)

@@ -38,13 +38,17 @@ bool LiveMapper::State::isAlone(const RobotTrack& robot) {
                         [part](const LiveKeyScan& scan) { return scan.counts() && scan.part == part; });
 }
 
+bool LiveMapper::State::beginsPart(const RobotTrack& robot) {
+    if (empty()) return false;
+    return robot.known || robot.placedInMap ? isAlone(robot) : robot.beginsPart;
+}
+
 std::uint64_t LiveMapper::State::partFor(const RobotTrack& robot, const Pose& guess) {
     return robot.placedInMap || robot.key == 0 ? partAt(map.scans, guess) : partOf(robot);
 }
 
 const LiveSettings& LiveMapper::State::preparing(const RobotTrack& robot, const Pose& guess) {
-    const bool begins = !robot.known && !robot.placedInMap && robot.beginsPart;
-    return begins || partFor(robot, guess) != 0 ? uncropped : settings;
+    return beginsPart(robot) || partFor(robot, guess) != 0 ? uncropped : settings;
 }
 
 std::uint64_t LiveMapper::State::partOf(const RobotTrack& robot) {
@@ -59,8 +63,10 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     for (const std::uint64_t id : against) {
         if (const LiveKeyScan* const other = find(id)) others.push_back(*other);
     }
-    // One that was put somewhere may have been carried, of which its odometry knows nothing.
-    const LiveKeyScan* const before = robot.key == 0 || robot.placedInMap ? nullptr : find(robot.key);
+    // One that was put somewhere may have been carried, of which its odometry knows nothing; and what begins
+    // a part hangs together with nothing.
+    const bool apart = robot.key == 0 || robot.placedInMap || key.part == key.id;
+    const LiveKeyScan* const before = apart ? nullptr : find(robot.key);
     std::vector<Link> links = loops.add({key, before, others, match});
     if (!links.empty()) update.links = ScanLinksSample{now, station, std::move(links)};
     if (!key.counts()) return;

@@ -88,6 +88,9 @@ struct LiveMapper::State {
     void findParts();  ///< which part each scan is of, by the links as they are
     /// Whether nothing counts of the part that @p robot, which nobody has put anywhere, is in.
     [[nodiscard]] bool isAlone(const RobotTrack& robot);
+    /// Whether the next scan of @p robot, if it is whole enough, begins a part beside those that are there:
+    /// also of a robot whose part is no more, since all of it was set aside.
+    [[nodiscard]] bool beginsPart(const RobotTrack& robot);
     /// Of the next scan of @p robot, which is looked for about @p guess.
     [[nodiscard]] std::uint64_t partFor(const RobotTrack& robot, const Pose& guess);
     [[nodiscard]] std::uint64_t partOf(const RobotTrack& robot);

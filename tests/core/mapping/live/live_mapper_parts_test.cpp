@@ -76,7 +76,8 @@ struct TwoRobotsInARoom : MappedRoom {
     }
     std::vector<LiveKeyScan> scansOf(const std::string& robot) {
         std::vector<LiveKeyScan> found;
-        for (const LiveKeyScan& scan : mapper.map()->scans) {
+        const LiveMapPtr map = mapper.map();
+        for (const LiveKeyScan& scan : map->scans) {
             if (scan.scan->robot == robot) found.push_back(scan);
         }
         return found;
@@ -194,6 +195,28 @@ TEST(LiveMapperParts, ARobotWhosePartWasRejectedBeginsAnotherOne) {
     ASSERT_TRUE(next.keyScan);
     EXPECT_EQ(next.localisation.trust, ScanTrust::Certain);
     EXPECT_EQ(room.mapper.map()->scans.back().part, next.keyScan->id);
+}
+
+TEST(LiveMapperParts, ARobotOfTheFirstPartThatWasRejectedBeginsOneThatNoAreaCuts) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    const MapUpdate other = room.add(room.seen(poseFrom({1.5, 1, 0.9}, 0, 0, 0)));
+    ASSERT_TRUE(other.keyScan);
+    MapCrop area;
+    area.polygon = {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}};
+    area.ceiling = 1.0;
+    room.mapper.setCrop(area);
+    for (const LiveKeyScan& scan : room.scansOf("kurt3d")) ASSERT_TRUE(room.mapper.reject(scan.id, room.now));
+    const MapUpdate next = room.add(poseFrom({1.0, 0, 0.9}, 0, 0, 0));
+    ASSERT_TRUE(next.keyScan);
+    EXPECT_EQ(next.localisation.trust, ScanTrust::Certain);
+    EXPECT_FALSE(next.links) << "with what was rejected";
+    const LiveKeyScan begun = room.mapper.map()->scans.back();
+    EXPECT_EQ(begun.part, begun.id);
+    EXPECT_EQ(begun.scan->points.size(), next.keyScan->scan->points.size()) << "cut";
+    // Decided on, the parts are found anew.
+    ASSERT_TRUE(room.mapper.reject(other.keyScan->id, room.now));
+    EXPECT_EQ(room.mapper.map()->scans.back().part, begun.id);
 }
 
 TEST(LiveMapperParts, UntilItIsSolvedAPartIsWhereItLies) {
