@@ -32,6 +32,8 @@ void addExport(CLI::App& app, int& exitCode);
 void addThin(CLI::App& app, int& exitCode);
 /// `tidy`: relaxes the map of a mission.
 void addTidy(CLI::App& app, int& exitCode);
+/// `merge`: brings the maps of two missions into one.
+void addMerge(CLI::App& app, int& exitCode);
 /// `probe`: tells who is on a domain and what fits.
 void addProbe(CLI::App& app, int& exitCode);
 

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     leitstand::cli::addExport(app, exitCode);
     leitstand::cli::addThin(app, exitCode);
     leitstand::cli::addTidy(app, exitCode);
+    leitstand::cli::addMerge(app, exitCode);
     leitstand::cli::addProbe(app, exitCode);
     try {
         app.parse(argc, argv);

@@ -8,6 +8,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/console/output.h"
 #include "app/cli/console/progress_line.h"
+#include "app/cli/options/load_scans.h"
 #include "app/services/interrupt.h"
 #include "app/services/review/map_tidying.h"
 #include "core/version/version.h"

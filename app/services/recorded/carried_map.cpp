@@ -1,11 +1,15 @@
 #include "app/services/recorded/carried_map.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "app/services/log/live_mission.h"
 #include "app/services/log/sequencer.h"
@@ -15,6 +19,7 @@
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mapping/live/live_settings.h"
 
 namespace leitstand {
 namespace {
@@ -32,15 +37,27 @@ Result<void> sayInPieces(const std::vector<T>& all, const Say& say) {
     return {};
 }
 
+/// Where a map comes to stand in its new mission.
+struct Berth {
+    std::string name;                    ///< behind the names of its robots
+    std::uint64_t scans = 0, links = 0;  ///< of earlier maps: numbers go on behind them
+    Pose aside = Pose::Identity();       ///< to put before its poses
+};
+
 /// What of @p links holds @p scans: a loop that closed is one of what holds the map from now on.
-std::vector<Link> carriedLinks(const std::vector<Link>& links, const std::set<std::uint64_t>& scans) {
+std::vector<Link> carriedLinks(const std::vector<Link>& links, const std::set<std::uint64_t>& scans,
+                               const Berth& berth) {
     std::vector<Link> carried;
     for (const Link& link : links) {
         const bool refused = !link.active && link.kind == LinkKind::Operator;
         if (!scans.contains(link.from) || !scans.contains(link.to) || (!link.active && !refused)) continue;
         carried.push_back(link);
-        carried.back().station = CarriedStation;
-        if (link.active && closesLoop(link.kind)) carried.back().kind = LinkKind::Match;
+        Link& here = carried.back();
+        here.station = CarriedStation;
+        here.id += berth.links;
+        here.from += berth.scans;
+        here.to += berth.scans;
+        if (link.active && closesLoop(link.kind)) here.kind = LinkKind::Match;
     }
     return carried;
 }
@@ -56,48 +73,73 @@ std::string nameOf(const std::filesystem::path& mission) {
     return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-/// What @p scan is called in another mission: of robots of @p folder.
-ScanPtr renamed(const ScanPtr& scan, const std::string& folder) {
-    Scan other = *scan;
-    if (other.robot.find('@') == std::string::npos) other.robot += "@" + folder;
-    return std::make_shared<const Scan>(std::move(other));
+/// @p scan as it is in another mission.
+KeyScanSample moved(KeyScanSample scan, const Berth& berth) {
+    Scan other = *scan.scan;
+    if (other.robot.find('@') == std::string::npos) other.robot += "@" + berth.name;
+    scan.scan = std::make_shared<const Scan>(std::move(other));
+    scan.stamp = stationTime();
+    scan.id += berth.scans;
+    if (scan.matched != 0) scan.matched += berth.scans;
+    scan.scanInMap = berth.aside * scan.scanInMap;
+    return scan;
 }
 
-Result<std::size_t> carry(const std::filesystem::path& from, const CarriedInto& into,
+/// Beside the map of @p there, for that of @p state, whose mission is called @p name.
+Berth berthBeside(const RecordedMap& there, const MissionState& state, std::string name) {
+    constexpr double ReachOfScans = 20.0;  // so that nothing of the two lies on one another [m]
+    Berth berth{std::move(name)};
+    double lowest = 0.0, highest = 0.0;
+    std::set<std::string> taken;
+    for (const ScanPose& pose : posesOf(there.state)) {
+        berth.scans = std::max(berth.scans, pose.scan);
+        lowest = std::min(lowest, pose.scanInMap.translation().y());
+    }
+    for (const ScanPose& pose : posesOf(state)) highest = std::max(highest, pose.scanInMap.translation().y());
+    for (const ScanLinksSample& sample : scanLinksOf(there.folder)) {
+        for (const Link& link : sample.links) berth.links = std::max(berth.links, link.id);
+    }
+    for (const KeyScanSample& scan : keyScansOf(*there.bag)) {
+        const std::size_t at = scan.scan ? scan.scan->robot.find('@') : std::string::npos;
+        if (at != std::string::npos) taken.insert(scan.scan->robot.substr(at + 1));
+    }
+    const std::string plain = berth.name;
+    for (int number = 2; taken.contains(berth.name); ++number)
+        berth.name = fmt::format("{}-{}", plain, number);
+    berth.aside.translation().y() = lowest - highest - LoopSettings().partsApart - ReachOfScans;
+    return berth;
+}
+
+Result<std::size_t> carry(const RecordedMap& map, const CarriedInto& into, const Berth& berth,
                           const Progress& progress) {
-    const auto read = readMap(from);
-    if (!read) return read.error();
     std::vector<ScanPose> poses;
     std::set<std::uint64_t> carried;
     std::size_t counting = 0;
-    for (const ScanPose& pose : posesOf(read->state)) {
+    for (const ScanPose& pose : posesOf(map.state)) {
         const bool counts = pose.trust == ScanTrust::Certain;
         // With which scan a part of the map began tells its others apart, also where that does not count any
         // more.
-        if (!counts && read->state.keyScans->at(pose.scan).entry.matched != 0) continue;
+        if (!counts && map.state.keyScans->at(pose.scan).entry.matched != 0) continue;
         poses.push_back(pose);
         if (!counts) poses.back().trust = ScanTrust::SetAside;
         carried.insert(pose.scan);
         if (counts) ++counting;
     }
-    std::vector<KeyScanSample> scans = keyScansOf(*read->bag);
+    std::vector<KeyScanSample> scans = keyScansOf(*map.bag);
     std::erase_if(scans, [&](const KeyScanSample& scan) { return !scan.scan || !carried.contains(scan.id); });
-    if (scans.empty() || counting == 0) return noMapIn(from);
+    if (scans.empty() || counting == 0) return noMapIn(map.folder);
     LiveMissionSettings settings;
     settings.folder = into.folder;
     settings.robots = into.robots;
     settings.station = CarriedStation;
-    const std::string name = nameOf(from);
-    settings.title = name;
+    settings.title = berth.name;
     settings.version = into.version;
     auto mission = LiveMission::open(settings);
     if (!mission) return mission.error();
     for (std::size_t i = 0; i < scans.size(); ++i) {
         if (progress.cancelled()) return Error{translate("leitstand::Station", "cancelled")};
-        KeyScanSample scan = std::move(scans[i]);
-        scan.stamp = stationTime();
-        scan.scan = renamed(scan.scan, name);
-        if (auto said = (*mission)->say(scan, station_topic::KeyScans); !said) return said.error();
+        if (auto said = (*mission)->say(moved(std::move(scans[i]), berth), station_topic::KeyScans); !said)
+            return said.error();
         // What waits for the disk waits in memory.
         if (i % 50 == 49) {
             if (auto kept = (*mission)->flush(); !kept) return kept.error();
@@ -105,24 +147,30 @@ Result<std::size_t> carry(const std::filesystem::path& from, const CarriedInto& 
         progress.done(static_cast<double>(i + 1) / static_cast<double>(scans.size()));
     }
     const Time now = stationTime();
-    auto said = sayInPieces(carriedLinks(linksOf(*read), carried), [&](std::vector<Link> links) {
+    auto said = sayInPieces(carriedLinks(linksOf(map), carried, berth), [&](std::vector<Link> links) {
         return (*mission)->say(ScanLinksSample{now, std::string(CarriedStation), std::move(links)},
                                station_topic::ScanLinks);
     });
     if (!said) return said.error();
+    for (ScanPose& pose : poses) {
+        pose.scan += berth.scans;
+        pose.scanInMap = berth.aside * pose.scanInMap;
+    }
     said = sayInPieces(poses, [&](std::vector<ScanPose> some) {
         return (*mission)->say(ScanPosesSample{now, std::string(CarriedStation),
                                                ScanPosesSample::Cause::Registration, std::move(some)},
                                station_topic::ScanPoses);
     });
     if (!said) return said.error();
-    auto bodies = *read->state.bodies;
-    std::erase_if(bodies, [&](const auto& one) { return !carried.contains(one.first); });
+    std::map<std::uint64_t, std::vector<BodyInScan>> bodies;
+    for (const auto& [scan, those] : *map.state.bodies) {
+        if (carried.contains(scan)) bodies.emplace(scan + berth.scans, those);
+    }
     for (ScanBodiesSample& sample : inSamples(std::move(bodies), now)) {
         sample.station = CarriedStation;
         if (auto kept = (*mission)->say(sample, station_topic::ScanBodies); !kept) return kept.error();
     }
-    if (const auto crop = cropOf(read->state)) {
+    if (const auto crop = cropOf(map.state); crop && berth.scans == 0) {
         const MapCropSample area{now, std::string(CarriedStation), crop->polygon, crop->ceiling};
         if (auto kept = (*mission)->say(area, station_topic::MapCrop); !kept) return kept.error();
     }
@@ -159,9 +207,20 @@ Result<std::size_t> carryMap(const std::filesystem::path& from, const CarriedInt
             if (!done) std::filesystem::remove_all(folder, ignored);
         }
     } guard{into.folder};
-    auto carried = carry(from, into, progress);
+    const auto read = readMap(from);
+    if (!read) return read.error();
+    auto carried = carry(*read, into, {nameOf(from)}, progress);
     guard.done = carried.ok();
     return carried;
+}
+
+Result<std::size_t> addMap(const std::filesystem::path& from, const CarriedInto& into,
+                           const Progress& progress) {
+    const auto read = readMap(from);
+    if (!read) return read.error();
+    const auto there = readMap(into.folder);
+    if (!there) return there.error();
+    return carry(*read, into, berthBeside(*there, read->state, nameOf(from)), progress);
 }
 
 }  // namespace leitstand

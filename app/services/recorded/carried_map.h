@@ -13,7 +13,7 @@ namespace leitstand {
 
 /// The mission that a map is carried into.
 struct CarriedInto {
-    std::filesystem::path folder;          ///< absent, or empty
+    std::filesystem::path folder;          ///< absent, or empty, where it is not to be added to
     std::vector<RobotDescription> robots;  ///< of its station
     std::string version;                   ///< of the program, for the session that is written
 };
@@ -30,5 +30,11 @@ struct CarriedInto {
 /// left of that then.
 [[nodiscard]] Result<std::size_t> carryMap(const std::filesystem::path& from, const CarriedInto& into,
                                            const Progress& progress = {});
+
+/// The same beside the map that the mission of @p into has already, as a part of its own: of which it is not
+/// known how it lies to that. Only the area of the first one stays. Errors: it has no map, or cannot be
+/// written; the mission is as it was then, but for a session that adds nothing.
+[[nodiscard]] Result<std::size_t> addMap(const std::filesystem::path& from, const CarriedInto& into,
+                                         const Progress& progress = {});
 
 }  // namespace leitstand

@@ -53,6 +53,18 @@ bool contradicts(const SoughtPlace& sought, std::uint64_t part, const LiveMap& e
 
 }  // namespace
 
+Eigen::Vector3d upOf(const LiveKeyScan& scan) {
+    return scan.up.value_or(scan.pose.scanInMap.linear().transpose() * Eigen::Vector3d::UnitZ());
+}
+
+bool contradictsPart(const SoughtPlace& sought, const LiveMap& rest, const Pose& correction,
+                     const Progress& progress) {
+    const auto& scans = sought.map->scans;
+    const auto scan =
+        std::find_if(scans.begin(), scans.end(), [&](const auto& one) { return one.id == sought.scan; });
+    return scan == scans.end() || contradicts(sought, scan->part, rest, correction, PartsFilled, progress);
+}
+
 std::optional<Pose> recognise(const SoughtPlace& sought, const LiveSettings& settings,
                               const RelocalisationSettings& how, const Progress& progress) {
     const auto& scans = sought.map->scans;
@@ -65,9 +77,8 @@ std::optional<Pose> recognise(const SoughtPlace& sought, const LiveSettings& set
         if (one.counts() && !passed) earlier->scans.push_back(one);
     }
     const Relocaliser relocaliser(earlier, settings, how, progress);
-    const Eigen::Vector3d up =
-        scan->up.value_or(scan->pose.scanInMap.linear().transpose() * Eigen::Vector3d::UnitZ());
-    const Relocalisation found = relocaliser.find(*scan->scan, scan->reduced->unpacked(), up, progress);
+    const Relocalisation found =
+        relocaliser.find(*scan->scan, scan->reduced->unpacked(), upOf(*scan), progress);
     if (progress.cancelled() || !found.sure) return std::nullopt;
     const Pose there = found.places.front().scanInMap;
     const Pose correction = there * scan->pose.scanInMap.inverse();

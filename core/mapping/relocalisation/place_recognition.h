@@ -10,6 +10,14 @@
 
 namespace leitstand {
 
+/// Against gravity in the frame of @p scan: as it was measured, else as it stands in the map.
+[[nodiscard]] Eigen::Vector3d upOf(const LiveKeyScan& scan);
+
+/// Whether the part of the map that @p sought is of, moved by @p correction, stands where @p rest looked
+/// through. Cancelled: yes.
+[[nodiscard]] bool contradictsPart(const SoughtPlace& sought, const LiveMap& rest, const Pose& correction,
+                                   const Progress& progress = {});
+
 /// Where @p sought was taken by what the map's earlier part shows: one place that looks as it does and where
 /// no scan of lately, moved along with it, stands in what earlier ones looked through. Empty: nowhere for
 /// sure, or cancelled. A place that is not mapped yet and looks as a mapped one cannot be told from it by one

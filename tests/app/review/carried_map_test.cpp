@@ -13,8 +13,7 @@
 #include "app/services/recorded/recorded_map.h"
 #include "core/event/station_topics.h"
 #include "core/mission/state/undo.h"
-#include "tests/app/review/written_mission.h"
-#include "tests/core/mapping/live/mapped_room.h"
+#include "tests/app/review/written_room.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::test {
@@ -30,17 +29,8 @@ class CarriedMap : public testing::Test {
 protected:
     void SetUp() override {
         WrittenMission mission(m_yesterday);
-        MappedRoom room;
         double seconds = 1.0;
-        std::vector<ScanPose> poses;
-        for (int i = 0; i < 6; ++i, seconds += 1.0) {
-            const MapUpdate update =
-                room.add(poseFrom({-1.4 + 0.4 * i, 0.05 * i, 0.9}, 0, 0, degrees(3) * i));
-            mission.say(seconds, std::string(station_topic::KeyScans), *update.keyScan);
-            if (update.links) mission.say(seconds, std::string(station_topic::ScanLinks), *update.links);
-            mission.say(seconds, std::string(station_topic::ScanPoses), *update.poses);
-            poses.push_back(update.poses->poses.front());
-        }
+        std::vector<ScanPose> poses = writeRoom(mission, alongTheRoom(), seconds);
         poses[2].trust = ScanTrust::SetAside;
         poses[5].scanInMap.translation().x() += 0.01;  // as after a loop
         mission.say(seconds, std::string(station_topic::ScanPoses),

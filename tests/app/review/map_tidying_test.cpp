@@ -14,8 +14,7 @@
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/review_log.h"
 #include "core/event/station_topics.h"
-#include "tests/app/review/written_mission.h"
-#include "tests/core/mapping/live/mapped_room.h"
+#include "tests/app/review/written_room.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::test {
@@ -39,16 +38,10 @@ class TidyingTest : public testing::Test {
 protected:
     void SetUp() override {
         WrittenMission mission(m_folder / "mission");
-        MappedRoom room;
-        std::vector<ScanPose> poses;
         double seconds = 1.0;
-        for (int place = 0; place < Scans; ++place, seconds += 1.0) {
-            const MapUpdate update = room.add(onCircle(place));
-            mission.say(seconds, std::string(station_topic::KeyScans), *update.keyScan);
-            if (update.links) mission.say(seconds, std::string(station_topic::ScanLinks), *update.links);
-            mission.say(seconds, std::string(station_topic::ScanPoses), *update.poses);
-            poses.push_back(update.poses->poses.front());
-        }
+        std::vector<Pose> places;
+        for (int place = 0; place < Scans; ++place) places.push_back(onCircle(place));
+        std::vector<ScanPose> poses = writeRoom(mission, places, seconds);
         for (std::size_t i = 1; i < poses.size(); ++i) {
             const double off = i % 2 == 0 ? 0.05 : -0.04;
             poses[i].scanInMap = poses[i].scanInMap * poseFrom({off, -off, 0}, 0, 0, 0.2 * off);

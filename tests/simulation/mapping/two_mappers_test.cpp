@@ -10,19 +10,16 @@
 
 #include <gtest/gtest.h>
 
+#include "core/mapping/relocalisation/parts_meeting.h"
 #include "core/mapping/relocalisation/place_recognition.h"
 #include "tests/simulation/mapping/building_sets.h"
 #include "tests/simulation/mapping/measured_seed.h"
+#include "tests/simulation/mapping/two_drives.h"
 
 namespace leitstand::simulation::test {
 namespace {
 
 constexpr double Off = 0.3, OffAngle = degrees(3);  ///< a link is wrong from there on
-
-/// Two robots of which nobody knows how they stand to each other, each on its way.
-struct TwoDrives {
-    ScriptedDrive first, second;
-};
 
 /// What came of mapping them together.
 struct TwoMapped {
@@ -33,35 +30,6 @@ struct TwoMapped {
     double seeking = 0.0;                           ///< processor time [s]
 };
 
-/// Of the ring, once around, from share @p from to @p to; backwards where that is less.
-std::vector<Eigen::Vector3d> stretch(const BuildingWays& ways, double from, double to) {
-    std::vector<Eigen::Vector3d> corners = ringRoute(ways, std::max(from, to));
-    double left = std::min(from, to) * 2.0 * ways.ring.sizes().sum();
-    while ((corners[1] - corners[0]).norm() <= left) {
-        left -= (corners[1] - corners[0]).norm();
-        corners.erase(corners.begin());
-    }
-    corners[0] += left * (corners[1] - corners[0]).normalized();
-    if (to < from) std::reverse(corners.begin(), corners.end());
-    return corners;
-}
-
-TwoDrives twoDrives(const Building& building, const SensorErrors& sensor, std::uint64_t seed) {
-    ScriptSettings script;
-    script.seed = seed;
-    script.sensor = sensor;
-    TwoDrives drives;
-    drives.first = scriptedDrive(building.arena, DrivePath(stretch(building.ways, 0.0, 0.6)), script);
-    script.seed = seed + 5000;
-    drives.second = scriptedDrive(building.arena, DrivePath(stretch(building.ways, 0.8, 0.1)), script);
-    for (LiveScan& live : drives.second.scans) {
-        Scan scan = *live.scan;
-        scan.robot = "second";
-        live.scan = std::make_shared<const Scan>(std::move(scan));
-    }
-    return drives;
-}
-
 class TogetherMapped {
 public:
     explicit TogetherMapped(const TwoDrives& drives) : m_drives(drives), m_mapper("test", {}) {
@@ -70,12 +38,37 @@ public:
         m_mapper.beginPart("second");
     }
 
+    /// Nobody looks for the one in the other while they drive; afterwards everything of them is compared.
+    TwoMapped runApart() {
+        for (const LiveScan& live : inOrder()) {
+            (void)m_mapper.add(live, live.scan->end);
+            follow(*live.scan);
+            (void)m_mapper.sought();
+            if (const auto problem = m_mapper.problem())
+                (void)m_mapper.settle(solve(*problem), live.scan->end);
+        }
+        const LiveMapPtr map = m_mapper.map();
+        const auto second = std::find_if(map->scans.begin(), map->scans.end(),
+                                         [](const LiveKeyScan& scan) { return scan.part == scan.id; });
+        const double began = processorTime();
+        const PartsMeeting meeting = meetingOf(map, second->part, {});
+        m_result.seeking = processorTime() - began;
+        std::printf("  %zu of %zu places found, %zu agree\n", meeting.found, meeting.sought,
+                    meeting.places.size());
+        const Time now = m_drives.second.scans.back().scan->end;
+        for (const MeetingPlace& place : meeting.places) {
+            const auto question = m_mapper.recognised({place.scan, map, {}, true}, place.scanInMap, now);
+            if (!question) continue;
+            answer(*question, now);
+            if (const auto problem = m_mapper.problem()) (void)m_mapper.settle(solve(*problem), now);
+            break;
+        }
+        judge();
+        return m_result;
+    }
+
     TwoMapped run() {
-        std::vector<LiveScan> scans = m_drives.first.scans;
-        scans.insert(scans.end(), m_drives.second.scans.begin(), m_drives.second.scans.end());
-        std::stable_sort(scans.begin(), scans.end(),
-                         [](const LiveScan& a, const LiveScan& b) { return a.scan->end < b.scan->end; });
-        for (const LiveScan& live : scans) {
+        for (const LiveScan& live : inOrder()) {
             const MapUpdate update = m_mapper.add(live, live.scan->end);
             if (update.loop) answer(*update.loop, live.scan->end);
             follow(*live.scan);
@@ -88,6 +81,13 @@ public:
     }
 
 private:
+    [[nodiscard]] std::vector<LiveScan> inOrder() const {
+        std::vector<LiveScan> scans = m_drives.first.scans;
+        scans.insert(scans.end(), m_drives.second.scans.begin(), m_drives.second.scans.end());
+        std::stable_sort(scans.begin(), scans.end(),
+                         [](const LiveScan& a, const LiveScan& b) { return a.scan->end < b.scan->end; });
+        return scans;
+    }
     [[nodiscard]] Pose truthOf(const Scan& scan) const {
         const RecordedDrive& drive = scan.robot == "second" ? m_drives.second.drive : m_drives.first.drive;
         return drive.baseInArena(scan.end);
@@ -186,7 +186,8 @@ struct Sum {
     double ate = 0.0, seam = 0.0;  ///< the worst of those [m]
 };
 
-Sum mapTogether(const char* name, bool twins, const SensorErrors& sensor, std::uint64_t first, int count) {
+Sum mapTogether(const char* name, bool twins, const SensorErrors& sensor, std::uint64_t first, int count,
+                bool afterwards = false) {
     BuildingSettings settings;
     settings.width = 30.0;
     settings.depth = 20.0;
@@ -196,7 +197,8 @@ Sum mapTogether(const char* name, bool twins, const SensorErrors& sensor, std::u
         const std::uint64_t seed = firstSeed(first) + static_cast<std::uint64_t>(i);
         const Building building = std::move(generateBuilding(settings, seed)).value();
         const TwoDrives drives = twoDrives(building, sensor, seed);
-        const TwoMapped one = TogetherMapped(drives).run();
+        TogetherMapped mapped(drives);
+        const TwoMapped one = afterwards ? mapped.runApart() : mapped.run();
         std::printf(
             "%s %llu: %s after %.1f m of both ways, link off by %.3f m, %d wrong links asked, ATE %.3f m, "
             "worst "
@@ -234,6 +236,38 @@ TEST(TwoMappersLong, AmongTwins) {
     const Sum sum = mapTogether("two robots among twins", true, {}, 821, count);
     EXPECT_GE(sum.together, 0.8 * count) << "whatever was asked before and answered with no";
     EXPECT_LT(sum.ate, 0.04);
+}
+
+TEST(TwoMappersLong, WhatWasMappedApartComesIntoOneMapAfterwards) {
+    const int count = measuredBuildings(10);
+    const Sum sum = mapTogether("two maps", false, {}, 831, count, true);
+    EXPECT_GE(sum.together, 0.9 * count);
+    EXPECT_EQ(sum.wrong, 0);
+    EXPECT_LT(sum.ate, 0.05);
+    EXPECT_LT(sum.seam, 0.08);
+}
+
+TEST(TwoMappersLong, WhatWasMappedApartAmongTwins) {
+    const int count = std::min(measuredBuildings(10), 5);
+    const Sum sum = mapTogether("two maps among twins", true, realScanner(), 841, count, true);
+    EXPECT_EQ(sum.wrong, 0) << "side by side is right where nobody can tell";
+    EXPECT_GE(sum.together, 0.6 * count);
+}
+
+/// The second mission is of another building.
+TEST(TwoMappersLong, WhatIsElsewhereStaysApart) {
+    const int count = std::min(measuredBuildings(10), 5);
+    for (int i = 0; i < count; ++i) {
+        const std::uint64_t seed = firstSeed(851) + static_cast<std::uint64_t>(i);
+        BuildingSettings settings;
+        settings.width = 30.0;
+        settings.depth = 20.0;
+        const Building here = std::move(generateBuilding(settings, seed)).value();
+        const Building there = std::move(generateBuilding(settings, seed + 1000)).value();
+        TwoDrives drives = twoDrives(here, {}, seed);
+        drives.second = twoDrives(there, {}, seed + 1000).second;
+        EXPECT_FALSE(TogetherMapped(drives).runApart().together) << "seed " << seed;
+    }
 }
 
 }  // namespace

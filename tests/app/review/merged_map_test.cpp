@@ -1,0 +1,153 @@
+#include "app/services/recorded/merged_map.h"
+
+#include <algorithm>
+#include <map>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/services/mapping/live_mapping.h"
+#include "app/services/places/mission_map.h"
+#include "app/services/recorded/carried_map.h"
+#include "app/services/recorded/recorded_map.h"
+#include "core/event/station_topics.h"
+#include "tests/app/review/written_room.h"
+#include "tests/support/temporary_folder.h"
+
+namespace leitstand::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Le;
+
+/// Places on the way back through the room, more to its right.
+std::vector<Pose> backThroughTheRoom() {
+    std::vector<Pose> places;
+    for (int i = 0; i < 6; ++i)
+        places.push_back(poseFrom({1.2 - 0.4 * i, -0.3 - 0.05 * i, 0.9}, 0, 0, degrees(170 + 4 * i)));
+    return places;
+}
+
+/// What two robots said on two days that were in the same room, from other places.
+class MergedMaps : public testing::Test {
+protected:
+    MergedMaps() {
+        order.first = write("monday", alongTheRoom());
+        order.second = write("tuesday", backThroughTheRoom());
+        order.into = folder / "both";
+        order.version = "test";
+        // In a room there is little way.
+        order.mapping.loops.seekPartsEvery = 0.3;
+    }
+    std::filesystem::path write(const std::string& name, const std::vector<Pose>& places) const {
+        WrittenMission mission(folder / name);
+        double seconds = 1.0;
+        (void)writeRoom(mission, places, seconds);
+        return folder / name;
+    }
+    /// The map of the new mission, as a station that opens it has it.
+    [[nodiscard]] LiveMapPtr opened() const {
+        LiveMapper mapper("station", {});
+        const auto read = readMap(order.into);
+        EXPECT_TRUE(read);
+        EarlierMap earlier{keyScansOf(order.into), posesOf(read->state)};
+        earlier.links = scanLinksOf(order.into);
+        earlier.loops = loopsOf(read->state);
+        restore(mapper, earlier);
+        return mapper.map();
+    }
+    /// How far scans of @p map are from where they were taken, by the first one of the first mission [m].
+    static double worst(const LiveMap& map) {
+        std::vector<Pose> truth = alongTheRoom();
+        const std::vector<Pose> second = backThroughTheRoom();
+        truth.insert(truth.end(), second.begin(), second.end());
+        const Pose roomInMap = map.scans.front().pose.scanInMap * truth.front().inverse();
+        double largest = 0.0;
+        for (std::size_t i = 0; i < map.scans.size(); ++i)
+            largest = std::max(largest, distanceBetween(map.scans[i].pose.scanInMap, roomInMap * truth[i]));
+        return largest;
+    }
+
+    TemporaryFolder folder;
+    MergeOrder order;
+};
+
+TEST_F(MergedMaps, TwoThatSawTheSameAreOneMapAndTheirMissionsStayAsTheyAre) {
+    const auto before = std::filesystem::last_write_time(order.first);
+    const auto merged = mergeMaps(order);
+    ASSERT_TRUE(merged) << merged.error().text;
+    EXPECT_TRUE(merged->together);
+    EXPECT_EQ(merged->first, 6U);
+    EXPECT_EQ(merged->second, 6U);
+    EXPECT_GE(merged->agreeing, 3U);
+    const LiveMapPtr map = opened();
+    ASSERT_EQ(map->scans.size(), 12U);
+    EXPECT_FALSE(inParts(*map));
+    EXPECT_THAT(worst(*map), Le(0.03));
+    EXPECT_EQ(map->scans.front().scan->robot, "kurt3d@monday");
+    EXPECT_EQ(map->scans.back().scan->robot, "kurt3d@tuesday");
+    EXPECT_EQ(std::filesystem::last_write_time(order.first), before);
+    EXPECT_EQ(keyScansOf(order.second).size(), 6U);
+}
+
+TEST_F(MergedMaps, WhatNothingOfIsSeenInTheOtherLiesBesideIt) {
+    order.mapping.loops.partsAgree = 100;  // as where hardly a place is found
+    const auto merged = mergeMaps(order);
+    ASSERT_TRUE(merged) << merged.error().text;
+    EXPECT_FALSE(merged->together);
+    const LiveMapPtr map = opened();
+    ASSERT_EQ(map->scans.size(), 12U);
+    EXPECT_TRUE(inParts(*map));
+    EXPECT_EQ(map->scans[0].part, 0U);
+    for (std::size_t i = 6; i < 12; ++i) {
+        EXPECT_EQ(map->scans[i].part, map->scans[6].id) << i;
+        EXPECT_LT(map->scans[i].pose.scanInMap.translation().y(), -50.0) << i;
+        if (i > 6) {
+            EXPECT_GT(map->scans[i].matched, 6U) << i << ", of the second mission";
+        }
+    }
+}
+
+TEST_F(MergedMaps, MissionsOfOneNameAreToldApart) {
+    std::filesystem::create_directory(folder / "later");
+    order.second = write("later/monday", backThroughTheRoom());
+    ASSERT_TRUE(mergeMaps(order));
+    const LiveMapPtr map = opened();
+    EXPECT_EQ(map->scans.front().scan->robot, "kurt3d@monday");
+    EXPECT_EQ(map->scans.back().scan->robot, "kurt3d@monday-2");
+}
+
+TEST_F(MergedMaps, AMissionWithoutAMapIsNamedAndNothingIsLeftBehind) {
+    WrittenMission(folder / "empty").say(1.0, std::string(station_topic::Notes), NoteSample{});
+    order.second = folder / "empty";
+    const auto merged = mergeMaps(order);
+    ASSERT_FALSE(merged);
+    EXPECT_THAT(merged.error().text, HasSubstr("empty: expected a map of ours"));
+    EXPECT_FALSE(std::filesystem::exists(order.into));
+}
+
+TEST_F(MergedMaps, AMissionThatIsThereStaysAsItIs) {
+    order.into = order.first;
+    const auto merged = mergeMaps(order);
+    ASSERT_FALSE(merged);
+    EXPECT_THAT(merged.error().text, HasSubstr("monday: it is there already"));
+    EXPECT_EQ(keyScansOf(order.first).size(), 6U);
+}
+
+TEST_F(MergedMaps, CancelledNothingIsLeftBehindHoweverFarItCame) {
+    for (const double when : {0.0, 0.2, 0.6}) {
+        std::stop_source stop;
+        const auto report = [&](double share) {
+            if (share >= when) stop.request_stop();
+        };
+        if (when == 0.0) stop.request_stop();
+        EXPECT_FALSE(mergeMaps(order, {report, stop.get_token()})) << when;
+        EXPECT_FALSE(std::filesystem::exists(order.into)) << when;
+    }
+}
+
+}  // namespace
+}  // namespace leitstand::test

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/event/map_samples.h"
+#include "tests/app/review/written_mission.h"
+#include "tests/core/mapping/live/mapped_room.h"
+
+namespace leitstand::test {
+
+/// Says into @p mission, from second @p seconds on, which rises, what a station said that mapped the room
+/// from @p places of the sensor in it, and returns where it had its scans.
+std::vector<ScanPose> writeRoom(WrittenMission& mission, std::span<const Pose> places, double& seconds);
+
+/// Six places along the room, ahead and a little to the left.
+[[nodiscard]] std::vector<Pose> alongTheRoom();
+
+}  // namespace leitstand::test
