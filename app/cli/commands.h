@@ -34,6 +34,8 @@ void addThin(CLI::App& app, int& exitCode);
 void addTidy(CLI::App& app, int& exitCode);
 /// `merge`: brings the maps of two missions into one.
 void addMerge(CLI::App& app, int& exitCode);
+/// `changes`: tells what changed between the missions of a map.
+void addChanges(CLI::App& app, int& exitCode);
 /// `probe`: tells who is on a domain and what fits.
 void addProbe(CLI::App& app, int& exitCode);
 

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     leitstand::cli::addThin(app, exitCode);
     leitstand::cli::addTidy(app, exitCode);
     leitstand::cli::addMerge(app, exitCode);
+    leitstand::cli::addChanges(app, exitCode);
     leitstand::cli::addProbe(app, exitCode);
     try {
         app.parse(argc, argv);

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "app/report/changes_html.h"
 #include "app/report/coverage_html.h"
 #include "app/report/evidence_html.h"
 #include "app/report/report_numbers.h"
@@ -228,6 +229,7 @@ QStringList overviewHtml(const ReportContent& content) {
                      .arg(ReportText::tr("%1 others were discarded or merged.").arg(content.model.discarded));
     sections += finds;
     sections += coverageHtml(content);
+    sections += changesHtml(content);
     sections += scoreHtml(content);
     sections += heading(ReportText::tr("What was computed where")) + workHtml(content);
     if (!content.warnings.empty()) {

@@ -23,7 +23,7 @@ Cell cellAt(const Eigen::Vector3f& place, double edge) {
     return {along(place.x()), along(place.y()), along(place.z())};
 }
 
-std::string missionOf(const LiveKeyScan& scan) {
+std::string missionOf(const ReportScan& scan) {
     const std::string& robot = scan.scan->robot;
     const std::size_t at = robot.find('@');
     return at == std::string::npos ? std::string() : robot.substr(at + 1);
@@ -38,10 +38,8 @@ struct Changed {
 /// Compares key scans by what they looked through, which is made once for each.
 class Comparison {
 public:
-    Comparison(const LiveMap& map, const ChangeSettings& settings) : m_settings(settings) {
-        for (const LiveKeyScan& scan : map.scans) {
-            if (scan.counts()) m_scans.emplace(scan.id, &scan);
-        }
+    Comparison(std::span<const ReportScan> scans, const ChangeSettings& settings) : m_settings(settings) {
+        for (const ReportScan& scan : scans) m_scans.emplace(scan.id, &scan);
     }
 
     /// The cells in which scans @p of have something where scans of @p others looked through.
@@ -50,8 +48,8 @@ public:
         std::map<Cell, Changed> cells;
         for (const std::uint64_t id : of) {
             if (progress.cancelled()) return {};
-            const LiveKeyScan& scan = *m_scans.at(id);
-            const std::vector<const LiveKeyScan*> judges = nearest(scan, others), own = nearest(scan, of);
+            const ReportScan& scan = *m_scans.at(id);
+            const std::vector<const ReportScan*> judges = nearest(scan, others), own = nearest(scan, of);
             if (!judges.empty()) add(cells, scan, judges, own);
             progress.done(static_cast<double>(++m_done));
         }
@@ -63,32 +61,32 @@ private:
         int through = 0, seen = 0;
     };
 
-    std::vector<const LiveKeyScan*> nearest(const LiveKeyScan& to, const std::set<std::uint64_t>& of) const {
-        std::vector<std::pair<double, const LiveKeyScan*>> near;
+    std::vector<const ReportScan*> nearest(const ReportScan& to, const std::set<std::uint64_t>& of) const {
+        std::vector<std::pair<double, const ReportScan*>> near;
         for (const std::uint64_t id : of) {
-            const LiveKeyScan* const scan = m_scans.at(id);
-            const double distance = mapDistance(scan->pose.scanInMap, to.pose.scanInMap);
+            const ReportScan* const scan = m_scans.at(id);
+            const double distance = mapDistance(scan->scanInMap, to.scanInMap);
             if (id != to.id && distance <= m_settings.reach) near.emplace_back(distance, scan);
         }
         std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
             return std::pair(a.first, a.second->id) < std::pair(b.first, b.second->id);
         });
         near.resize(std::min(near.size(), m_settings.scans));
-        std::vector<const LiveKeyScan*> scans;
+        std::vector<const ReportScan*> scans;
         for (const auto& [distance, scan] : near) scans.push_back(scan);
         return scans;
     }
 
-    const FreeSpace& freeOf(const LiveKeyScan& scan) {
+    const FreeSpace& freeOf(const ReportScan& scan) {
         const auto known = m_free.find(scan.id);
         if (known != m_free.end()) return known->second;
         return m_free.emplace(scan.id, FreeSpace(scan.scan->points, m_settings.looking)).first->second;
     }
 
-    Votes votesOn(const Eigen::Vector3d& place, const std::vector<const LiveKeyScan*>& by) {
+    Votes votesOn(const Eigen::Vector3d& place, const std::vector<const ReportScan*>& by) {
         Votes votes;
-        for (const LiveKeyScan* const scan : by) {
-            const Eigen::Vector3d inScan = scan->pose.scanInMap.inverse() * place;
+        for (const ReportScan* const scan : by) {
+            const Eigen::Vector3d inScan = scan->scanInMap.inverse() * place;
             const SeenThere there = freeOf(*scan).at(inScan.cast<float>());
             if (there == SeenThere::LookedThrough) ++votes.through;
             if (there == SeenThere::Surface) ++votes.seen;
@@ -96,12 +94,12 @@ private:
         return votes;
     }
 
-    void add(std::map<Cell, Changed>& cells, const LiveKeyScan& scan,
-             const std::vector<const LiveKeyScan*>& judges, const std::vector<const LiveKeyScan*>& own) {
+    void add(std::map<Cell, Changed>& cells, const ReportScan& scan,
+             const std::vector<const ReportScan*>& judges, const std::vector<const ReportScan*>& own) {
         std::set<Cell> asked;
         for (const Eigen::Vector3f& point : scan.scan->points) {
             if (!point.allFinite()) continue;
-            const Eigen::Vector3d place = scan.pose.scanInMap * point.cast<double>();
+            const Eigen::Vector3d place = scan.scanInMap * point.cast<double>();
             const Cell cell = cellAt(place.cast<float>(), m_settings.edge);
             if (!asked.insert(cell).second) continue;
             const Votes others = votesOn(place, judges);
@@ -115,7 +113,7 @@ private:
     }
 
     const ChangeSettings& m_settings;
-    std::map<std::uint64_t, const LiveKeyScan*> m_scans;
+    std::map<std::uint64_t, const ReportScan*> m_scans;
     std::map<std::uint64_t, FreeSpace> m_free;
     std::size_t m_done = 0;
 };
@@ -178,10 +176,9 @@ std::vector<ChangedThing> thingsOf(std::map<Cell, Changed> cells, bool isNew,
 
 }  // namespace
 
-Visits visitsOf(const LiveMap& map) {
+Visits visitsOf(std::span<const ReportScan> scans) {
     std::map<std::string, Time> newest;  // scan of each mission
-    for (const LiveKeyScan& scan : map.scans) {
-        if (!scan.counts() || scan.part != 0) continue;
+    for (const ReportScan& scan : scans) {
         const auto [known, fresh] = newest.emplace(missionOf(scan), scan.scan->end);
         if (!fresh) known->second = std::max(known->second, scan.scan->end);
     }
@@ -190,16 +187,17 @@ Visits visitsOf(const LiveMap& map) {
     visits.name = std::max_element(newest.begin(), newest.end(), [](const auto& a, const auto& b) {
                       return a.second < b.second;
                   })->first;
-    for (const LiveKeyScan& scan : map.scans) {
-        if (!scan.counts() || scan.part != 0) continue;
-        (missionOf(scan) == visits.name ? visits.after : visits.before).insert(scan.id);
+    for (const auto& [name, time] : newest) {
+        if (name != visits.name) visits.earlier.insert(name);
     }
+    for (const ReportScan& scan : scans)
+        (missionOf(scan) == visits.name ? visits.after : visits.before).insert(scan.id);
     return visits;
 }
 
-std::vector<ChangedThing> changesBetween(const LiveMap& map, const Visits& visits,
+std::vector<ChangedThing> changesBetween(std::span<const ReportScan> scans, const Visits& visits,
                                          const ChangeSettings& settings, const Progress& progress) {
-    Comparison comparison(map, settings);
+    Comparison comparison(scans, settings);
     const auto all = static_cast<double>(visits.before.size() + visits.after.size());
     const Progress inAll{[&](double scans) { progress.done(scans / all); }, progress.stop};
     std::vector<ChangedThing> things =
@@ -212,6 +210,14 @@ std::vector<ChangedThing> changesBetween(const LiveMap& map, const Visits& visit
         return a.cells.size() > b.cells.size();
     });
     return things;
+}
+
+MapChanges changesOf(std::span<const ReportScan> scans, const ChangeSettings& settings,
+                     const Progress& progress) {
+    MapChanges changes;
+    changes.visits = visitsOf(scans);
+    if (changes.compared()) changes.things = changesBetween(scans, changes.visits, settings, progress);
+    return changes;
 }
 
 }  // namespace leitstand

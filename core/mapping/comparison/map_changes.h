@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,19 +12,21 @@
 
 #include "core/base/progress.h"
 #include "core/mapping/live/loops/free_space.h"
-#include "core/mapping/live/map/live_map.h"
+#include "core/mapping/report_scan.h"
 
 namespace leitstand {
 
 /// Key scans of a map that were taken on two occasions.
 struct Visits {
-    std::set<std::uint64_t> before, after;  ///< ids of those that count; of the map's first part alone
-    std::string name;  ///< of the mission that the later ones were carried from; empty: this one
+    std::set<std::uint64_t> before, after;  ///< ids
+    /// Of the mission that those after were carried here from; empty: of this one.
+    std::string name;
+    std::set<std::string> earlier;  ///< likewise, of those before
 };
 
-/// The visits of @p map: the newest of the missions that it is put together from (behind the @ of its robots'
-/// names), and those before. Either is empty where the map is of one alone.
-[[nodiscard]] Visits visitsOf(const LiveMap& map);
+/// The visits of a map of @p scans: the newest of the missions that it is put together from (behind the @ of
+/// its robots' names), and those before. Both are empty where it is of one alone.
+[[nodiscard]] Visits visitsOf(std::span<const ReportScan> scans);
 
 /// How a change is told from what is merely seen from elsewhere.
 struct ChangeSettings {
@@ -54,8 +57,21 @@ struct ChangedThing {
 /// through, and which others of its own visit saw, too, or at least did not look through (after the votes of
 /// scans on points: Pomerleau et al. 2014). What nobody looked at the other time is no change. Largest first.
 /// Cancelled: nothing.
-[[nodiscard]] std::vector<ChangedThing> changesBetween(const LiveMap& map, const Visits& visits,
+[[nodiscard]] std::vector<ChangedThing> changesBetween(std::span<const ReportScan> scans,
+                                                       const Visits& visits,
                                                        const ChangeSettings& settings = {},
                                                        const Progress& progress = {});
+
+/// What changed in a map since the visits before.
+struct MapChanges {
+    Visits visits;
+    std::vector<ChangedThing> things;  ///< largest first
+    /// Whether the map is put together from several visits, so that something could be told.
+    [[nodiscard]] bool compared() const { return !visits.after.empty() && !visits.before.empty(); }
+};
+
+/// Of a map of @p scans, between its visitsOf().
+[[nodiscard]] MapChanges changesOf(std::span<const ReportScan> scans, const ChangeSettings& settings = {},
+                                   const Progress& progress = {});
 
 }  // namespace leitstand
