@@ -121,6 +121,12 @@ void MapScenery::setGhosts(std::map<std::uint64_t, Pose> scansInMap) {
     submit();
 }
 
+void MapScenery::setChanges(std::shared_ptr<const MapChanges> changes) {
+    if (changes == m_order.changes) return;
+    m_order.changes = std::move(changes);
+    submit();
+}
+
 void MapScenery::startFollowing() {
     m_follow.start(m_order.settings.follow, m_order.settings.look == MapLook::Top);
     m_sinceAim.invalidate();

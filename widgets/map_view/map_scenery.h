@@ -39,7 +39,8 @@ public:
 
     /// The scan of this id stands out; 0: none.
     void setHighlighted(std::uint64_t id);
-    void setGhosts(std::map<std::uint64_t, Pose> scansInMap);  ///< as of MapView
+    void setGhosts(std::map<std::uint64_t, Pose> scansInMap);    ///< as of MapView
+    void setChanges(std::shared_ptr<const MapChanges> changes);  ///< likewise
 
     [[nodiscard]] const MapCamera& camera() const;
     /// The robot that the camera follows is there now.

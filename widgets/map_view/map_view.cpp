@@ -86,6 +86,10 @@ void MapView::setHighlighted(std::uint64_t id) {
     update();
 }
 
+void MapView::setChanges(std::shared_ptr<const MapChanges> changes) {
+    m_state->scenery.setChanges(std::move(changes));
+}
+
 void MapView::setGhosts(std::map<std::uint64_t, Pose> scansInMap) {
     m_state->scenery.setGhosts(std::move(scansInMap));
 }

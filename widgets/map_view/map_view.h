@@ -19,6 +19,7 @@
 
 namespace leitstand {
 
+struct MapChanges;
 struct RobotMark;
 
 /// A point of the map under the cursor.
@@ -76,6 +77,8 @@ public:
     /// Shows scans a second time, in one colour, where they might come to stand: by MapScan::id,
     /// in the map's frame. Empty: none.
     void setGhosts(std::map<std::uint64_t, Pose> scansInMap);
+    /// Shows what came and what went in colours of their own, all else dimmed; null: neither.
+    void setChanges(std::shared_ptr<const MapChanges> changes);
     /// Frames the scan of this MapScan::id.
     void showScan(std::uint64_t id);
     /// Moves the camera, which follows nothing any more, to @p place of the map [m].

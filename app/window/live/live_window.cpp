@@ -10,6 +10,7 @@
 #include "app/window/commands/language_commands.h"
 #include "app/window/live/alarms/alarms_feature.h"
 #include "app/window/live/cameras/camera_feature.h"
+#include "app/window/live/changes/changes_feature.h"
 #include "app/window/live/coverage/coverage_feature.h"
 #include "app/window/live/drive/drive_feature.h"
 #include "app/window/live/frame/closing_question.h"
@@ -70,6 +71,8 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     auto* coverage = new CoverageFeature(
         context, *m_map, [&bridge](const LiveMoment&) { return bridge.station().searched(); }, mapActions);
     connect(coverage, &CoverageFeature::told, this, &LiveWindow::tell);
+    auto* const changes = new ChangesFeature(context, *m_map);
+    connect(changes, &ChangesFeature::told, this, &LiveWindow::tell);
     auto* scan = new ScanFeature(context);
     m_victims = new VictimsFeature(context, *m_map, *m_cameras);
     auto* pointing = new FindPointing(context, *m_map, *m_cameras, *scan);

@@ -16,6 +16,7 @@
 #include "app/window/commands/help_commands.h"
 #include "app/window/commands/language_commands.h"
 #include "app/window/live/cameras/camera_feature.h"
+#include "app/window/live/changes/changes_feature.h"
 #include "app/window/live/coverage/coverage_feature.h"
 #include "app/window/live/frame/key_columns.h"
 #include "app/window/live/frame/pane_docks.h"
@@ -76,6 +77,8 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     auto* const clicks = new FindsByClick(context, bridge, *m_map, *m_cameras, *scan, *m_finds);
     connect(clicks, &FindsByClick::told, this, &ReviewWindow::tell);
     addCoverage(context);
+    auto* const changes = new ChangesFeature(context, *m_map);
+    connect(changes, &ChangesFeature::told, this, &ReviewWindow::tell);
     m_messages = new MessagesFeature(context);
     auto* compare = new CompareFeature(context, bridge, *m_map);
     connect(compare, &CompareFeature::told, this, &ReviewWindow::tell);

@@ -114,7 +114,14 @@ std::vector<Entry> entriesFor(const SceneContent& content) {
         entries.push_back({content.inQuestion != 0 ? colours.scanInQuestion : colours.uncertainScan,
                            QCoreApplication::translate("leitstand::MapView", "uncertain ?")});
     }
-    if (!content.ghosts.empty())
+    if (content.changes) {
+        const MapColours& colours = mapColours(content.settings.theme);
+        entries.push_back({colours.newThing,
+                           QCoreApplication::translate("leitstand::MapView", "new", "what came to a place")});
+        entries.push_back({colours.goneThing,
+                           QCoreApplication::translate("leitstand::MapView", "gone", "what was taken away")});
+    }
+    if (content.moves)
         entries.push_back({mapColours(content.settings.theme).scanInQuestion,
                            QCoreApplication::translate("leitstand::MapView", "if it is one place",
                                                        "where scans would come to stand")});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <numeric>
 #include <unordered_set>
 #include <utility>
@@ -37,7 +38,7 @@ PointCloudLook lookOf(const SceneScan& scan, std::size_t index, const SceneConte
     paint.paleFloor = settings.look == MapLook::Top;
     paint.ramp = content.ramp.value_or(ColourRamp{});
     paint.one = colourOf(scan, index, content);
-    paint.dim = content.inQuestion != 0 && !inQuestion;
+    paint.dim = content.changes || (content.inQuestion != 0 && !inQuestion);
     if (scan.uncertain) {
         const MapColours& colours = mapColours(settings.theme);
         paint.alike = true;
@@ -52,13 +53,33 @@ PointCloudLook lookOf(const SceneScan& scan, std::size_t index, const SceneConte
     return lookOf(*scan.points, paint, settings.withCeiling(), scan.uncertain && !inQuestion);
 }
 
-/// How the points of a scan are drawn where it might come to stand.
-PointCloudLook ghostLookOf(const SceneScan& scan, const MapViewSettings& settings) {
+/// How points are drawn that are shown beside the map, all in @p colour.
+PointCloudLook plainLookOf(const SceneScan& scan, const MapViewSettings& settings, Rgba colour) {
     PointPaint paint;
     paint.theme = settings.theme;
     paint.alike = true;
-    paint.one = mapColours(settings.theme).scanInQuestion;
+    paint.one = colour;
     return lookOf(*scan.points, paint, settings.withCeiling(), false);
+}
+
+/// What of @p changes is new, or what is gone: as points of little cubes, so that it stands out of the points
+/// of the scans that saw it.
+ScanPtr cubesOf(const MapChanges& changes, bool isNew) {
+    constexpr float Half = 0.04F;  // of a cube [m]
+    auto cubes = std::make_shared<Scan>();
+    for (const ChangedThing& thing : changes.things) {
+        if (thing.isNew != isNew) continue;
+        for (const Eigen::Vector3f& cell : thing.cells) {
+            for (const float x : {-Half, 0.0F, Half}) {
+                for (const float y : {-Half, 0.0F, Half}) {
+                    for (const float z : {-Half, 0.0F, Half})
+                        cubes->points.push_back(cell + Eigen::Vector3f(x, y, z));
+                }
+            }
+        }
+    }
+    cubes->labels.assign(cubes->points.size(), Label::Unlabelled);
+    return cubes;
 }
 
 /// When @p scan came in: by the station's clock, else by its robot's; epoch: nobody knows.
@@ -94,6 +115,7 @@ SceneContent outline(const SceneOrder& order) {
     SceneContent content;
     content.order = order.number;
     content.settings = order.settings;
+    content.changes = order.changes != nullptr;
     content.robots = order.robots;
     if (!order.map) return content;
     for (std::size_t i = 0; i < order.map->scans.size(); ++i) {
@@ -146,6 +168,8 @@ SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::fun
         lastPart = Clock::now();
     }
     addGhosts(content, order);
+    content.moves = !content.ghosts.empty();
+    addChanges(content, order);
     finish(content.scans.size());
     if (order.settings.look == MapLook::Voxels && !addVoxels(content, interrupted)) return nullptr;
     return std::make_shared<const SceneContent>(std::move(content));
@@ -176,7 +200,30 @@ void SceneAssembler::addGhosts(SceneContent& content, const SceneOrder& order) {
         if (place == order.ghosts.end() || !scan.visible) continue;
         SceneScan& ghost = content.ghosts.emplace_back(scan);
         ghost.poseInMap = place->second;
-        ghost.look = ghostLookOf(ghost, order.settings);
+        ghost.look = plainLookOf(ghost, order.settings, mapColours(order.settings.theme).scanInQuestion);
+    }
+}
+
+void SceneAssembler::addChanges(SceneContent& content, const SceneOrder& order) {
+    if (order.changes != m_changed) {
+        m_changed = order.changes;
+        for (const bool isNew : {true, false}) {
+            ScanPointsPtr& points = m_changedPoints[isNew ? 0 : 1];
+            points = nullptr;
+            if (!m_changed) continue;
+            constexpr double Everything = std::numeric_limits<double>::infinity();
+            const ScanPtr cubes = cubesOf(*m_changed, isNew);
+            if (!cubes->points.empty())
+                points = std::make_shared<const ScanPoints>(drawablePoints(cubes, 0.0, Everything));
+        }
+    }
+    const MapColours& colours = mapColours(order.settings.theme);
+    for (const bool isNew : {true, false}) {
+        const ScanPointsPtr& points = m_changedPoints[isNew ? 0 : 1];
+        if (!points) continue;
+        SceneScan& shown = content.ghosts.emplace_back();
+        shown.points = points;
+        shown.look = plainLookOf(shown, order.settings, isNew ? colours.newThing : colours.goneThing);
     }
 }
 

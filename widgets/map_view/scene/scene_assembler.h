@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
+#include "core/mapping/comparison/map_changes.h"
 #include "core/mapping/map.h"
 #include "widgets/map_view/scene/scene_content.h"
 #include "widgets/map_view/scene/voxel_mesh.h"
@@ -15,10 +18,11 @@ namespace leitstand {
 /// What shall be shown.
 struct SceneOrder {
     std::uint64_t number = 0;
-    MapPtr map;                            ///< null: nothing
-    std::vector<bool> scanIsVisible;       ///< scans beyond the end are visible
-    std::uint64_t highlighted = 0;         ///< MapScan::id of the scan that stands out; 0: none
-    std::map<std::uint64_t, Pose> ghosts;  ///< MapView::setGhosts()
+    MapPtr map;                                 ///< null: nothing
+    std::vector<bool> scanIsVisible;            ///< scans beyond the end are visible
+    std::uint64_t highlighted = 0;              ///< MapScan::id of the scan that stands out; 0: none
+    std::map<std::uint64_t, Pose> ghosts;       ///< MapView::setGhosts()
+    std::shared_ptr<const MapChanges> changes;  ///< MapView::setChanges(); null: none are shown
     MapViewSettings settings;
     std::vector<SceneRobot> robots;  ///< of the team
 };
@@ -42,9 +46,12 @@ private:
     void forgetAllBut(const Map& map);
     const ScanPointsPtr& pointsFor(const ScanPtr& scan, const MapViewSettings& settings);
     void addGhosts(SceneContent& content, const SceneOrder& order);
+    void addChanges(SceneContent& content, const SceneOrder& order);
     [[nodiscard]] bool addVoxels(SceneContent& content, const std::function<bool()>& interrupted);
 
     std::unordered_map<const Scan*, Ready> m_ready;  ///< which hold the scans
+    std::shared_ptr<const MapChanges> m_changed;     ///< of which these are, new things and gone ones:
+    std::array<ScanPointsPtr, 2> m_changedPoints;
     VoxelRecipe m_recipe;
     std::shared_ptr<const VoxelMesh> m_voxels;
 };

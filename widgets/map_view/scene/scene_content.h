@@ -60,8 +60,11 @@ struct SceneContent {
     std::uint64_t order = 0;  ///< number of the SceneOrder this answers
     bool complete = true;     ///< false while scans are still being made ready
     MapViewSettings settings;
-    std::vector<SceneScan> scans;             ///< as in Map::scans
-    std::vector<SceneScan> ghosts;            ///< scans a second time, where they might come to stand
+    std::vector<SceneScan> scans;  ///< as in Map::scans
+    /// Drawn beside the map: scans where they might come to stand, what came and what went.
+    std::vector<SceneScan> ghosts;
+    bool moves = false;                       ///< some of them are scans that might move
+    bool changes = false;                     ///< what changed is shown: all else is dimmed()
     std::shared_ptr<const VoxelMesh> voxels;  ///< only in that look
     std::vector<SceneRobot> robots;           ///< that took the scans, and others of the team
     SceneAges ages = SceneAges::Minutes;

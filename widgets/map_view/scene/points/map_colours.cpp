@@ -23,6 +23,8 @@ const MapColours& mapColours(Theme theme) {
         .uncertain = rgba("#E69F00"),
         .uncertainScan = rgba("#A22BDC"),
         .scanInQuestion = rgba("#E2A6FF"),
+        .newThing = rgba("#FF8A1F"),
+        .goneThing = rgba("#35C8F5"),
     };
     static constexpr MapColours Light = {
         .background = rgba("#F3F4F6"),
@@ -38,6 +40,8 @@ const MapColours& mapColours(Theme theme) {
         .uncertain = rgba("#A86200"),
         .uncertainScan = rgba("#A22BDC"),
         .scanInQuestion = rgba("#7A14A8"),
+        .newThing = rgba("#C24A00"),
+        .goneThing = rgba("#006FB0"),
     };
     return theme == Theme::Dark ? Dark : Light;
 }
