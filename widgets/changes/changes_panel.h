@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QWidget>
+
+#include "widgets/models/map/changed_model.h"
+
+class QAction;
+class QLabel;
+class QLayout;
+class QTableView;
+
+namespace leitstand {
+
+/// What came and what went since the missions before, the largest first.
+class ChangesPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ChangesPanel(QWidget* parent = nullptr);
+
+    /// @p changes: null until they are known. @p robotInMap: of the selected robot.
+    void show(const MapChanges* changes, const std::optional<Pose>& robotInMap);
+    using QWidget::show;
+    /// Buttons for these commands, below the list.
+    void setCommands(const std::vector<QAction*>& commands);
+    /// What is chosen; empty: nothing.
+    [[nodiscard]] std::optional<ChangedRow> chosen() const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {320, 180}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 90}; }
+
+signals:
+    void activated();  ///< double click or Return on a row
+
+protected:
+    void focusInEvent(QFocusEvent* event) override;
+
+private:
+    ChangedModel m_model;
+    QLabel *m_title, *m_calm;
+    QTableView* m_table;
+    QLayout* m_buttons;
+};
+
+}  // namespace leitstand

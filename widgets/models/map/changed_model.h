@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QString>
+
+#include "core/mapping/comparison/map_changes.h"
+#include "widgets/models/text_rows_model.h"
+
+namespace leitstand {
+
+/// Something that came or went, as a row of a list.
+struct ChangedRow {
+    int number = 0;                                   ///< from 1, the largest
+    QString what;                                     ///< "new" or "gone"
+    QString size;                                     ///< "0.6 × 0.5 × 1.1 m"
+    QString where;                                    ///< from the robot: "3.2 m, 40° left"
+    QString place;                                    ///< "x 1.2, y −0.5"
+    Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< its middle [m]
+    friend bool operator==(const ChangedRow&, const ChangedRow&) = default;
+};
+
+/// @p robotInMap: of the selected robot; empty: nobody knows.
+[[nodiscard]] std::vector<ChangedRow> changedRows(const MapChanges& changes,
+                                                  const std::optional<Pose>& robotInMap);
+/// "monday → tuesday: new 3, gone 2"; @p changes: null until they are known.
+[[nodiscard]] QString changedText(const MapChanges* changes);
+/// Why the list is empty.
+[[nodiscard]] QString unchangedText(const MapChanges* changes);
+
+/// What came and went, as a table. A choice is kept while its place is about the same.
+class ChangedModel final : public TextRowsModel {
+    Q_OBJECT
+public:
+    enum Column { Number, What, Size, Where, Place };
+
+    using TextRowsModel::TextRowsModel;
+
+    void setRows(const std::vector<ChangedRow>& rows);
+    [[nodiscard]] const ChangedRow* row(int row) const;  ///< null when there is none
+    /// The row whose place is within @p reach [m] of @p place, the nearest; -1: there is none.
+    [[nodiscard]] int rowAt(const Eigen::Vector3d& place, double reach) const;
+
+protected:
+    [[nodiscard]] int rowsInAll() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] QStringList headers() const override;
+    [[nodiscard]] QString cell(int row, int column) const override;
+    [[nodiscard]] QString hint(int row) const override;
+
+private:
+    std::vector<ChangedRow> m_rows;
+};
+
+}  // namespace leitstand
