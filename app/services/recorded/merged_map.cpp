@@ -38,19 +38,11 @@ struct Joined {
     ScanPosesSample poses;
 };
 
-/// The mapper closes as many of @p meeting as it wants, as if they were found while somebody drove.
 std::optional<Joined> join(LiveMapper& mapper, const PartsMeeting& meeting) {
     const Time now = stationTime();
-    std::optional<ScanLinksSample> found;
-    const LiveMapPtr map = mapper.map();
-    for (const MeetingPlace& place : meeting.places) {
-        found = mapper.recognised({place.scan, map, {}, true}, place.scanInMap, now);
-        if (found) break;
-    }
-    if (!found) return std::nullopt;
-    Joined joined{std::move(*found), {}};
-    for (Link& link : joined.links.links) link.active = true;
-    mapper.restore(joined.links);
+    auto links = mapper.join(meeting.scansInMap, now);
+    if (!links) return std::nullopt;
+    Joined joined{std::move(*links), {}};
     const auto problem = mapper.problem();
     if (!problem) return std::nullopt;
     auto settled = mapper.settle(solve(*problem), now);
@@ -102,7 +94,7 @@ Result<MergedMap> merge(const MergeOrder& order, const Progress& progress) {
     if (progress.cancelled()) return cancelled();
     merged.sought = meeting.sought;
     merged.found = meeting.found;
-    merged.agreeing = meeting.places.size();
+    merged.agreeing = meeting.scansInMap.size();
     auto joined = join(mapper, meeting);
     if (!joined) return merged;
     if (auto written = write(order, std::move(*joined)); !written) return written.error();

@@ -156,6 +156,12 @@ public:
     /// not fit.
     [[nodiscard]] Result<ScanLinksSample> propose(std::uint64_t id, const Pose& scanInMap, Time now);
 
+    /// It is known that scans of one part of the map were taken at about @p scansInMap in another one: their
+    /// links where at least LoopSettings::partsAgree fit there, for the log; poses follow by problem().
+    /// Empty: fewer do.
+    [[nodiscard]] std::optional<ScanLinksSample> join(const std::map<std::uint64_t, Pose>& scansInMap,
+                                                      Time now);
+
     /// What is to be solved since a loop closed or was taken back: by solve(), on any thread; then comes
     /// settle(). Empty: nothing, or somebody is at it.
     [[nodiscard]] std::optional<MapProblem> problem();

@@ -154,6 +154,15 @@ Result<ScanLinksSample> LiveMapper::propose(std::uint64_t id, const Pose& scanIn
     return ScanLinksSample{now, state.station, {*link}};
 }
 
+std::optional<ScanLinksSample> LiveMapper::join(const std::map<std::uint64_t, Pose>& scansInMap, Time now) {
+    State& state = *m_state;
+    std::vector<Link> links = state.loops.join(scansInMap, state.map);
+    if (links.size() < state.settings.loops.partsAgree) return std::nullopt;
+    ++state.revision;
+    state.unsolved = true;
+    return ScanLinksSample{now, state.station, std::move(links)};
+}
+
 MapProblem LiveMapper::State::problem() const {
     MapProblem problem;
     problem.revision = revision;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "core/base/pose.h"
 #include "core/mapping/live/map/local_map.h"
@@ -100,7 +101,7 @@ PartsMeeting meetingOf(const LiveMapPtr& map, std::uint64_t part, const LiveSett
     const Found* const middle = best[best.size() / 2];
     if (contradictsPart({middle->scan->id, map, {}, true}, *rest, middle->correction, progress))
         return meeting;
-    for (const Found* const one : best) meeting.places.push_back({one->scan->id, one->there});
+    for (const Found* const one : best) meeting.scansInMap.emplace(one->scan->id, one->there);
     return meeting;
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <map>
 
 #include "core/base/pose.h"
 #include "core/base/progress.h"
@@ -12,17 +12,12 @@
 
 namespace leitstand {
 
-/// Where a scan of one part of a map was taken in the rest of it.
-struct MeetingPlace {
-    std::uint64_t scan = 0;  ///< id
-    Pose scanInMap = Pose::Identity();
-};
-
 /// What came of looking for a part of a map in the rest of it.
 struct PartsMeeting {
-    std::vector<MeetingPlace> places;  ///< they agree; empty: it is not known how the two lie to each other
-    std::size_t sought = 0;            ///< scans that were looked for
-    std::size_t found = 0;             ///< of these, each by itself, whether they agree or not
+    /// By key scan: they agree. Empty: it is not known how the two lie to each other.
+    std::map<std::uint64_t, Pose> scansInMap;
+    std::size_t sought = 0;  ///< scans that were looked for
+    std::size_t found = 0;   ///< of these, each by itself, whether they agree or not
 };
 
 /// Looks for scans of the part @p part of @p map, some all over it, in the rest of the map: for maps that are

@@ -54,14 +54,11 @@ public:
         const PartsMeeting meeting = meetingOf(map, second->part, {});
         m_result.seeking = processorTime() - began;
         std::printf("  %zu of %zu places found, %zu agree\n", meeting.found, meeting.sought,
-                    meeting.places.size());
+                    meeting.scansInMap.size());
         const Time now = m_drives.second.scans.back().scan->end;
-        for (const MeetingPlace& place : meeting.places) {
-            const auto question = m_mapper.recognised({place.scan, map, {}, true}, place.scanInMap, now);
-            if (!question) continue;
-            answer(*question, now);
+        if (auto links = m_mapper.join(meeting.scansInMap, now)) {
+            compare(*links);
             if (const auto problem = m_mapper.problem()) (void)m_mapper.settle(solve(*problem), now);
-            break;
         }
         judge();
         return m_result;
@@ -119,27 +116,33 @@ private:
         if (question) answer(*question, now);
     }
 
-    /// As an operator does who knows the truth.
-    void answer(ScanLinksSample question, Time now) {
-        if (question.links.front().active) return;
+    /// Whether all of @p found are true, as one finds who knows the truth.
+    bool compare(const ScanLinksSample& found) {
         const LiveMapPtr map = m_mapper.map();
-        const auto truth = [&](std::uint64_t id) -> Pose {
-            const auto scan = std::find_if(map->scans.begin(), map->scans.end(),
-                                           [id](const LiveKeyScan& one) { return one.id == id; });
-            return truthOf(*scan->scan) * scan->sensorInBase;
-        };
         bool right = true;
-        for (const Link& link : question.links) {
-            const Pose between = truth(link.from).inverse() * truth(link.to);
+        for (const Link& link : found.links) {
+            const Pose between = truth(*map, link.from).inverse() * truth(*map, link.to);
             const double off = distanceBetween(between, link.pose);
             const bool fits = off <= Off && angleBetween(between, link.pose) <= OffAngle;
             right = right && fits;
             if (!fits) ++m_result.wrong;
             if (fits) m_result.worstLink = std::max(m_result.worstLink, off);
         }
+        return right;
+    }
+    [[nodiscard]] Pose truth(const LiveMap& map, std::uint64_t id) const {
+        const auto scan = std::find_if(map.scans.begin(), map.scans.end(),
+                                       [id](const LiveKeyScan& one) { return one.id == id; });
+        return truthOf(*scan->scan) * scan->sensorInBase;
+    }
+
+    void answer(ScanLinksSample question, Time now) {
+        if (question.links.front().active) return;
+        const LiveMapPtr map = m_mapper.map();
+        const bool right = compare(question);
         if (std::getenv("LEITSTAND_TELL") != nullptr) {
             const Link& newest = question.links.back();
-            const Pose between = truth(newest.from).inverse() * truth(newest.to);
+            const Pose between = truth(*map, newest.from).inverse() * truth(*map, newest.to);
             std::printf(
                 "  %s: %zu links, scans %llu and %llu, %.1f m and %.0f degrees off, truly %.1f m apart, %zu "
                 "and "

@@ -260,6 +260,20 @@ bool LoopCloser::seeks(const LiveKeyScan& entered, const LiveMap& map) {
     return true;
 }
 
+std::vector<Link> LoopCloser::join(const std::map<std::uint64_t, Pose>& scansInMap, const LiveMap& map) {
+    std::vector<Link> links;
+    for (const LiveKeyScan& scan : map.scans) {
+        const auto there = scansInMap.find(scan.id);
+        if (there == scansInMap.end() || !scan.counts()) continue;
+        std::optional<Found> found = look(scan, there->second, map, false);
+        if (found && found->link.kind == LinkKind::Session) links.push_back(std::move(found->link));
+    }
+    // What is looked for stays as it was until all are found.
+    for (Link& link : links) link = m_graph.add(std::move(link));
+    m_pending.clear();
+    return links;
+}
+
 Result<Link> LoopCloser::propose(const LiveKeyScan& scan, Pose guess, const LiveMap& map) {
     // Heights may have drifted: that of the storey counts which is nearest.
     const std::map<std::uint64_t, double> near = sameAge(scan.id);

@@ -54,6 +54,10 @@ public:
     [[nodiscard]] std::vector<Link> closeFar(const LiveKeyScan& entered, const Pose& scanInMap,
                                              const LiveMap& map, bool verified = true);
 
+    /// It is known that scans of one part of the map were taken at about @p scansInMap in another one: the
+    /// links of those that fit there, active, which are taken into the graph.
+    [[nodiscard]] std::vector<Link> join(const std::map<std::uint64_t, Pose>& scansInMap, const LiveMap& map);
+
     /// A loop that the operator shows: @p scan was taken at about @p guess. Its link, not active, which is
     /// taken into the graph as a question. Errors, in words: nothing older is about there, or it does not
     /// fit.
