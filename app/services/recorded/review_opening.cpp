@@ -48,7 +48,7 @@ Time halfOf(const ReviewIndex& index) {
 
 Time openingOf(ReviewLog& log, const ReviewIndex& index) {
     Time opening = log.first();
-    if (log.robots().empty()) return opening;
+    if (log.robots().empty()) return index.finished->keyScans->empty() ? opening : log.last();
     const RobotDescription& robot = log.robots().front();
     const Time late = halfOf(index);
     const auto wait = [&](std::optional<Time> first) {

@@ -1,6 +1,7 @@
 #include "app/services/recorded/merged_map.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <stop_token>
 #include <string>
@@ -13,9 +14,11 @@
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/carried_map.h"
 #include "app/services/recorded/recorded_map.h"
+#include "app/services/review/playing/review_player.h"
 #include "core/event/station_topics.h"
 #include "tests/app/review/written_room.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait.h"
 
 namespace leitstand::test {
 namespace {
@@ -91,6 +94,13 @@ TEST_F(MergedMaps, TwoThatSawTheSameAreOneMapAndTheirMissionsStayAsTheyAre) {
     EXPECT_EQ(map->scans.back().scan->robot, "kurt3d@tuesday");
     EXPECT_EQ(std::filesystem::last_write_time(order.first), before);
     EXPECT_EQ(keyScansOf(order.second).size(), 6U);
+}
+
+TEST_F(MergedMaps, AReviewOfItOpensWithTheWholeMap) {
+    ASSERT_TRUE(mergeMaps(order));
+    const auto player = ReviewPlayer::open(order.into).value();
+    ASSERT_TRUE(waitUntil([&] { return player->moment() != nullptr; }, std::chrono::seconds(60)));
+    EXPECT_EQ(player->moment()->map->scans.size(), 12U);
 }
 
 TEST_F(MergedMaps, WhatNothingOfIsSeenInTheOtherLiesBesideIt) {

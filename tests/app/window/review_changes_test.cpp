@@ -1,0 +1,110 @@
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <QAction>
+#include <QTableView>
+
+#include "app/window/commands/command_table.h"
+#include "app/window/live/frame/pane_docks.h"
+#include "core/event/station_topics.h"
+#include "tests/app/review/written_mission.h"
+#include "tests/app/window/review_page.h"
+#include "tests/support/rooms.h"
+#include "widgets/map_view/map_view.h"
+
+namespace leitstand::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Key scans @p first and two more of a room, as carried from the mission @p robot names; another day, one of
+/// them with furniture.
+void sayRoom(WrittenMission& mission, std::uint64_t first, const std::string& robot, int day,
+             bool furnished) {
+    for (std::uint64_t i = 0; i < 3; ++i) {
+        RoomSettings room;
+        room.furnished = furnished;
+        room.sensorInRoom = poseFrom({-0.5 + 0.4 * static_cast<double>(i), 0.0, 0.9}, 0, 0, 0);
+        room.sweep = Sweep::Yawing;
+        room.rows = 361;
+        room.columns = 161;
+        room.seed = static_cast<unsigned>(first + i);
+        RoomScan seen = scanRoom(room);
+        auto scan = std::make_shared<Scan>(std::move(seen.scan));
+        scan->labels = std::move(seen.trueLabels);
+        scan->robot = robot;
+        scan->end = Time(std::chrono::hours(24 * day) + std::chrono::seconds(1000 + first + i));
+        const double seconds = static_cast<double>(first + i);
+        KeyScanSample key;
+        key.stamp = WrittenMission::at(seconds);
+        key.id = first + i;
+        key.scan = scan;
+        key.scanInMap = room.sensorInRoom;
+        mission.say(seconds, std::string(station_topic::KeyScans), key);
+        ScanPose pose;
+        pose.scan = key.id;
+        pose.scanInMap = key.scanInMap;
+        mission.say(seconds, std::string(station_topic::ScanPoses),
+                    ScanPosesSample{key.stamp, "us", ScanPosesSample::Cause::Registration, {pose}});
+    }
+}
+
+/// A map of two days: furniture came in between.
+class ReviewChanges : public ReviewPage {
+protected:
+    void writeMission() override {
+        WrittenMission mission(m_mission);
+        sayRoom(mission, 1, "kurt3d@monday", 0, false);
+        if (twoDays()) sayRoom(mission, 4, "kurt3d@tuesday", 1, true);
+        mission.sayOdometry(8.0, 0.0);
+    }
+    [[nodiscard]] virtual bool twoDays() const { return true; }
+    [[nodiscard]] QAction& command(const char* id) const { return *m_window->commands().find(id); }
+};
+class ReviewOfOneDay : public ReviewChanges {
+protected:
+    [[nodiscard]] bool twoDays() const override { return false; }
+};
+
+TEST_F(ReviewChanges, WhatCameIsListedAndTheMapShowsWhere) {
+    goTo(8.0);
+    ASSERT_TRUE(soon([this] { return command("changes.show").isEnabled(); }));
+    const QImage before = m_window->mapView().grab().toImage();
+    command("changes.show").trigger();
+    EXPECT_TRUE(m_window->panes().isPaneVisible("changes"));
+    auto& list = find<QTableView>("changes");
+    ASSERT_TRUE(soon([&] { return list.model()->rowCount() > 0; }));
+    EXPECT_THAT(label("changesTitle"), StartsWith("monday → tuesday: new "));
+    EXPECT_THAT(label("changesTitle"), HasSubstr("gone 0"));
+    for (int row = 0; row < list.model()->rowCount(); ++row)
+        EXPECT_EQ(list.model()->index(row, 1).data().toString(), "new") << row;
+    lookAt("changes");
+    EXPECT_NE(m_window->mapView().grab().toImage(), before);
+    list.selectRow(0);
+    command("changes.place").trigger();
+    command("changes.show").trigger();
+    EXPECT_TRUE(soon([&] { return !command("changes.show").isChecked(); }));
+}
+
+TEST_F(ReviewChanges, AtAMomentBeforeTheSecondDayThereIsNothingToCompare) {
+    goTo(8.0);
+    ASSERT_TRUE(soon([this] { return command("changes.show").isEnabled(); }));
+    command("changes.show").trigger();
+    goTo(3.5);
+    EXPECT_TRUE(soon([this] { return !command("changes.show").isEnabled(); }));
+    EXPECT_FALSE(command("changes.show").isChecked());
+    EXPECT_TRUE(soon([this] { return find<QTableView>("changes").model()->rowCount() == 0; }));
+}
+
+TEST_F(ReviewOfOneDay, HasNothingToCompare) {
+    goTo(8.0);
+    EXPECT_TRUE(soon([this] { return m_window->missing().isEmpty(); }));
+    EXPECT_FALSE(command("changes.show").isEnabled());
+}
+
+}  // namespace
+}  // namespace leitstand::test
