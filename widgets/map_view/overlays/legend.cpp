@@ -64,8 +64,7 @@ std::vector<Entry> labelEntries(const SceneContent& content) {
     const bool top = content.settings.look == MapLook::Top;
     std::vector<Entry> entries;
     for (const Label label : {Label::Floor, Label::Wall, Label::Ceiling, Label::Unlabelled}) {
-        if ((!content.settings.withCeiling() && label == Label::Ceiling) || !isPresent(label, content))
-            continue;
+        if ((!content.withCeiling() && label == Label::Ceiling) || !isPresent(label, content)) continue;
         const bool ground = top && label == Label::Floor;
         if (!ground && content.settings.colouring != MapColouring::Label) continue;
         entries.push_back(

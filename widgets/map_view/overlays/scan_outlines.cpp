@@ -46,7 +46,7 @@ QPolygonF outlineOf(const SceneScan& scan, const SceneContent& content, const Ma
     std::vector<QPointF> seen;
     const std::size_t count = std::min(MostPoints, scan.points->points.size());
     for (std::size_t i = 0; i < count; ++i) {
-        if (scan.points->labelOfSample(i) == Label::Ceiling && !content.settings.withCeiling()) continue;
+        if (scan.points->labelOfSample(i) == Label::Ceiling && !content.withCeiling()) continue;
         const auto at = projection.project(scan.poseInMap * scan.points->sample(i).cast<double>());
         if (at) seen.push_back(at->position);
     }

@@ -50,7 +50,7 @@ PointCloudLook lookOf(const SceneScan& scan, std::size_t index, const SceneConte
         paint.up = scan.poseInMap.linear().row(2);
         paint.height = scan.poseInMap.translation().z();
     }
-    return lookOf(*scan.points, paint, settings.withCeiling(), scan.uncertain && !inQuestion);
+    return lookOf(*scan.points, paint, content.withCeiling(), scan.uncertain && !inQuestion);
 }
 
 /// How points are drawn that are shown beside the map, all in @p colour.
@@ -234,7 +234,7 @@ bool SceneAssembler::addVoxels(SceneContent& content, const std::function<bool()
                        .maxHeight = content.settings.maxHeight,
                        .colouring = content.settings.colouring,
                        .ramp = content.ramp.value_or(ColourRamp{}),
-                       .withCeiling = content.settings.withCeiling(),
+                       .withCeiling = content.withCeiling(),
                        .theme = content.settings.theme};
     for (std::size_t i = 0; i < content.scans.size(); ++i) {
         const SceneScan& scan = content.scans[i];

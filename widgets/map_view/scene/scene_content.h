@@ -71,6 +71,9 @@ struct SceneContent {
     std::uint64_t inQuestion = 0;         ///< id of the uncertain scan that is decided on; 0: none
     std::optional<ColourRamp> ramp;       ///< when coloured by a number
     std::vector<Eigen::Vector3d> places;  ///< what a camera should frame, in the map's frame [m]
+
+    /// Ceilings would hide what changed, too.
+    [[nodiscard]] bool withCeiling() const { return settings.withCeiling() && !changes; }
 };
 using SceneContentPtr = std::shared_ptr<const SceneContent>;
 
