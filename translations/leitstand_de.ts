@@ -2,6 +2,53 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>ChangesText</name>
+    <message>
+        <source>this mission</source>
+        <translation>diese Mission</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>weg</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 m</source>
+        <translation>%1 × %2 × %3 m</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3 m</source>
+        <translation>x %1, y %2, z %3 m</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2: %3 came, %4 went. Told is what one visit&apos;s scans have where the other&apos;s looked through; what was not looked at both times is not compared.</source>
+        <translation>Zwischen %1 und %2: %3 kamen hinzu, %4 sind weg. Genannt wird, was Scans des einen Besuchs haben, wo die des anderen hindurchsahen; was nicht beide Male gesehen wurde, ist nicht verglichen.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Size, along x, y and z</source>
+        <translation>Größe entlang x, y und z</translation>
+    </message>
+    <message>
+        <source>Middle, and its lowest z</source>
+        <translation>Mitte, und tiefstes z</translation>
+    </message>
+    <message>
+        <source>and %1 smaller ones</source>
+        <translation>und %1 kleinere</translation>
+    </message>
+</context>
+<context>
     <name>CoverageText</name>
     <message>
         <source>Camera</source>
@@ -1047,6 +1094,107 @@
 The blue line is the horizon.</source>
         <translation>Der Ring zeigt, wie nah Hindernisse sind: blass ist fern, Punkte sind unbekannt, Bernstein ist nah, dick rot-orange direkt am Roboter.
 Die blaue Linie ist der Horizont.</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ChangedModel</name>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>weg</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 m</source>
+        <translation>%1 × %2 × %3 m</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>%1 → %2: new %3, gone %4</source>
+        <translation>%1 → %2: neu %3, weg %4</translation>
+    </message>
+    <message>
+        <source>What changed is being looked for</source>
+        <translation>Was sich geändert hat, wird gesucht</translation>
+    </message>
+    <message>
+        <source>The map is of one mission alone: there is nothing to compare it with</source>
+        <translation>Die Karte stammt aus einer einzigen Mission: es gibt nichts zu vergleichen</translation>
+    </message>
+    <message>
+        <source>Where both looked, nothing changed</source>
+        <translation>Wo beide hinsahen, hat sich nichts geändert</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>In the map</source>
+        <translation>In der Karte</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ChangesFeature</name>
+    <message>
+        <source>Changed</source>
+        <translation>Geändert</translation>
+    </message>
+    <message>
+        <source>What c&amp;hanged</source>
+        <translation>Was sich geän&amp;dert hat</translation>
+    </message>
+    <message>
+        <source>Colours and lists what came and what went since the missions before: in a map that is put together from several</source>
+        <translation>Färbt und listet, was seit den früheren Missionen hinzukam und was weg ist: in einer Karte aus mehreren Missionen</translation>
+    </message>
+    <message>
+        <source>Show what chan&amp;ged on the map</source>
+        <translation>Geändertes in der &amp;Karte zeigen</translation>
+    </message>
+    <message>
+        <source>Moves the map to what is chosen in the list</source>
+        <translation>Rückt die Karte zu dem, was in der Liste gewählt ist</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Choose something in the list of what changed</source>
+        <translation>Wählen Sie etwas in der Liste des Geänderten</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ChangesPanel</name>
+    <message>
+        <source>What changed</source>
+        <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>What came and what went, the largest first</source>
+        <translation>Was hinzukam und was weg ist, das Größte zuerst</translation>
     </message>
 </context>
 <context>
@@ -4561,6 +4709,16 @@ F1 listet alle Tasten</translation>
         <source>if it is one place</source>
         <comment>where scans would come to stand</comment>
         <translation>wenn es eine Stelle ist</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <comment>what came to a place</comment>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <comment>what was taken away</comment>
+        <translation>weg</translation>
     </message>
 </context>
 <context>

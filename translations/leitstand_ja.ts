@@ -2,6 +2,53 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
+    <name>ChangesText</name>
+    <message>
+        <source>this mission</source>
+        <translation>このミッション</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>新規</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>消失</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 m</source>
+        <translation>%1 × %2 × %3 m</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3 m</source>
+        <translation>x %1, y %2, z %3 m</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>変化したもの</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2: %3 came, %4 went. Told is what one visit&apos;s scans have where the other&apos;s looked through; what was not looked at both times is not compared.</source>
+        <translation>%1と%2の間: 増えたもの%3、なくなったもの%4。一方のスキャンが素通しで見た所に他方のスキャンが捉えたものを示します。両方で見ていない所は比較していません。</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Size, along x, y and z</source>
+        <translation>大きさ（x, y, z方向）</translation>
+    </message>
+    <message>
+        <source>Middle, and its lowest z</source>
+        <translation>中心と最低のz</translation>
+    </message>
+    <message>
+        <source>and %1 smaller ones</source>
+        <translation>ほか小さいもの%1</translation>
+    </message>
+</context>
+<context>
     <name>CoverageText</name>
     <message>
         <source>Camera</source>
@@ -1047,6 +1094,107 @@
 The blue line is the horizon.</source>
         <translation>リングは周囲の近さを示す: 薄色は遠い、点は不明、琥珀色は近い、太い赤橙は車体に接近。
 青線は水平線。</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ChangedModel</name>
+    <message>
+        <source>now</source>
+        <translation>現在</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>新規</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>消失</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 m</source>
+        <translation>%1 × %2 × %3 m</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1、y %2</translation>
+    </message>
+    <message>
+        <source>%1 → %2: new %3, gone %4</source>
+        <translation>%1 → %2: 新規%3、消失%4</translation>
+    </message>
+    <message>
+        <source>What changed is being looked for</source>
+        <translation>変化を調べています</translation>
+    </message>
+    <message>
+        <source>The map is of one mission alone: there is nothing to compare it with</source>
+        <translation>地図は1つのミッションだけのものです。比較する相手がありません</translation>
+    </message>
+    <message>
+        <source>Where both looked, nothing changed</source>
+        <translation>両方で見た所に変化はありません</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>In the map</source>
+        <translation>地図上</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ChangesFeature</name>
+    <message>
+        <source>Changed</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>What c&amp;hanged</source>
+        <translation>変化したもの(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Colours and lists what came and what went since the missions before: in a map that is put together from several</source>
+        <translation>以前のミッションから増えたものとなくなったものを色分けして一覧にします（複数のミッションからなる地図の場合）</translation>
+    </message>
+    <message>
+        <source>Show what chan&amp;ged on the map</source>
+        <translation>変化したものを地図に表示(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Moves the map to what is chosen in the list</source>
+        <translation>一覧で選んだものへ地図を移動します</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Choose something in the list of what changed</source>
+        <translation>変化したものの一覧から選んでください</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ChangesPanel</name>
+    <message>
+        <source>What changed</source>
+        <translation>変化したもの</translation>
+    </message>
+    <message>
+        <source>What came and what went, the largest first</source>
+        <translation>増えたものとなくなったもの（大きい順）</translation>
     </message>
 </context>
 <context>
@@ -4561,6 +4709,16 @@ F1 でキー一覧</translation>
         <source>if it is one place</source>
         <comment>where scans would come to stand</comment>
         <translation>同じ場所の場合</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <comment>what came to a place</comment>
+        <translation>新規</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <comment>what was taken away</comment>
+        <translation>消失</translation>
     </message>
 </context>
 <context>

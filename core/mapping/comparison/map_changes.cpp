@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -177,10 +178,18 @@ std::vector<ChangedThing> thingsOf(std::map<Cell, Changed> cells, bool isNew,
 }  // namespace
 
 Visits visitsOf(std::span<const ReportScan> scans) {
-    std::map<std::string, Time> newest;  // scan of each mission
+    // Of this mission's own scans it is known that they are the newest, whatever robots' clocks say.
+    struct Newest {
+        bool own = false;
+        Time end{};
+        std::uint64_t id = 0;
+        auto operator<=>(const Newest&) const = default;
+    };
+    std::map<std::string, Newest> newest;
     for (const ReportScan& scan : scans) {
-        const auto [known, fresh] = newest.emplace(missionOf(scan), scan.scan->end);
-        if (!fresh) known->second = std::max(known->second, scan.scan->end);
+        const std::string mission = missionOf(scan);
+        Newest& known = newest[mission];
+        known = std::max(known, Newest{mission.empty(), scan.scan->end, scan.id});
     }
     Visits visits;
     if (newest.size() < 2) return visits;

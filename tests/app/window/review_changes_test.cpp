@@ -1,7 +1,4 @@
-#include <cstdlib>
-#include <memory>
 #include <string>
-#include <utility>
 
 #include <gmock/gmock.h>
 #include <QAction>
@@ -12,7 +9,7 @@
 #include "core/event/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window/review_page.h"
-#include "tests/support/rooms.h"
+#include "tests/support/visits.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand::test {
@@ -21,33 +18,19 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Key scans @p first and two more of a room, as carried from the mission @p robot names; another day, one of
-/// them with furniture.
-void sayRoom(WrittenMission& mission, std::uint64_t first, const std::string& robot, int day,
-             bool furnished) {
-    for (std::uint64_t i = 0; i < 3; ++i) {
-        RoomSettings room;
-        room.furnished = furnished;
-        room.sensorInRoom = poseFrom({-0.5 + 0.4 * static_cast<double>(i), 0.0, 0.9}, 0, 0, 0);
-        room.sweep = Sweep::Yawing;
-        room.rows = 361;
-        room.columns = 161;
-        room.seed = static_cast<unsigned>(first + i);
-        RoomScan seen = scanRoom(room);
-        auto scan = std::make_shared<Scan>(std::move(seen.scan));
-        scan->labels = std::move(seen.trueLabels);
-        scan->robot = robot;
-        scan->end = Time(std::chrono::hours(24 * day) + std::chrono::seconds(1000 + first + i));
-        const double seconds = static_cast<double>(first + i);
+/// What a station said of the key scans of @p visit.
+void say(WrittenMission& mission, const RoomVisit& visit) {
+    for (const ReportScan& scan : scansOf(visit)) {
+        const auto seconds = static_cast<double>(scan.id);
         KeyScanSample key;
         key.stamp = WrittenMission::at(seconds);
-        key.id = first + i;
-        key.scan = scan;
-        key.scanInMap = room.sensorInRoom;
+        key.id = scan.id;
+        key.scan = scan.scan;
+        key.scanInMap = scan.scanInMap;
         mission.say(seconds, std::string(station_topic::KeyScans), key);
         ScanPose pose;
-        pose.scan = key.id;
-        pose.scanInMap = key.scanInMap;
+        pose.scan = scan.id;
+        pose.scanInMap = scan.scanInMap;
         mission.say(seconds, std::string(station_topic::ScanPoses),
                     ScanPosesSample{key.stamp, "us", ScanPosesSample::Cause::Registration, {pose}});
     }
@@ -58,8 +41,8 @@ class ReviewChanges : public ReviewPage {
 protected:
     void writeMission() override {
         WrittenMission mission(m_mission);
-        sayRoom(mission, 1, "kurt3d@monday", 0, false);
-        if (twoDays()) sayRoom(mission, 4, "kurt3d@tuesday", 1, true);
+        say(mission, {"kurt3d@monday", 0, false, 1});
+        if (twoDays()) say(mission, {"kurt3d@tuesday", 1, true, 4});
         mission.sayOdometry(8.0, 0.0);
     }
     [[nodiscard]] virtual bool twoDays() const { return true; }
