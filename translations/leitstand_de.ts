@@ -6645,6 +6645,38 @@ F1 listet alle Tasten</translation>
         <source>Being cancelled…</source>
         <translation>Wird abgebrochen…</translation>
     </message>
+    <message>
+        <source>How the maps of %1 and %2 lie to each other is not sure: they lie side by side. A station that goes on with this mission joins them by hand</source>
+        <translation>Wie die Karten von %1 und %2 zueinander liegen, ist nicht sicher: sie liegen nebeneinander. Eine Station, die mit dieser Mission weitergeht, verbindet sie von Hand</translation>
+    </message>
+    <message>
+        <source>The maps of %1 and %2 are one: of %3 places that were looked for, %4 agree</source>
+        <translation>Die Karten von %1 und %2 sind eine: von %3 gesuchten Orten stimmen %4 überein</translation>
+    </message>
+    <message>
+        <source>The maps of %1 and %2 are being merged. The new mission opens then.</source>
+        <translation>Die Karten von %1 und %2 werden verbunden. Danach öffnet sich die neue Mission.</translation>
+    </message>
+    <message>
+        <source>&amp;Merge with the map of…</source>
+        <translation>&amp;Mit der Karte verbinden von …</translation>
+    </message>
+    <message>
+        <source>Brings the maps of this mission and another one into a new mission, where they have seen the same places; both stay as they are</source>
+        <translation>Bringt die Karten dieser und einer anderen Mission in einer neuen zusammen, wo sie dieselben Orte gesehen haben; beide bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Merge with the map of…</source>
+        <translation>Mit der Karte verbinden von …</translation>
+    </message>
+    <message>
+        <source>That is this mission: its map is merged with that of another one</source>
+        <translation>Das ist diese Mission: ihre Karte wird mit der einer anderen verbunden</translation>
+    </message>
+    <message>
+        <source>A report is being written, or scans are being registered again: merge after that</source>
+        <translation>Ein Bericht wird geschrieben, oder Scans werden neu registriert: verbinden Sie danach</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotBar</name>

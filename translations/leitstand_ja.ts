@@ -6645,6 +6645,38 @@ F1 でキー一覧</translation>
         <source>Being cancelled…</source>
         <translation>中止しています…</translation>
     </message>
+    <message>
+        <source>How the maps of %1 and %2 lie to each other is not sure: they lie side by side. A station that goes on with this mission joins them by hand</source>
+        <translation>%1と%2の地図の位置関係は確かではないため、並べて置いてあります。このミッションを続けるステーションで手作業で結合できます</translation>
+    </message>
+    <message>
+        <source>The maps of %1 and %2 are one: of %3 places that were looked for, %4 agree</source>
+        <translation>%1と%2の地図を1つにしました。探した%3か所のうち%4か所が一致しました</translation>
+    </message>
+    <message>
+        <source>The maps of %1 and %2 are being merged. The new mission opens then.</source>
+        <translation>%1と%2の地図を統合しています。その後、新しいミッションが開きます。</translation>
+    </message>
+    <message>
+        <source>&amp;Merge with the map of…</source>
+        <translation>別の地図と統合(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Brings the maps of this mission and another one into a new mission, where they have seen the same places; both stay as they are</source>
+        <translation>このミッションと別のミッションの地図を、同じ場所を見た所で合わせて新しいミッションにします。元の2つはそのまま残ります</translation>
+    </message>
+    <message>
+        <source>Merge with the map of…</source>
+        <translation>別の地図と統合…</translation>
+    </message>
+    <message>
+        <source>That is this mission: its map is merged with that of another one</source>
+        <translation>それはこのミッションです。別のミッションの地図を選んでください</translation>
+    </message>
+    <message>
+        <source>A report is being written, or scans are being registered again: merge after that</source>
+        <translation>報告書の作成中か、スキャンの再登録中です。その後で統合してください</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotBar</name>

@@ -13,6 +13,7 @@
 #include "app/language/language.h"
 #include "app/services/recorded/review_log.h"
 #include "app/window/live/layouts/layout_feature.h"
+#include "app/window/review/merge_progress.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_report.h"
 #include "app/window/review/review_window.h"
@@ -77,6 +78,7 @@ int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& optio
 struct Next {
     QString language;                   ///< in which a window is wanted anew
     std::optional<MapTidying> tidying;  ///< and the review again
+    std::filesystem::path merging;      ///< with the map of this mission, and the review of what came of it
 };
 
 /// Shows a window on @p bridge until it is closed, which says @p text first.
@@ -100,6 +102,11 @@ int showWindow(ReviewBridge& bridge, const Options& options, const QString& text
     });
     QObject::connect(&window, &ReviewWindow::tidyingWanted, &window, [&](MapTidying what) {
         next.tidying = what;
+        window.close();
+        QCoreApplication::exit(0);
+    });
+    QObject::connect(&window, &ReviewWindow::mergingWanted, &window, [&](const QString& other) {
+        next.merging = other.toStdString();
         window.close();
         QCoreApplication::exit(0);
     });
@@ -131,6 +138,22 @@ Result<std::unique_ptr<ReviewBridge>> tidied(std::unique_ptr<ReviewBridge> bridg
     return again;
 }
 
+/// Merges the mission of @p bridge, which was opened as @p source, with @p other: the review of the new one,
+/// which is the @p source from then on, or the same again where there is none.
+Result<std::unique_ptr<ReviewBridge>> merged(std::unique_ptr<ReviewBridge> bridge,
+                                             std::filesystem::path& source,
+                                             const std::filesystem::path& other, QString& text) {
+    const std::filesystem::path folder = bridge->player().folder();
+    const Time position = bridge->player().position();
+    bridge.reset();  // what was written in it is in the mission
+    const MergingOutcome outcome = mergeInFront(folder, other);
+    text = outcome.text;
+    if (!outcome.mission.empty()) source = outcome.mission;
+    auto opened = ReviewBridge::open(source);
+    if (opened && outcome.mission.empty()) (*opened)->player().seek(position);
+    return opened;
+}
+
 }  // namespace
 
 bool wantsReview(const Options& options) {
@@ -138,14 +161,18 @@ bool wantsReview(const Options& options) {
 }
 
 int runReview(const Options& options) {
-    auto bridge = ReviewBridge::open(options.scans.front());
+    std::filesystem::path source = options.scans.front();
+    auto bridge = ReviewBridge::open(source);
     if (!bridge) return complain(bridge.error().text), 1;
     QString text;
     while (true) {
         Next next;
         const int status = showWindow(**bridge, options, std::exchange(text, {}), next);
         if (next.tidying) {
-            bridge = tidied(std::move(bridge).value(), options.scans.front(), *next.tidying, text);
+            bridge = tidied(std::move(bridge).value(), source, *next.tidying, text);
+            if (!bridge) return complain(text.toStdString() + "; " + bridge.error().text), 1;
+        } else if (!next.merging.empty()) {
+            bridge = merged(std::move(bridge).value(), source, next.merging, text);
             if (!bridge) return complain(text.toStdString() + "; " + bridge.error().text), 1;
         } else if (!next.language.isEmpty()) {
             (*bridge)->report().beginAnewAround([&] { useLanguage(next.language); });

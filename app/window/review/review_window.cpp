@@ -1,15 +1,19 @@
 #include "app/window/review/review_window.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 #include <variant>
 
 #include <QAction>
 #include <QApplication>
+#include <QFileDialog>
 #include <QLabel>
 
 #include "app/services/coverage/coverage_replay.h"
+#include "app/services/recorded/carried_map.h"
 #include "app/services/recorded/review_log.h"
 #include "app/services/review/map_tidying.h"
 #include "app/window/commands/command_table.h"
@@ -132,6 +136,45 @@ void ReviewWindow::addCommands() {
                                     "with settings of your own; the mission stays as it is")});
     connect(&again, &QAction::triggered, this, &ReviewWindow::registerAgainWanted);
     addTidying();
+    addMerging();
+}
+
+void ReviewWindow::addMerging() {
+    QAction& merge = m_commands->add(
+        {.id = "review.merge",
+         .menu = CommandMenu::Mission,
+         .text = tr("&Merge with the map of…"),
+         .hint = tr("Brings the maps of this mission and another one into a new mission, where they have "
+                    "seen the same places; both stay as they are")});
+    merge.setEnabled(false);
+    connect(&merge, &QAction::triggered, this, &ReviewWindow::askToMerge);
+    const auto follow = [this, &merge](const ReviewIndexPtr& index) {
+        merge.setEnabled(!index->finished->keyScans->empty() && hasMap(m_bridge.player().folder()));
+    };
+    connect(&m_bridge, &ReviewBridge::opened, this, follow);
+    if (m_bridge.index()) follow(m_bridge.index());
+}
+
+void ReviewWindow::askToMerge() {
+    const std::filesystem::path folder = m_bridge.player().folder();
+    auto* choice = new QFileDialog(this, tr("Merge with the map of…"),
+                                   QString::fromStdString(folder.parent_path().string()));
+    choice->setObjectName(QStringLiteral("mergeWith"));
+    choice->setAttribute(Qt::WA_DeleteOnClose);
+    choice->setFileMode(QFileDialog::Directory);
+    choice->setOption(QFileDialog::ShowDirsOnly);
+    connect(choice, &QFileDialog::fileSelected, this, [this, folder](const QString& other) {
+        std::error_code none;
+        if (std::filesystem::equivalent(folder, other.toStdString(), none))
+            return tell(tr("That is this mission: its map is merged with that of another one"));
+        if (const auto there = hasMap(other.toStdString()); !there)
+            return tell(QString::fromStdString(there.error().text));
+        if (m_bridge.reporting() || m_bridge.comparison().comparing())
+            return tell(
+                tr("A report is being written, or scans are being registered again: merge after that"));
+        emit mergingWanted(other);
+    });
+    choice->open();
 }
 
 void ReviewWindow::addTidying() {

@@ -52,6 +52,8 @@ signals:
     void languageWanted(const QString& code);        ///< for a window made anew
     void registerAgainWanted();                      ///< the mission's scans, anew
     void tidyingWanted(leitstand::MapTidying what);  ///< after which the review is opened again
+    /// The map of this mission and that of @p folder in a new one, which is reviewed then.
+    void mergingWanted(const QString& folder);
 
 public slots:
     void tell(const QString& text);  ///< shows it as the newest message
@@ -64,6 +66,8 @@ private:
     void addCommands();
     void addTidying();
     void askToTidy(MapTidying what);
+    void addMerging();
+    void askToMerge();
     void addCoverage(const ViewContext& context);
 
     ReviewBridge& m_bridge;

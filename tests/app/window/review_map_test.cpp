@@ -8,12 +8,15 @@
 #include <QAction>
 #include <QApplication>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QTimer>
 #include <QToolButton>
 
 #include "app/window/commands/command_table.h"
+#include "app/window/review/merge_progress.h"
+#include "tests/app/review/written_mission.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand::test {
@@ -104,6 +107,44 @@ TEST_F(ReviewMapTest, TheMapIsTidiedOnRequestAndTakenBackOnlyWhereItWas) {
     ASSERT_TRUE(soon([&] { return !m_bridge->reporting(); }));
     tidy->trigger();
     EXPECT_EQ(wanted, std::vector{MapTidying::Tidy});
+}
+
+TEST_F(ReviewMapTest, ItsMapIsMergedWithThatOfAnotherMissionThatHasOne) {
+    std::vector<QString> wanted;
+    QObject::connect(m_window.get(), &ReviewWindow::mergingWanted, m_window.get(),
+                     [&](const QString& folder) { wanted.push_back(folder); });
+    QAction* const merge = m_window->commands().find(QStringLiteral("review.merge"));
+    ASSERT_TRUE(soon([&] { return merge->isEnabled(); })) << "the mission has a map";
+    const auto choose = [&](const std::filesystem::path& folder) {
+        merge->trigger();
+        auto& choice = find<QFileDialog>("mergeWith");
+        emit choice.fileSelected(QString::fromStdString(folder.string()));
+        choice.close();
+        ASSERT_TRUE(soon([&] { return m_window->findChild<QFileDialog*>() == nullptr; }));
+    };
+    choose(m_mission);
+    EXPECT_THAT(m_window->newest().toStdString(), HasSubstr("this mission"));
+    WrittenMission(m_folder / "empty").sayOdometry(1.0, 0.0);
+    choose(m_folder / "empty");
+    EXPECT_THAT(m_window->newest().toStdString(), HasSubstr("empty: expected a map"));
+    EXPECT_TRUE(wanted.empty());
+    WrittenMission(m_folder / "other").sayKeyScan(1.0, 1, 0.0);
+    choose(m_folder / "other");
+    EXPECT_EQ(wanted, std::vector{QString::fromStdString((m_folder / "other").string())});
+}
+
+TEST_F(ReviewMapTest, AMergedMissionLiesBesideTheFirstAndTellsWhereItIsNotSure) {
+    m_window.reset();
+    m_bridge.reset();
+    WrittenMission(m_folder / "other").sayKeyScan(1.0, 1, 0.0);
+    const MergingOutcome outcome = mergeInFront(m_mission, m_folder / "other");
+    EXPECT_EQ(outcome.mission, m_folder / "mission+other");
+    EXPECT_THAT(outcome.text.toStdString(), HasSubstr("lie side by side"));
+    EXPECT_TRUE(ReviewBridge::open(outcome.mission));
+    EXPECT_EQ(mergedName(m_mission, m_folder / "other"), m_folder / "mission+other-2");
+    const MergingOutcome none = mergeInFront(m_mission, m_folder / "absent");
+    EXPECT_TRUE(none.mission.empty());
+    EXPECT_THAT(none.text.toStdString(), HasSubstr("absent"));
 }
 
 TEST_F(ReviewMapTest, TidyingIsDoneInFrontOfAWindowThatCancelsIt) {
