@@ -141,7 +141,7 @@ void ReviewWindow::addCommands() {
 
 void ReviewWindow::addMerging() {
     QAction& merge = m_commands->add(
-        {.id = "review.merge",
+        {.id = "review.mergeMaps",
          .menu = CommandMenu::Mission,
          .text = tr("&Merge with the map of…"),
          .hint = tr("Brings the maps of this mission and another one into a new mission, where they have "

@@ -113,7 +113,7 @@ TEST_F(ReviewMapTest, ItsMapIsMergedWithThatOfAnotherMissionThatHasOne) {
     std::vector<QString> wanted;
     QObject::connect(m_window.get(), &ReviewWindow::mergingWanted, m_window.get(),
                      [&](const QString& folder) { wanted.push_back(folder); });
-    QAction* const merge = m_window->commands().find(QStringLiteral("review.merge"));
+    QAction* const merge = m_window->commands().find(QStringLiteral("review.mergeMaps"));
     ASSERT_TRUE(soon([&] { return merge->isEnabled(); })) << "the mission has a map";
     const auto choose = [&](const std::filesystem::path& folder) {
         merge->trigger();
