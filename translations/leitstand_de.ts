@@ -4217,6 +4217,17 @@ Apache License 2.0</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::LinksOnMap</name>
+    <message>
+        <source>Where the map meets &amp;itself</source>
+        <translation>Wo die Karte sich selbst tr&amp;ifft</translation>
+    </message>
+    <message>
+        <source>Lines between scans that see the same place: solid where the map follows them, dashed where it was asked or they were taken back, dotted where somebody said no</source>
+        <translation>Linien zwischen Scans, die denselben Ort sehen: durchgezogen, wo die Karte ihnen folgt, gestrichelt, wo gefragt wurde oder sie zurückgenommen sind, gepunktet, wo jemand Nein sagte</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::LiveSummary</name>
     <message>
         <source>last scan %1 s ago</source>

@@ -4217,6 +4217,17 @@ Apache License 2.0</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::LinksOnMap</name>
+    <message>
+        <source>Where the map meets &amp;itself</source>
+        <translation>地図が自身と出会う所(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Lines between scans that see the same place: solid where the map follows them, dashed where it was asked or they were taken back, dotted where somebody said no</source>
+        <translation>同じ場所を見たスキャンを結ぶ線: 実線は地図が従うもの、破線は質問中または取り消されたもの、点線は違うと答えたもの</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::LiveSummary</name>
     <message>
         <source>last scan %1 s ago</source>

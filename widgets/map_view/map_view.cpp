@@ -209,6 +209,7 @@ void MapView::State::paintOverlays(QPainter& painter) {
     paintScanOutlines(painter, projection, content, overlay);
     const bool trails = std::any_of(robots.begin(), robots.end(), [](const auto& one) { return one.trail; });
     paintScanPositions(painter, projection, content, !trails, overlay);
+    paintLinks(painter, projection, content, links, overlay);
     if (highlighted != 0) paintHighlight(painter, projection, content, highlighted, overlay);
     paintArea(painter, projection, area, ground, overlay);
     paintTrails(painter, projection, robots, overlay);

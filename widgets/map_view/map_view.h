@@ -14,6 +14,7 @@
 #include "core/mapping/map.h"
 #include "core/mission/coverage/floor_tint.h"
 #include "widgets/map_view/gestures/ground_pose.h"
+#include "widgets/map_view/overlays/map_links.h"
 #include "widgets/models/map/map_view_settings.h"
 #include "widgets/models/victims/victim_rows.h"
 
@@ -91,6 +92,8 @@ public:
     void setSeam(const std::optional<Measurement>& seam);
     /// Not while the camera follows a robot: there the map is for driving.
     void setCaptions(std::vector<MapCaption> captions);
+    /// Draws these as lines; empty: none.
+    void setLinks(std::vector<MapLink> links);
     /// Height of the floor that gestures draw on where no floor was scanned, map frame [m].
     void setGround(double height);
     /// Says @p text over the map; empty: nothing.

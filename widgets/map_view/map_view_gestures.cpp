@@ -66,6 +66,12 @@ void MapView::setCaptions(std::vector<MapCaption> captions) {
     update();
 }
 
+void MapView::setLinks(std::vector<MapLink> links) {
+    if (links == m_state->links) return;
+    m_state->links = std::move(links);
+    update();
+}
+
 void MapView::State::describe() {
     QStringList lines = {hint, detailsOf(robots)};
     lines.removeAll(QString());

@@ -59,6 +59,7 @@ struct MapView::State {
     QString hint;
     std::optional<Measurement> seam;
     std::vector<MapCaption> captions;
+    std::vector<MapLink> links;
     std::uint64_t highlighted = 0;
 
     bool measuring = false;

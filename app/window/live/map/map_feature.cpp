@@ -11,6 +11,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/frame/pane_docks.h"
 #include "app/window/live/input/selection.h"
+#include "app/window/live/map/links_on_map.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
 #include "app/window/live/map/storeys/storeys_feature.h"
@@ -65,6 +66,7 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     m_gestures = new MapGestures(m_pane->view(), this);
     m_robots = new RobotsOnMap(m_context, m_view, m_pane->view(), *m_gestures, this);
     new StoreysFeature(m_context, m_view, *m_pane, this);
+    new LinksOnMap(m_context, m_pane->view(), this);
 }
 
 MapSummary MapFeature::summaryOf(const LiveMoment& moment) const {

@@ -23,6 +23,9 @@ const MapColours& mapColours(Theme theme) {
         .uncertain = rgba("#E69F00"),
         .uncertainScan = rgba("#A22BDC"),
         .scanInQuestion = rgba("#E2A6FF"),
+        .link = rgba("#2FD39A"),
+        .openLink = rgba("#FFB000"),
+        .refusedLink = rgba("#FF6A5A"),
         .newThing = rgba("#FF8A1F"),
         .goneThing = rgba("#35C8F5"),
     };
@@ -40,6 +43,9 @@ const MapColours& mapColours(Theme theme) {
         .uncertain = rgba("#A86200"),
         .uncertainScan = rgba("#A22BDC"),
         .scanInQuestion = rgba("#7A14A8"),
+        .link = rgba("#00805A"),
+        .openLink = rgba("#A86200"),
+        .refusedLink = rgba("#B3261E"),
         .newThing = rgba("#C24A00"),
         .goneThing = rgba("#006FB0"),
     };

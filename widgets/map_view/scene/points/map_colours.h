@@ -30,10 +30,11 @@ struct MapColours {
     Rgba grid;                            ///< with its transparency
     Rgba ground;                          ///< floor points in the top view: the paper's light grey
     Rgba trail, scanPosition, markerEdge, measurement;
-    Rgba uncertain;            ///< of robots: look here
-    Rgba uncertainScan;        ///< of its points and its outline: no label has that hue
-    Rgba scanInQuestion;       ///< likewise, while it is decided on and all else is dimmed()
-    Rgba newThing, goneThing;  ///< since the missions before, while all else is dimmed()
+    Rgba uncertain;                    ///< of robots: look here
+    Rgba uncertainScan;                ///< of its points and its outline: no label has that hue
+    Rgba scanInQuestion;               ///< likewise, while it is decided on and all else is dimmed()
+    Rgba link, openLink, refusedLink;  ///< lines between scans that see the same place
+    Rgba newThing, goneThing;          ///< since the missions before, while all else is dimmed()
 };
 [[nodiscard]] const MapColours& mapColours(Theme theme);
 
