@@ -79,9 +79,11 @@ int run(const ChangesArguments& arguments) {
         complain(line, "cancelled");
         return 1;
     }
-    if (!changes.compared()) {
-        complain(line, fmt::format("{}: expected a map of several missions, as merge or --map-of make it",
-                                   arguments.mission));
+    if (changes.compared == 0) {
+        const bool several = !changes.visits.after.empty();
+        complain(line, arguments.mission +
+                           (several ? ": the maps of its missions have not met: nothing can be compared"
+                                    : ": expected a map of several missions, as merge or --map-of make it"));
         return 1;
     }
     tell(changes, arguments.json);

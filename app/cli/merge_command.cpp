@@ -27,7 +27,8 @@ void tell(const MergeOrder& order, const MergedMap& merged, bool json) {
                    {"sought", merged.sought},
                    {"found", merged.found},
                    {"agreeing", merged.agreeing},
-                   {"together", merged.together}});
+                   {"together", merged.together},
+                   {"aside", merged.aside}});
         return;
     }
     print(
@@ -36,6 +37,8 @@ void tell(const MergeOrder& order, const MergedMap& merged, bool json) {
         merged.first, merged.second, merged.sought, merged.found, merged.agreeing);
     if (merged.together) {
         print("one map now: {}\n", order.into.string());
+        if (merged.aside > 0)
+            print("but for {} key scans of the later mission, which had mapped them apart\n", merged.aside);
         return;
     }
     print(
@@ -53,20 +56,20 @@ int run(const MergeArguments& arguments) {
         complain(line, merged.error().text);
         return 1;
     }
+    std::string untidied;
     if (merged->together && arguments.tidy) {
         TidySettings settings;
         settings.mapping = arguments.order.mapping;
         settings.version = arguments.order.version;
         const auto showTidying = [&](double fraction) { line.show("tidying", fraction); };
         const auto tidied = tidyMap(arguments.order.into, settings, {showTidying, interrupt.token()});
-        if (!tidied) {
-            complain(line, tidied.error().text);
-            return 1;
-        }
+        if (!tidied) untidied = tidied.error().text;
     }
     line.clear();
     tell(arguments.order, *merged, arguments.json);
-    return merged->together ? 0 : 1;
+    if (!untidied.empty())
+        complain(line, "the maps are one, but not relaxed (leitstandctl tidy does that): " + untidied);
+    return merged->together && untidied.empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -76,19 +79,18 @@ void addMerge(CLI::App& app, int& exitCode) {
         app.add_subcommand("merge", "brings the maps of two missions into one, in a new mission");
     const auto arguments = std::make_shared<MergeArguments>();
     arguments->order.version = versionOf("leitstandctl");
-    command
-        ->add_option("MISSION", arguments->order.first, "Folder of the mission whose map stays where it is")
-        ->required();
-    command->add_option("OTHER", arguments->order.second, "Folder of the mission whose map is put into that")
-        ->required();
+    command->add_option("MISSION", arguments->order.first, "Folder of a mission")->required();
+    command->add_option("OTHER", arguments->order.second, "Folder of another one")->required();
     command->add_option("-o,--output", arguments->order.into, "Folder of the new mission")
         ->required()
         ->type_name("FOLDER");
     command->add_flag("!--no-tidy", arguments->tidy, "Do not relax the scans that overlap then");
     command->add_flag("--json", arguments->json, "Print JSON");
     command->footer(
-        "Both missions stay as they are. Exit code 1, with both maps side by side in the new mission, where "
-        "no place is found for sure that both have seen.");
+        "Both missions stay as they are; the map of the one that began first stays where it is. Exit code 1 "
+        "on "
+        "errors, and where no places are found for sure that both have seen: the new mission has the two "
+        "side by side then.");
     command->final_callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }
 

@@ -35,8 +35,8 @@ QString rowOf(const ChangedThing& thing) {
 }  // namespace
 
 QString changesHtml(const ReportContent& content) {
-    const MapChanges& changes = content.model.changes;
-    if (!changes.compared()) return {};
+    const MapChanges& changes = content.changes;
+    if (changes.compared == 0) return {};
     QStringList earlier;
     for (const std::string& name : changes.visits.earlier) earlier += missionOf(name);
     const auto came = std::count_if(changes.things.begin(), changes.things.end(),

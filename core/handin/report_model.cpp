@@ -175,7 +175,6 @@ ReportModel reportOf(const ReportInput& input, const Progress& progress) {
         });
         for (OccupancyGrid& grid : model.grids) markCleared(grid, *coverage);
     }
-    model.changes = changesOf(input.scans, {}, progress);
     addFinds(model, input.state);
     return model;
 }

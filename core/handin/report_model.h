@@ -15,7 +15,6 @@
 #include "core/handin/map/ways.h"
 #include "core/handin/report_search.h"
 #include "core/handin/report_work.h"
-#include "core/mapping/comparison/map_changes.h"
 #include "core/mapping/floor_heights.h"
 #include "core/mapping/report_scan.h"
 #include "core/mission/state/mission_state.h"
@@ -87,7 +86,6 @@ struct ReportModel {
     double explored = 0.0;             ///< area at the lower height [m2]
     ReportSearch search;
     ReportWork work;
-    MapChanges changes;  ///< where the map is put together from several missions
 
     [[nodiscard]] bool hasMap() const { return !evidence.empty(); }
 };

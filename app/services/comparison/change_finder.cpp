@@ -1,6 +1,8 @@
 #include "app/services/comparison/change_finder.h"
 
 #include <chrono>
+#include <new>
+#include <stop_token>
 #include <utility>
 
 namespace leitstand {
@@ -24,9 +26,14 @@ void ChangeFinder::want(MapPtr map) {
     {
         const std::lock_guard lock(m_mutex);
         if (map == m_asked) return;
+        // What is found of a map that grows stands meanwhile; of another one it is wrong.
+        if (!map || !m_asked || map->scans.size() < m_asked->scans.size()) {
+            m_changes = nullptr;
+            m_atWork.request_stop();
+            m_another = true;
+        }
         m_asked = map;
         m_wanted = std::move(map);
-        if (!m_asked) m_changes = nullptr;
     }
     m_came.notify_all();
 }
@@ -40,19 +47,33 @@ void ChangeFinder::run(const std::stop_token& stop) {
     constexpr int Rest = 4;  // times as long as it took
     while (true) {
         MapPtr map;
+        std::stop_token another;
         {
             std::unique_lock lock(m_mutex);
             if (!m_came.wait(lock, stop, [this] { return m_wanted.has_value(); })) return;
             map = std::move(*std::exchange(m_wanted, std::nullopt));
+            m_another = false;
+            m_atWork = std::stop_source();
+            another = m_atWork.get_token();
         }
         if (!map) continue;
+        const std::stop_callback ends(stop, [this] {
+            const std::lock_guard lock(m_mutex);
+            m_atWork.request_stop();
+        });
         const auto begin = std::chrono::steady_clock::now();
-        auto found = std::make_shared<const MapChanges>(
-            changesOf(countingScans(*map), {}, {.report = {}, .stop = stop}));
-        if (stop.stop_requested()) return;
+        MapChangesPtr found;
+        try {
+            found = std::make_shared<const MapChanges>(
+                changesOf(countingScans(*map), {}, {.report = {}, .stop = another}));
+        } catch (const std::bad_alloc&) {
+            // Nobody is told of changes; there may be memory again for a later map.
+        }
         std::unique_lock lock(m_mutex);
-        if (m_asked) m_changes = std::move(found);
-        m_came.wait_for(lock, stop, Rest * (std::chrono::steady_clock::now() - begin), [] { return false; });
+        if (another.stop_requested()) continue;
+        m_changes = std::move(found);
+        m_came.wait_for(lock, stop, Rest * (std::chrono::steady_clock::now() - begin),
+                        [this] { return m_another; });
     }
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -28,7 +29,7 @@ public:
 
     /// Only the newest map counts; the one that was wanted last costs nothing. Null: none.
     void want(MapPtr map);
-    /// Of the newest map that is done; null before the first, and while none is wanted.
+    /// Of the newest map that is done, which the one that is wanted goes on from; null where there is none.
     [[nodiscard]] MapChangesPtr changes() const;
 
 private:
@@ -39,7 +40,9 @@ private:
     MapPtr m_asked;                  ///< newest
     std::optional<MapPtr> m_wanted;  ///< and not begun
     MapChangesPtr m_changes;
-    std::jthread m_thread;  ///< last: joined first
+    std::stop_source m_atWork;  ///< asked to stop once another map is wanted
+    bool m_another = false;     ///< which is no continuation: nobody rests then
+    std::jthread m_thread;      ///< last: joined first
 };
 
 }  // namespace leitstand

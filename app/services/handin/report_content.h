@@ -11,6 +11,7 @@
 #include "core/base/time.h"
 #include "core/handin/map/map_painter.h"
 #include "core/handin/report_model.h"
+#include "core/mapping/comparison/map_changes.h"
 #include "core/mission/score/score.h"
 #include "core/mission/score/score_profile.h"
 #include "core/perception/pictures/picture.h"
@@ -66,6 +67,7 @@ struct ReportContent {
     std::vector<std::string> warnings;         ///< what is missing or could not be read
     std::optional<ScoreProfile> profile = {};  ///< rules of the score; empty: there are none
     ScoreResult score;                         ///< by that profile
+    MapChanges changes = {};                   ///< where the map is put together from several missions
 };
 
 }  // namespace leitstand

@@ -14,6 +14,7 @@
 #include "app/services/offline/offline_map.h"
 #include "app/services/places/frame_tracks.h"
 #include "app/services/places/mission_map.h"
+#include "app/services/progress_part.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
@@ -32,11 +33,6 @@ std::string nameOf(const fs::path& folder) {
     const fs::path whole = fs::absolute(folder).lexically_normal();
     const fs::path last = whole.has_filename() ? whole : whole.parent_path();
     return (last.extension() == ".db3" ? last.stem() : last.filename()).string();
-}
-
-Progress part(const Progress& progress, double begin, double end) {
-    return {[&progress, begin, end](double fraction) { progress.done(begin + (end - begin) * fraction); },
-            progress.stop};
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "app/services/log/live_mission.h"
 #include "app/services/log/sequencer.h"
 #include "app/services/places/mission_map.h"
+#include "app/services/recorded/new_folder.h"
 #include "app/services/recorded/recorded_map.h"
 #include "app/services/recorded/review_log.h"
 #include "core/base/words.h"
@@ -39,7 +40,9 @@ Result<void> sayInPieces(const std::vector<T>& all, const Say& say) {
 
 /// Where a map comes to stand in its new mission.
 struct Berth {
-    std::string name;                    ///< behind the names of its robots
+    std::string name;  ///< of its mission there
+    std::map<std::string, std::string> missions =
+        {};                              ///< what is behind the @ of its robots' names, by what was
     std::uint64_t scans = 0, links = 0;  ///< of earlier maps: numbers go on behind them
     Pose aside = Pose::Identity();       ///< to put before its poses
 };
@@ -73,10 +76,37 @@ std::string nameOf(const std::filesystem::path& mission) {
     return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
+/// What is behind the @ of @p robot's name; empty: it has none.
+std::string missionOf(const std::string& robot) {
+    const std::size_t at = robot.find('@');
+    return at == std::string::npos ? std::string() : robot.substr(at + 1);
+}
+
+/// @p name, or with a number behind it, so that it is none of @p taken, to which it belongs from then on.
+std::string madeUnique(const std::string& name, std::set<std::string>& taken) {
+    std::string unique = name;
+    for (int number = 2; !taken.insert(unique).second; ++number) unique = fmt::format("{}-{}", name, number);
+    return unique;
+}
+
+/// What the missions that @p state is put together from are called in one where @p taken are there already;
+/// its own is called @p name.
+std::map<std::string, std::string> missionsOf(const MissionState& state, const std::string& name,
+                                              std::set<std::string> taken) {
+    std::map<std::string, std::string> missions;
+    for (const auto& [id, scan] : *state.keyScans) {
+        const std::string mission = missionOf(scan.entry.robot);
+        if (!missions.contains(mission))
+            missions.emplace(mission, madeUnique(mission.empty() ? name : mission, taken));
+    }
+    return missions;
+}
+
 /// @p scan as it is in another mission.
 KeyScanSample moved(KeyScanSample scan, const Berth& berth) {
     Scan other = *scan.scan;
-    if (other.robot.find('@') == std::string::npos) other.robot += "@" + berth.name;
+    const std::string mission = missionOf(other.robot);
+    other.robot = other.robot.substr(0, other.robot.find('@')) + "@" + berth.missions.at(mission);
     scan.scan = std::make_shared<const Scan>(std::move(other));
     scan.stamp = stationTime();
     scan.id += berth.scans;
@@ -86,11 +116,10 @@ KeyScanSample moved(KeyScanSample scan, const Berth& berth) {
 }
 
 /// Beside the map of @p there, for that of @p state, whose mission is called @p name.
-Berth berthBeside(const RecordedMap& there, const MissionState& state, std::string name) {
+Berth berthBeside(const RecordedMap& there, const MissionState& state, const std::string& name) {
     constexpr double ReachOfScans = 20.0;  // so that nothing of the two lies on one another [m]
-    Berth berth{std::move(name)};
+    Berth berth{name};
     double lowest = 0.0, highest = 0.0;
-    std::set<std::string> taken;
     for (const ScanPose& pose : posesOf(there.state)) {
         berth.scans = std::max(berth.scans, pose.scan);
         lowest = std::min(lowest, pose.scanInMap.translation().y());
@@ -99,13 +128,9 @@ Berth berthBeside(const RecordedMap& there, const MissionState& state, std::stri
     for (const ScanLinksSample& sample : scanLinksOf(there.folder)) {
         for (const Link& link : sample.links) berth.links = std::max(berth.links, link.id);
     }
-    for (const KeyScanSample& scan : keyScansOf(*there.bag)) {
-        const std::size_t at = scan.scan ? scan.scan->robot.find('@') : std::string::npos;
-        if (at != std::string::npos) taken.insert(scan.scan->robot.substr(at + 1));
-    }
-    const std::string plain = berth.name;
-    for (int number = 2; taken.contains(berth.name); ++number)
-        berth.name = fmt::format("{}-{}", plain, number);
+    std::set<std::string> taken;
+    for (const auto& [id, scan] : *there.state.keyScans) taken.insert(missionOf(scan.entry.robot));
+    berth.missions = missionsOf(state, name, std::move(taken));
     berth.aside.translation().y() = lowest - highest - LoopSettings().partsApart - ReachOfScans;
     return berth;
 }
@@ -180,6 +205,12 @@ Result<std::size_t> carry(const RecordedMap& map, const CarriedInto& into, const
 
 }  // namespace
 
+Error isThere(const std::filesystem::path& folder) {
+    return Error{
+        fill(translate("leitstand::Station", "{}: it is there already: a map is carried into a new mission"),
+             folder.string())};
+}
+
 Result<void> hasMap(const std::filesystem::path& mission) {
     auto bag = BagReader::open(mission);
     if (!bag) return bag.error();
@@ -195,22 +226,13 @@ Result<std::size_t> carryMap(const std::filesystem::path& from, const CarriedInt
                              const Progress& progress) {
     std::error_code none;
     if (std::filesystem::exists(into.folder, none) && !std::filesystem::is_empty(into.folder, none))
-        return Error{fill(
-            translate("leitstand::Station", "{}: it is there already: a map is carried into a new mission"),
-            into.folder.string())};
-    // Half a map is none, and there was no mission before.
-    struct Guard {
-        std::filesystem::path folder;
-        bool done = false;
-        ~Guard() {
-            std::error_code ignored;
-            if (!done) std::filesystem::remove_all(folder, ignored);
-        }
-    } guard{into.folder};
+        return isThere(into.folder);
+    NewFolder guard(into.folder);  // half a map is none
     const auto read = readMap(from);
     if (!read) return read.error();
-    auto carried = carry(*read, into, {nameOf(from)}, progress);
-    guard.done = carried.ok();
+    const std::string name = nameOf(from);
+    auto carried = carry(*read, into, {name, missionsOf(read->state, name, {})}, progress);
+    if (carried) guard.keep();
     return carried;
 }
 

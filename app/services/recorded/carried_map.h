@@ -18,6 +18,9 @@ struct CarriedInto {
     std::string version;                   ///< of the program, for the session that is written
 };
 
+/// The error that something is written into @p folder already, where a map is to be carried.
+[[nodiscard]] Error isThere(const std::filesystem::path& folder);
+
 /// Whether carryMap() finds a map in the mission folder @p mission; else why not. Reads little of it.
 [[nodiscard]] Result<void> hasMap(const std::filesystem::path& mission);
 

@@ -1,6 +1,7 @@
 #include "app/services/recorded/merged_map.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -10,7 +11,9 @@
 #include "app/services/log/sequencer.h"
 #include "app/services/mapping/live_mapping.h"
 #include "app/services/places/mission_map.h"
+#include "app/services/progress_part.h"
 #include "app/services/recorded/carried_map.h"
+#include "app/services/recorded/new_folder.h"
 #include "app/services/recorded/recorded_map.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
@@ -24,10 +27,6 @@ namespace {
 /// Shares of the work.
 constexpr double First = 0.15, Second = 0.3, Sought = 0.95;
 
-Progress between(const Progress& whole, double from, double to) {
-    return {[&whole, from, to](double share) { whole.done(from + (to - from) * share); }, whole.stop};
-}
-
 Error cancelled() {
     return Error{translate("leitstand::Station", "cancelled")};
 }
@@ -38,14 +37,14 @@ struct Joined {
     ScanPosesSample poses;
 };
 
-std::optional<Joined> join(LiveMapper& mapper, const PartsMeeting& meeting) {
+std::optional<Joined> join(LiveMapper& mapper, const PartsMeeting& meeting, const Progress& progress) {
     const Time now = stationTime();
     auto links = mapper.join(meeting.scansInMap, now);
     if (!links) return std::nullopt;
     Joined joined{std::move(*links), {}};
     const auto problem = mapper.problem();
     if (!problem) return std::nullopt;
-    auto settled = mapper.settle(solve(*problem), now);
+    auto settled = mapper.settle(solve(*problem, {{}, progress.stop}), now);
     if (!settled.poses) return std::nullopt;
     joined.poses = std::move(*settled.poses);
     return joined;
@@ -66,13 +65,30 @@ Result<void> write(const MergeOrder& order, Joined joined) {
     return (*mission)->close();
 }
 
+/// The part of @p map that most scans with numbers beyond @p behind are of; 0: none.
+std::uint64_t largestPart(const LiveMap& map, std::uint64_t behind) {
+    std::map<std::uint64_t, std::size_t> sizes;
+    for (const LiveKeyScan& scan : map.scans) {
+        if (scan.counts() && scan.id > behind && scan.part != 0) ++sizes[scan.part];
+    }
+    const auto largest = std::max_element(sizes.begin(), sizes.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    return largest == sizes.end() ? 0 : largest->first;
+}
+
 Result<MergedMap> merge(const MergeOrder& order, const Progress& progress) {
     MergedMap merged;
     const CarriedInto into{order.into, {}, order.version};
-    const auto first = carryMap(order.first, into, between(progress, 0.0, First));
+    const auto first = carryMap(order.first, into, part(progress, 0.0, First));
     if (!first) return first.error();
     merged.first = *first;
-    const auto second = addMap(order.second, into, between(progress, First, Second));
+    std::uint64_t behind = 0;  // numbers of the first one's scans
+    {
+        const auto read = readMap(order.into);
+        if (!read) return read.error();
+        behind = read->state.keyScans->rbegin()->first;
+    }
+    const auto second = addMap(order.second, into, part(progress, First, Second));
     if (!second) return second.error();
     merged.second = *second;
     LiveMapper mapper{std::string(CarriedStation), order.mapping};
@@ -82,24 +98,32 @@ Result<MergedMap> merge(const MergeOrder& order, const Progress& progress) {
         EarlierMap earlier{keyScansOf(*read->bag), posesOf(read->state)};
         earlier.links = scanLinksOf(order.into);
         earlier.bodies = *read->state.bodies;
+        if (progress.cancelled()) return cancelled();
         restore(mapper, earlier);
     }
     const LiveMapPtr map = mapper.map();
-    // The second map's own first part: what else it had in parts stays apart from it.
-    const auto begin = std::find_if(map->scans.begin(), map->scans.end(),
-                                    [](const LiveKeyScan& scan) { return scan.part == scan.id; });
-    if (begin == map->scans.end()) return merged;
+    const std::uint64_t sought = largestPart(*map, behind);
     const PartsMeeting meeting =
-        meetingOf(map, begin->id, order.mapping, order.relocalisation, between(progress, Second, Sought));
+        meetingOf(map, sought, order.mapping, order.relocalisation, part(progress, Second, Sought));
     if (progress.cancelled()) return cancelled();
     merged.sought = meeting.sought;
     merged.found = meeting.found;
     merged.agreeing = meeting.scansInMap.size();
-    auto joined = join(mapper, meeting);
+    auto joined = join(mapper, meeting, progress);
+    if (progress.cancelled()) return cancelled();
+    merged.together = joined.has_value();
+    for (const LiveKeyScan& scan : mapper.map()->scans)
+        merged.aside += scan.counts() && scan.id > behind && scan.part != 0 ? 1 : 0;
     if (!joined) return merged;
     if (auto written = write(order, std::move(*joined)); !written) return written.error();
-    merged.together = true;
     return merged;
+}
+
+/// When the mission @p folder began, by its station's clock.
+Result<Time> beginOf(const std::filesystem::path& folder) {
+    const auto read = readMap(folder);
+    if (!read) return read.error();
+    return read->state.first;
 }
 
 }  // namespace
@@ -109,10 +133,19 @@ Result<MergedMap> mergeMaps(const MergeOrder& order, const Progress& progress) {
         if (auto has = hasMap(mission); !has) return has.error();
     }
     std::error_code none;
-    const bool there = std::filesystem::exists(order.into, none);
-    auto merged = merge(order, progress);
-    // What was there before is another's.
-    if (!merged && !there) std::filesystem::remove_all(order.into, none);
+    if (std::filesystem::equivalent(order.first, order.second, none))
+        return Error{fill(translate("leitstand::Station", "{}: a map is merged with that of another mission"),
+                          order.second.string())};
+    const auto first = beginOf(order.first), second = beginOf(order.second);
+    if (!first) return first.error();
+    if (!second) return second.error();
+    if (std::filesystem::exists(order.into, none) && !std::filesystem::is_empty(order.into, none))
+        return isThere(order.into);
+    MergeOrder inTime = order;
+    if (*second < *first) std::swap(inTime.first, inTime.second);
+    NewFolder guard(order.into);
+    auto merged = merge(inTime, progress);
+    if (merged) guard.keep();
     return merged;
 }
 

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include "app/services/progress_part.h"
 #include "app/services/recorded/merged_map.h"
 #include "app/services/review/map_tidying.h"
 #include "app/window/shell/work_in_front.h"
@@ -25,27 +26,26 @@ QString nameOf(const std::filesystem::path& mission) {
 MergingOutcome done(const MergeOrder& order, const Progress& progress) {
     constexpr double Merging = 0.6;  // share of the work
     try {
-        const auto merged =
-            mergeMaps(order, {[&](double share) { progress.done(Merging * share); }, progress.stop});
+        const auto merged = mergeMaps(order, part(progress, 0.0, Merging));
         if (!merged) return {{}, QString::fromStdString(merged.error().text)};
         const QString first = nameOf(order.first), second = nameOf(order.second);
         if (!merged->together)
-            return {
-                order.into,
-                Words::tr("How the maps of %1 and %2 lie to each other is not sure: they lie side by side. A "
-                          "station that goes on with this mission joins them by hand")
-                    .arg(first, second)};
+            return {order.into, Words::tr("How the maps of %1 and %2 lie to each other is not sure: they lie "
+                                          "side by side. A station that goes on with this mission joins them "
+                                          "by hand")
+                                    .arg(first, second)};
         TidySettings tidying;
         tidying.version = order.version;
-        // Cancelled, or not written, the map is whole as it is.
-        (void)tidyMap(
-            order.into, tidying,
-            {[&](double share) { progress.done(Merging + (1.0 - Merging) * share); }, progress.stop});
-        return {order.into, Words::tr("The maps of %1 and %2 are one: of %3 places that were looked for, %4 "
-                                      "agree")
-                                .arg(first, second)
-                                .arg(merged->sought)
-                                .arg(merged->agreeing)};
+        const auto tidied = tidyMap(order.into, tidying, part(progress, Merging, 1.0));
+        QString text = Words::tr("The maps of %1 and %2 are one: of %3 places that were looked for, %4 agree")
+                           .arg(first, second)
+                           .arg(merged->sought)
+                           .arg(merged->agreeing);
+        if (merged->aside > 0)
+            text += Words::tr("; key scans in parts that were mapped apart and are not in it: %1")
+                        .arg(merged->aside);
+        if (!tidied) text += QStringLiteral("; ") + QString::fromStdString(tidied.error().text);
+        return {order.into, text};
     } catch (const std::exception& problem) {  // no memory
         return {{}, problem.what()};
     }

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <compare>
 #include <iterator>
 #include <map>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 
+#include "core/mapping/live/loops/free_spaces.h"
 #include "core/mapping/live/map/local_map.h"
 
 namespace leitstand {
@@ -39,7 +39,8 @@ struct Changed {
 /// Compares key scans by what they looked through, which is made once for each.
 class Comparison {
 public:
-    Comparison(std::span<const ReportScan> scans, const ChangeSettings& settings) : m_settings(settings) {
+    Comparison(std::span<const ReportScan> scans, const ChangeSettings& settings)
+        : m_settings(settings), m_free(settings.looking) {
         for (const ReportScan& scan : scans) m_scans.emplace(scan.id, &scan);
     }
 
@@ -51,11 +52,17 @@ public:
             if (progress.cancelled()) return {};
             const ReportScan& scan = *m_scans.at(id);
             const std::vector<const ReportScan*> judges = nearest(scan, others), own = nearest(scan, of);
-            if (!judges.empty()) add(cells, scan, judges, own);
+            if (!judges.empty()) {
+                add(cells, scan, judges, own);
+                ++m_compared;
+            }
             progress.done(static_cast<double>(++m_done));
         }
         return cells;
     }
+
+    /// Scans near which others of the other visit were.
+    [[nodiscard]] std::size_t compared() const { return m_compared; }
 
 private:
     struct Votes {
@@ -78,17 +85,11 @@ private:
         return scans;
     }
 
-    const FreeSpace& freeOf(const ReportScan& scan) {
-        const auto known = m_free.find(scan.id);
-        if (known != m_free.end()) return known->second;
-        return m_free.emplace(scan.id, FreeSpace(scan.scan->points, m_settings.looking)).first->second;
-    }
-
     Votes votesOn(const Eigen::Vector3d& place, const std::vector<const ReportScan*>& by) {
         Votes votes;
         for (const ReportScan* const scan : by) {
             const Eigen::Vector3d inScan = scan->scanInMap.inverse() * place;
-            const SeenThere there = freeOf(*scan).at(inScan.cast<float>());
+            const SeenThere there = m_free.of(scan->id, *scan->scan).at(inScan.cast<float>());
             if (there == SeenThere::LookedThrough) ++votes.through;
             if (there == SeenThere::Surface) ++votes.seen;
         }
@@ -115,8 +116,8 @@ private:
 
     const ChangeSettings& m_settings;
     std::map<std::uint64_t, const ReportScan*> m_scans;
-    std::map<std::uint64_t, FreeSpace> m_free;
-    std::size_t m_done = 0;
+    FreeSpaces m_free;
+    std::size_t m_done = 0, m_compared = 0;
 };
 
 /// Of @p places along the second of their principal axes [m].
@@ -178,25 +179,19 @@ std::vector<ChangedThing> thingsOf(std::map<Cell, Changed> cells, bool isNew,
 }  // namespace
 
 Visits visitsOf(std::span<const ReportScan> scans) {
-    // Of this mission's own scans it is known that they are the newest, whatever robots' clocks say.
-    struct Newest {
-        bool own = false;
-        Time end{};
-        std::uint64_t id = 0;
-        auto operator<=>(const Newest&) const = default;
-    };
-    std::map<std::string, Newest> newest;
+    std::map<std::string, std::uint64_t> newest;  // id of each mission
     for (const ReportScan& scan : scans) {
-        const std::string mission = missionOf(scan);
-        Newest& known = newest[mission];
-        known = std::max(known, Newest{mission.empty(), scan.scan->end, scan.id});
+        std::uint64_t& known = newest[missionOf(scan)];
+        known = std::max(known, scan.id);
     }
     Visits visits;
     if (newest.size() < 2) return visits;
     visits.name = std::max_element(newest.begin(), newest.end(), [](const auto& a, const auto& b) {
                       return a.second < b.second;
                   })->first;
-    for (const auto& [name, time] : newest) {
+    // Its own scans are newer than all that it goes on in.
+    if (newest.contains({})) visits.name.clear();
+    for (const auto& [name, id] : newest) {
         if (name != visits.name) visits.earlier.insert(name);
     }
     for (const ReportScan& scan : scans)
@@ -204,28 +199,26 @@ Visits visitsOf(std::span<const ReportScan> scans) {
     return visits;
 }
 
-std::vector<ChangedThing> changesBetween(std::span<const ReportScan> scans, const Visits& visits,
-                                         const ChangeSettings& settings, const Progress& progress) {
-    Comparison comparison(scans, settings);
-    const auto all = static_cast<double>(visits.before.size() + visits.after.size());
-    const Progress inAll{[&](double scans) { progress.done(scans / all); }, progress.stop};
-    std::vector<ChangedThing> things =
-        thingsOf(comparison.changed(visits.after, visits.before, inAll), true, settings);
-    std::vector<ChangedThing> gone =
-        thingsOf(comparison.changed(visits.before, visits.after, inAll), false, settings);
-    if (progress.cancelled()) return {};
-    std::move(gone.begin(), gone.end(), std::back_inserter(things));
-    std::stable_sort(things.begin(), things.end(), [](const ChangedThing& a, const ChangedThing& b) {
-        return a.cells.size() > b.cells.size();
-    });
-    return things;
-}
-
 MapChanges changesOf(std::span<const ReportScan> scans, const ChangeSettings& settings,
                      const Progress& progress) {
     MapChanges changes;
     changes.visits = visitsOf(scans);
-    if (changes.compared()) changes.things = changesBetween(scans, changes.visits, settings, progress);
+    const Visits& visits = changes.visits;
+    if (visits.after.empty()) return changes;
+    Comparison comparison(scans, settings);
+    const auto all = static_cast<double>(visits.before.size() + visits.after.size());
+    const Progress inAll{[&](double done) { progress.done(done / all); }, progress.stop};
+    std::vector<ChangedThing> things =
+        thingsOf(comparison.changed(visits.after, visits.before, inAll), true, settings);
+    std::vector<ChangedThing> gone =
+        thingsOf(comparison.changed(visits.before, visits.after, inAll), false, settings);
+    if (progress.cancelled()) return changes;
+    changes.compared = comparison.compared();
+    std::move(gone.begin(), gone.end(), std::back_inserter(things));
+    std::stable_sort(things.begin(), things.end(), [](const ChangedThing& a, const ChangedThing& b) {
+        return a.cells.size() > b.cells.size();
+    });
+    changes.things = std::move(things);
     return changes;
 }
 

@@ -25,7 +25,8 @@ struct Visits {
 };
 
 /// The visits of a map of @p scans: the newest of the missions that it is put together from (behind the @ of
-/// its robots' names), and those before. Both are empty where it is of one alone.
+/// its robots' names; by the numbers of their scans, since robots' clocks may say anything), and those
+/// before. Both are empty where it is of one alone.
 [[nodiscard]] Visits visitsOf(std::span<const ReportScan> scans);
 
 /// How a change is told from what is merely seen from elsewhere.
@@ -53,24 +54,17 @@ struct ChangedThing {
     [[nodiscard]] double size() const { return box.sizes().maxCoeff(); }  ///< [m]
 };
 
-/// What came, and what went, between two visits: points of scans of the one where scans of the other looked
-/// through, and which others of its own visit saw, too, or at least did not look through (after the votes of
-/// scans on points: Pomerleau et al. 2014). What nobody looked at the other time is no change. Largest first.
-/// Cancelled: nothing.
-[[nodiscard]] std::vector<ChangedThing> changesBetween(std::span<const ReportScan> scans,
-                                                       const Visits& visits,
-                                                       const ChangeSettings& settings = {},
-                                                       const Progress& progress = {});
-
 /// What changed in a map since the visits before.
 struct MapChanges {
     Visits visits;
+    std::size_t compared = 0;          ///< scans; none: the visits' maps have not met
     std::vector<ChangedThing> things;  ///< largest first
-    /// Whether the map is put together from several visits, so that something could be told.
-    [[nodiscard]] bool compared() const { return !visits.after.empty() && !visits.before.empty(); }
 };
 
-/// Of a map of @p scans, between its visitsOf().
+/// What came and what went in a map of @p scans, between its visitsOf(): points of scans of the one where
+/// scans of the other looked through, and which others of its own visit saw, too, or at least did not look
+/// through (after the votes of scans on points: Pomerleau et al. 2014). What nobody looked at the other time
+/// is no change. Cancelled: nothing is compared.
 [[nodiscard]] MapChanges changesOf(std::span<const ReportScan> scans, const ChangeSettings& settings = {},
                                    const Progress& progress = {});
 

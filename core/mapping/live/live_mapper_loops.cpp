@@ -157,7 +157,7 @@ Result<ScanLinksSample> LiveMapper::propose(std::uint64_t id, const Pose& scanIn
 std::optional<ScanLinksSample> LiveMapper::join(const std::map<std::uint64_t, Pose>& scansInMap, Time now) {
     State& state = *m_state;
     std::vector<Link> links = state.loops.join(scansInMap, state.map);
-    if (links.size() < state.settings.loops.partsAgree) return std::nullopt;
+    if (links.empty()) return std::nullopt;
     ++state.revision;
     state.unsolved = true;
     return ScanLinksSample{now, state.station, std::move(links)};

@@ -76,17 +76,18 @@ std::pair<std::vector<const Found*>, std::size_t> agreeing(const std::vector<Fou
 PartsMeeting meetingOf(const LiveMapPtr& map, std::uint64_t part, const LiveSettings& settings,
                        const RelocalisationSettings& how, const Progress& progress) {
     PartsMeeting meeting;
-    const auto rest = std::make_shared<LiveMap>();
+    const auto first = std::make_shared<LiveMap>();
     for (const LiveKeyScan& scan : map->scans) {
-        if (scan.counts() && scan.part != part) rest->scans.push_back(scan);
+        if (scan.counts() && scan.part == 0) first->scans.push_back(scan);
     }
-    if (rest->scans.empty()) return meeting;
-    const Relocaliser relocaliser(rest, settings, how, progress);
+    if (part == 0 || first->scans.empty()) return meeting;
+    const Progress quiet{{}, progress.stop};  // how far each of them is tells nobody anything
+    const Relocaliser relocaliser(first, settings, how, quiet);
     const std::vector<const LiveKeyScan*> sought = spread(*map, part, settings.loops.seekPartsEvery);
     std::vector<Found> found;
     for (const LiveKeyScan* const scan : sought) {
         const Relocalisation place =
-            relocaliser.find(*scan->scan, scan->reduced->unpacked(), upOf(*scan), progress);
+            relocaliser.find(*scan->scan, scan->reduced->unpacked(), upOf(*scan), quiet);
         if (progress.cancelled()) return {};
         ++meeting.sought;
         progress.done(static_cast<double>(meeting.sought) / static_cast<double>(sought.size()));
@@ -99,8 +100,7 @@ PartsMeeting meetingOf(const LiveMapPtr& map, std::uint64_t part, const LiveSett
     if (best.size() < std::max(settings.loops.partsAgree, 2 * others)) return meeting;
     // In the middle of them: where the two maps are bent otherwise, both ends are off.
     const Found* const middle = best[best.size() / 2];
-    if (contradictsPart({middle->scan->id, map, {}, true}, *rest, middle->correction, progress))
-        return meeting;
+    if (contradictsPart({middle->scan->id, map, {}, true}, *first, middle->correction, quiet)) return meeting;
     for (const Found* const one : best) meeting.scansInMap.emplace(one->scan->id, one->there);
     return meeting;
 }

@@ -17,10 +17,10 @@
 namespace leitstand {
 namespace {
 
-constexpr double FloorCell = 0.25;                        ///< [m]
-constexpr double Linked = 0.2, LinkedOfRange = 0.03;      ///< points so near are of one thing [m], [m / m]
-constexpr double About = 0.05;                            ///< so much about it is of it, too [m]
-constexpr std::size_t MostVoters = 64, MostLooked = 400;  ///< scans that are kept in memory
+constexpr double FloorCell = 0.25;                    ///< [m]
+constexpr double Linked = 0.2, LinkedOfRange = 0.03;  ///< points so near are of one thing [m], [m / m]
+constexpr double About = 0.05;                        ///< so much about it is of it, too [m]
+constexpr std::size_t MostLooked = 400;               ///< scans that are kept in memory
 
 /// Lets go of what of @p scans was not used for longest.
 template <class Scans>
@@ -84,15 +84,12 @@ PassingBodies::Looked& PassingBodies::lookedAt(const LiveKeyScan& scan) {
 
 void PassingBodies::vote(const LiveKeyScan& by, const LiveKeyScan& on) {
     Looked& asked = lookedAt(on);
-    auto known = m_voters.find(by.id);
-    if (known == m_voters.end())
-        known = m_voters.emplace(by.id, Voter{FreeSpace(by.scan->points, m_settings.looking)}).first;
-    Voter& voter = known->second;
-    asked.used = voter.used = ++m_votes;
+    const FreeSpace& voter = m_voters.of(by.id, *by.scan);
+    asked.used = ++m_votes;
     const Eigen::Isometry3f inVoter = (by.pose.scanInMap.inverse() * on.pose.scanInMap).cast<float>();
     constexpr std::uint8_t Most = std::numeric_limits<std::uint8_t>::max();
     for (Asked& one : asked.asked) {
-        const SeenThere seen = voter.free.at(inVoter * one.place);
+        const SeenThere seen = voter.at(inVoter * one.place);
         std::uint8_t& votes = seen == SeenThere::LookedThrough ? one.through : one.seen;
         if (seen != SeenThere::Unknown && votes < Most) ++votes;
     }
@@ -167,7 +164,6 @@ std::map<std::uint64_t, std::vector<BodyInScan>> PassingBodies::add(const LiveMa
         looked.bodies = bodies;
         changed.emplace(one->id, std::move(bodies));
     }
-    keepNewest(m_voters, MostVoters);
     keepNewest(m_looked, MostLooked);
     return changed;
 }

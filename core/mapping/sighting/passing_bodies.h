@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "core/event/map_samples.h"
-#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/loops/free_spaces.h"
 #include "core/mapping/live/map/live_map.h"
 
 namespace leitstand {
@@ -41,7 +41,8 @@ public:
     /// What bodies are called that are left out so: BodyInScan::robot.
     static constexpr auto Name = "passing";
 
-    explicit PassingBodies(const PassingSettings& settings = {}) : m_settings(settings) {}
+    explicit PassingBodies(const PassingSettings& settings = {})
+        : m_settings(settings), m_voters(settings.looking, MostVoters) {}
 
     /// The key scan @p id of @p map has entered: what it and those near it say of each other, of @p together,
     /// which are nearly certain to lie right to each other, and which this run of the station has heard
@@ -50,6 +51,7 @@ public:
         const LiveMap& map, std::uint64_t id, const std::set<std::uint64_t>& together);
 
 private:
+    static constexpr std::size_t MostVoters = 64;
     /// A point that is asked about.
     struct Asked {
         Eigen::Vector3f place;               ///< scan's frame [m]
@@ -59,11 +61,7 @@ private:
     struct Looked {
         std::vector<Asked> asked;        ///< of the scan as it entered
         std::vector<BodyInScan> bodies;  ///< as they were returned
-        std::uint64_t used = 0;          ///< when it had a vote last
-    };
-    struct Voter {
-        FreeSpace free;
-        std::uint64_t used = 0;  ///< likewise
+        std::uint64_t used = 0;          ///< when it was voted on last
     };
     Looked& lookedAt(const LiveKeyScan& scan);
     void vote(const LiveKeyScan& by, const LiveKeyScan& on);
@@ -74,8 +72,8 @@ private:
 
     PassingSettings m_settings;
     std::map<std::uint64_t, Looked> m_looked;  ///< by key scan
-    std::map<std::uint64_t, Voter> m_voters;   ///< of those that voted last, likewise
-    std::uint64_t m_votes = 0;                 ///< so far: tells what was used last
+    FreeSpaces m_voters;
+    std::uint64_t m_votes = 0;  ///< so far: tells what was used last
 };
 
 }  // namespace leitstand

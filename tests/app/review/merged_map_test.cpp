@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -39,15 +40,16 @@ class MergedMaps : public testing::Test {
 protected:
     MergedMaps() {
         order.first = write("monday", alongTheRoom());
-        order.second = write("tuesday", backThroughTheRoom());
+        order.second = write("tuesday", backThroughTheRoom(), 1000.0);
         order.into = folder / "both";
         order.version = "test";
         // In a room there is little way.
         order.mapping.loops.seekPartsEvery = 0.3;
     }
-    std::filesystem::path write(const std::string& name, const std::vector<Pose>& places) const {
+    /// It begins at @p seconds.
+    std::filesystem::path write(const std::string& name, const std::vector<Pose>& places,
+                                double seconds = 1.0) const {
         WrittenMission mission(folder / name);
-        double seconds = 1.0;
         (void)writeRoom(mission, places, seconds);
         return folder / name;
     }
@@ -139,6 +141,55 @@ TEST_F(MergedMaps, AMissionWithoutAMapIsNamedAndNothingIsLeftBehind) {
     EXPECT_FALSE(std::filesystem::exists(order.into));
 }
 
+TEST_F(MergedMaps, TheEarlierMissionsMapStaysWhereItIsWhicheverIsNamedFirst) {
+    std::swap(order.first, order.second);
+    ASSERT_TRUE(mergeMaps(order));
+    const LiveMapPtr map = opened();
+    EXPECT_EQ(map->scans.front().scan->robot, "kurt3d@monday");
+    EXPECT_EQ(map->scans.back().scan->robot, "kurt3d@tuesday");
+}
+
+TEST_F(MergedMaps, OneThatIsInPartsItselfIsMergedAll) {
+    // Another place than both: nothing of it is found.
+    MergeOrder apart = order;
+    apart.into = folder / "parts";
+    apart.mapping.loops.partsAgree = 100;
+    ASSERT_TRUE(mergeMaps(apart));
+    order.first = apart.into;
+    order.second = write("wednesday", alongTheRoom(), 1e9);  // later than now
+    const auto merged = mergeMaps(order);
+    ASSERT_TRUE(merged) << merged.error().text;
+    EXPECT_TRUE(merged->together) << "with its first part";
+    EXPECT_EQ(merged->aside, 0U);
+    const LiveMapPtr map = opened();
+    ASSERT_EQ(map->scans.size(), 18U);
+    EXPECT_EQ(map->scans[0].part, 0U);
+    EXPECT_EQ(map->scans[6].part, map->scans[6].id) << "which had not met before, has not now";
+    EXPECT_EQ(map->scans[12].part, 0U);
+}
+
+TEST_F(MergedMaps, MissionsOfOneNameAreToldApartHoweverTheyCame) {
+    ASSERT_TRUE(mergeMaps(order));
+    MergeOrder again = order;
+    std::filesystem::create_directory(folder / "later");
+    again.first = order.into;
+    again.second = write("later/monday", alongTheRoom());
+    again.into = folder / "all";
+    ASSERT_TRUE(mergeMaps(again));
+    std::set<std::string> robots;
+    const auto read = readMap(again.into);
+    for (const auto& [id, scan] : *read->state.keyScans) robots.insert(scan.entry.robot);
+    EXPECT_THAT(robots, testing::UnorderedElementsAre("kurt3d@monday", "kurt3d@tuesday", "kurt3d@monday-2"));
+}
+
+TEST_F(MergedMaps, NoMissionIsMergedWithItself) {
+    order.second = order.first / ".";
+    const auto merged = mergeMaps(order);
+    ASSERT_FALSE(merged);
+    EXPECT_THAT(merged.error().text, HasSubstr("another mission"));
+    EXPECT_FALSE(std::filesystem::exists(order.into));
+}
+
 TEST_F(MergedMaps, AMissionThatIsThereStaysAsItIs) {
     order.into = order.first;
     const auto merged = mergeMaps(order);
@@ -148,7 +199,7 @@ TEST_F(MergedMaps, AMissionThatIsThereStaysAsItIs) {
 }
 
 TEST_F(MergedMaps, CancelledNothingIsLeftBehindHoweverFarItCame) {
-    for (const double when : {0.0, 0.2, 0.6}) {
+    for (const double when : {0.0, 0.2, 0.4, 0.6, 0.94}) {
         std::stop_source stop;
         const auto report = [&](double share) {
             if (share >= when) stop.request_stop();
@@ -157,6 +208,13 @@ TEST_F(MergedMaps, CancelledNothingIsLeftBehindHoweverFarItCame) {
         EXPECT_FALSE(mergeMaps(order, {report, stop.get_token()})) << when;
         EXPECT_FALSE(std::filesystem::exists(order.into)) << when;
     }
+    std::filesystem::create_directory(order.into);
+    std::stop_source stop;
+    const auto report = [&](double share) {
+        if (share > 0.2) stop.request_stop();
+    };
+    EXPECT_FALSE(mergeMaps(order, {report, stop.get_token()}));
+    EXPECT_TRUE(std::filesystem::is_empty(order.into)) << "somebody's own folder stays";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "tests/app/window/review_page.h"
 #include "tests/support/visits.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/map_view/scene/points/map_colours.h"
 
 namespace leitstand::test {
 namespace {
@@ -56,7 +57,17 @@ protected:
 TEST_F(ReviewChanges, WhatCameIsListedAndTheMapShowsWhere) {
     goTo(8.0);
     ASSERT_TRUE(soon([this] { return command("changes.show").isEnabled(); }));
-    const QImage before = m_window->mapView().grab().toImage();
+    const Rgba orange = mapColours(Theme::Dark).newThing;
+    const auto coloured = [&] {
+        const QImage picture = m_window->mapView().grab().toImage();
+        int count = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x)
+                count += picture.pixel(x, y) == qRgb(orange.r, orange.g, orange.b) ? 1 : 0;
+        }
+        return count;
+    };
+    EXPECT_EQ(coloured(), 0);
     command("changes.show").trigger();
     EXPECT_TRUE(m_window->panes().isPaneVisible("changes"));
     auto& list = find<QTableView>("changes");
@@ -66,11 +77,11 @@ TEST_F(ReviewChanges, WhatCameIsListedAndTheMapShowsWhere) {
     for (int row = 0; row < list.model()->rowCount(); ++row)
         EXPECT_EQ(list.model()->index(row, 1).data().toString(), "new") << row;
     lookAt("changes");
-    EXPECT_NE(m_window->mapView().grab().toImage(), before);
+    EXPECT_TRUE(soon([&] { return coloured() > 300; })) << "more than the legend's square";
     list.selectRow(0);
     command("changes.place").trigger();
     command("changes.show").trigger();
-    EXPECT_TRUE(soon([&] { return !command("changes.show").isChecked(); }));
+    EXPECT_TRUE(soon([&] { return coloured() == 0; }));
 }
 
 TEST_F(ReviewChanges, AtAMomentBeforeTheSecondDayThereIsNothingToCompare) {
@@ -85,7 +96,7 @@ TEST_F(ReviewChanges, AtAMomentBeforeTheSecondDayThereIsNothingToCompare) {
 
 TEST_F(ReviewOfOneDay, HasNothingToCompare) {
     goTo(8.0);
-    EXPECT_TRUE(soon([this] { return m_window->missing().isEmpty(); }));
+    EXPECT_TRUE(soon([this] { return label("mapTitle").find("3 key scans") != std::string::npos; }));
     EXPECT_FALSE(command("changes.show").isEnabled());
 }
 

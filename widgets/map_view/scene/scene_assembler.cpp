@@ -235,7 +235,10 @@ bool SceneAssembler::addVoxels(SceneContent& content, const std::function<bool()
                        .colouring = content.settings.colouring,
                        .ramp = content.ramp.value_or(ColourRamp{}),
                        .withCeiling = content.withCeiling(),
-                       .theme = content.settings.theme};
+                       .theme = content.settings.theme,
+                       .changes = content.changes,
+                       .came = m_changedPoints[0],
+                       .went = m_changedPoints[1]};
     for (std::size_t i = 0; i < content.scans.size(); ++i) {
         const SceneScan& scan = content.scans[i];
         if (!scan.visible) continue;

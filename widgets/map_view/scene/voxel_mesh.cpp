@@ -62,7 +62,15 @@ Rgba colourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe) {
     const MapColours& colours = mapColours(recipe.theme);
     if (!voxel.certain && recipe.inQuestion == recipe.sources[voxel.scan].scan) return colours.scanInQuestion;
     const Rgba plain = voxel.certain ? plainColourOf(voxel, height, recipe) : colours.uncertainScan;
-    return recipe.inQuestion ? dimmed(plain, recipe.theme) : plain;
+    return recipe.inQuestion || recipe.changes ? dimmed(plain, recipe.theme) : plain;
+}
+
+/// The voxels that hold @p points of the map; null: none.
+VoxelTable voxelsOf(const ScanPointsPtr& points, double size) {
+    VoxelTable table(size);
+    if (!points) return table;
+    for (const Eigen::Vector3f& point : points->points) table.add(point, Label::Unlabelled, 0.0F, 0);
+    return table;
 }
 
 /// @p number: of the source in the recipe.
@@ -142,10 +150,14 @@ std::optional<VoxelMesh> buildVoxels(const VoxelRecipe& recipe, const std::funct
         const auto number = static_cast<std::uint32_t>(i);
         if (!fill(table, recipe.sources[i], number, recipe, interrupted)) return std::nullopt;
     }
+    const VoxelTable came = voxelsOf(recipe.came, recipe.size), went = voxelsOf(recipe.went, recipe.size);
     VoxelMesh mesh;
     MeshWriter writer(table, recipe.size, mesh);
     table.forEach([&](const Eigen::Array3i& cell, const Voxel& voxel) {
-        writer.addCube(cell, colourOf(voxel, (cell.z() + 0.5) * recipe.size, recipe));
+        const MapColours& colours = mapColours(recipe.theme);
+        writer.addCube(cell, came.occupied(cell)   ? colours.newThing
+                             : went.occupied(cell) ? colours.goneThing
+                                                   : colourOf(voxel, (cell.z() + 0.5) * recipe.size, recipe));
     });
     mesh.voxels = table.size();
     return mesh;

@@ -30,7 +30,9 @@ struct VoxelRecipe {
     bool withCeiling = true;
     Theme theme = Theme::Dark;
     std::optional<std::size_t> inQuestion =
-        {};  ///< the uncertain scan that is decided on, as VoxelSource::scan
+        {};                              ///< the uncertain scan that is decided on, as VoxelSource::scan
+    bool changes = false;                ///< what changed is shown: all else is dimmed()
+    ScanPointsPtr came = {}, went = {};  ///< in the map's frame; null: none
 
     bool operator==(const VoxelRecipe&) const = default;
 };
@@ -38,7 +40,8 @@ struct VoxelRecipe {
 /// Cubes around all points within the recipe's heights. A cube has the colour of most of its points (label,
 /// scan, robot, age), of its height or of their mean range or intensity; its faces are shaded by their
 /// direction and darker in corners, so that they can be told apart. Those in which only uncertain scans have
-/// points have their colour. Nothing when @p interrupted said to stop.
+/// points have their colour, and those where something came or went have that of it. Nothing when @p
+/// interrupted said to stop.
 [[nodiscard]] std::optional<VoxelMesh> buildVoxels(const VoxelRecipe& recipe,
                                                    const std::function<bool()>& interrupted);
 

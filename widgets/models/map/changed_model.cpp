@@ -35,7 +35,7 @@ std::vector<ChangedRow> changedRows(const MapChanges& changes, const std::option
 }
 
 QString changedText(const MapChanges* changes) {
-    if (changes == nullptr || !changes->compared()) return {};
+    if (changes == nullptr || changes->compared == 0) return {};
     QStringList earlier;
     for (const std::string& name : changes->visits.earlier) earlier += missionText(name);
     const auto came = std::count_if(changes->things.begin(), changes->things.end(),
@@ -47,8 +47,10 @@ QString changedText(const MapChanges* changes) {
 
 QString unchangedText(const MapChanges* changes) {
     if (changes == nullptr) return ChangedModel::tr("What changed is being looked for");
-    if (!changes->compared())
+    if (changes->visits.after.empty())
         return ChangedModel::tr("The map is of one mission alone: there is nothing to compare it with");
+    if (changes->compared == 0)
+        return ChangedModel::tr("The maps of the missions have not met yet: nothing can be compared");
     return ChangedModel::tr("Where both looked, nothing changed");
 }
 

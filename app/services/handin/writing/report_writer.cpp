@@ -13,6 +13,7 @@
 #include "app/services/handin/report_source.h"
 #include "app/services/handin/writing/earlier_report.h"
 #include "app/services/handin/writing/report_files.h"
+#include "app/services/progress_part.h"
 #include "core/base/words.h"
 #include "core/handin/file_names.h"
 #include "core/io/clouds/ply.h"
@@ -30,11 +31,6 @@ namespace fs = std::filesystem;
 
 constexpr double CloudEdge = 0.02;       ///< of the cubes that keep a point in the PLY [m]
 constexpr double PrintedPixels = 3.0e6;  ///< of a map in the PDF
-
-Progress part(const Progress& progress, double begin, double end) {
-    return {[&progress, begin, end](double fraction) { progress.done(begin + (end - begin) * fraction); },
-            progress.stop};
-}
 
 /// A file that was @p written, and what it is to hold.
 struct Written {
@@ -155,6 +151,7 @@ ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOpt
                 model.facts.profile, profile->name));
         }
     }
+    content.changes = changesOf(source.input().scans, {}, part(progress, 0.8, 0.9));
     content.model = std::move(model);
     content.warnings = warnings;
     return content;

@@ -268,6 +268,7 @@ std::vector<Link> LoopCloser::join(const std::map<std::uint64_t, Pose>& scansInM
         std::optional<Found> found = look(scan, there->second, map, false);
         if (found && found->link.kind == LinkKind::Session) links.push_back(std::move(found->link));
     }
+    if (links.size() < m_settings.partsAgree) return {};
     // What is looked for stays as it was until all are found.
     for (Link& link : links) link = m_graph.add(std::move(link));
     m_pending.clear();

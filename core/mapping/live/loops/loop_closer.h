@@ -55,7 +55,8 @@ public:
                                              const LiveMap& map, bool verified = true);
 
     /// It is known that scans of one part of the map were taken at about @p scansInMap in another one: the
-    /// links of those that fit there, active, which are taken into the graph.
+    /// links of those that fit there, active, which are taken into the graph. None where fewer than
+    /// LoopSettings::partsAgree do.
     [[nodiscard]] std::vector<Link> join(const std::map<std::uint64_t, Pose>& scansInMap, const LiveMap& map);
 
     /// A loop that the operator shows: @p scan was taken at about @p guess. Its link, not active, which is

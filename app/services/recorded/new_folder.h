@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace leitstand {
+
+/// What is written into a folder that is absent or empty is gone again unless it is whole; so is a folder
+/// that was not there.
+class NewFolder {
+public:
+    explicit NewFolder(std::filesystem::path folder) : m_folder(std::move(folder)) {
+        std::error_code none;
+        m_wasThere = std::filesystem::exists(m_folder, none);
+    }
+    ~NewFolder() {
+        std::error_code ignored;
+        if (m_kept) return;
+        if (!m_wasThere) {
+            std::filesystem::remove_all(m_folder, ignored);
+            return;
+        }
+        for (const auto& entry : std::filesystem::directory_iterator(m_folder, ignored))
+            std::filesystem::remove_all(entry.path(), ignored);
+    }
+    NewFolder(const NewFolder&) = delete;
+    NewFolder& operator=(const NewFolder&) = delete;
+
+    void keep() { m_kept = true; }  ///< it is whole
+
+private:
+    std::filesystem::path m_folder;
+    bool m_wasThere = false, m_kept = false;
+};
+
+}  // namespace leitstand
