@@ -1154,6 +1154,10 @@ Die blaue Linie ist der Horizont.</translation>
         <source>In the map</source>
         <translation>In der Karte</translation>
     </message>
+    <message>
+        <source>The maps of the missions have not met yet: nothing can be compared</source>
+        <translation>Die Karten der Missionen haben sich noch nicht getroffen: nichts kann verglichen werden</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ChangesFeature</name>
@@ -6688,6 +6692,10 @@ F1 listet alle Tasten</translation>
         <source>A report is being written, or scans are being registered again: merge after that</source>
         <translation>Ein Bericht wird geschrieben, oder Scans werden neu registriert: verbinden Sie danach</translation>
     </message>
+    <message>
+        <source>; key scans in parts that were mapped apart and are not in it: %1</source>
+        <translation>; Schlüsselscans in getrennt kartierten Teilen, die nicht darin sind: %1</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotBar</name>
@@ -8016,6 +8024,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>{}: it is there already: a map is carried into a new mission</source>
         <translation>{}: gibt es schon: eine Karte wird nur in eine neue Mission übernommen</translation>
+    </message>
+    <message>
+        <source>{}: a map is merged with that of another mission</source>
+        <translation>{}: eine Karte wird mit der einer anderen Mission verbunden</translation>
     </message>
 </context>
 <context>

@@ -1154,6 +1154,10 @@ The blue line is the horizon.</source>
         <source>In the map</source>
         <translation>地図上</translation>
     </message>
+    <message>
+        <source>The maps of the missions have not met yet: nothing can be compared</source>
+        <translation>ミッションの地図がまだ出会っていないため、比較できません</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ChangesFeature</name>
@@ -6688,6 +6692,10 @@ F1 でキー一覧</translation>
         <source>A report is being written, or scans are being registered again: merge after that</source>
         <translation>報告書の作成中か、スキャンの再登録中です。その後で統合してください</translation>
     </message>
+    <message>
+        <source>; key scans in parts that were mapped apart and are not in it: %1</source>
+        <translation>、別々に作成され含まれていない部分のキースキャン: %1</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotBar</name>
@@ -8016,6 +8024,10 @@ F1 でキー一覧</translation>
     <message>
         <source>{}: it is there already: a map is carried into a new mission</source>
         <translation>{}: すでに存在します。地図は新しいミッションにのみ引き継げます</translation>
+    </message>
+    <message>
+        <source>{}: a map is merged with that of another mission</source>
+        <translation>{}: 地図は別のミッションの地図と統合します</translation>
     </message>
 </context>
 <context>

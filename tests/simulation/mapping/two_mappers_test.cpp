@@ -32,10 +32,14 @@ struct TwoMapped {
 
 class TogetherMapped {
 public:
-    explicit TogetherMapped(const TwoDrives& drives) : m_drives(drives), m_mapper("test", {}) {
-        m_mapper.setBody("kurt3d", {drives.first.drive.robot.footprint, drives.first.drive.robot.height});
-        m_mapper.setBody("second", {drives.first.drive.robot.footprint, drives.first.drive.robot.height});
-        m_mapper.beginPart("second");
+    /// All robots but the first one begin parts.
+    explicit TogetherMapped(const std::vector<const ScriptedDrive*>& drives) : m_mapper("test", {}) {
+        for (const ScriptedDrive* const drive : drives) {
+            const std::string& robot = drive->scans.front().scan->robot;
+            if (!m_drives.empty()) m_mapper.beginPart(robot);
+            m_drives.emplace_back(robot, drive);
+            m_mapper.setBody(robot, {drive->drive.robot.footprint, drive->drive.robot.height});
+        }
     }
 
     /// Nobody looks for the one in the other while they drive; afterwards everything of them is compared.
@@ -55,7 +59,7 @@ public:
         m_result.seeking = processorTime() - began;
         std::printf("  %zu of %zu places found, %zu agree\n", meeting.found, meeting.sought,
                     meeting.scansInMap.size());
-        const Time now = m_drives.second.scans.back().scan->end;
+        const Time now = inOrder().back().scan->end;
         if (auto links = m_mapper.join(meeting.scansInMap, now)) {
             compare(*links);
             if (const auto problem = m_mapper.problem()) (void)m_mapper.settle(solve(*problem), now);
@@ -79,15 +83,17 @@ public:
 
 private:
     [[nodiscard]] std::vector<LiveScan> inOrder() const {
-        std::vector<LiveScan> scans = m_drives.first.scans;
-        scans.insert(scans.end(), m_drives.second.scans.begin(), m_drives.second.scans.end());
+        std::vector<LiveScan> scans;
+        for (const auto& [robot, drive] : m_drives)
+            scans.insert(scans.end(), drive->scans.begin(), drive->scans.end());
         std::stable_sort(scans.begin(), scans.end(),
                          [](const LiveScan& a, const LiveScan& b) { return a.scan->end < b.scan->end; });
         return scans;
     }
     [[nodiscard]] Pose truthOf(const Scan& scan) const {
-        const RecordedDrive& drive = scan.robot == "second" ? m_drives.second.drive : m_drives.first.drive;
-        return drive.baseInArena(scan.end);
+        const auto of = std::find_if(m_drives.begin(), m_drives.end(),
+                                     [&](const auto& one) { return one.first == scan.robot; });
+        return of->second->drive.baseInArena(scan.end);
     }
 
     /// How far both have come since their ways met.
@@ -165,7 +171,7 @@ private:
         const LiveMapPtr map = m_mapper.map();
         m_result.together = !inParts(*map);
         Trajectory trajectory;
-        for (const std::string robot : {"kurt3d", "second"}) {
+        for (const auto& [robot, drive] : m_drives) {
             for (const LiveKeyScan& key : map->scans) {
                 if (key.scan->robot != robot || !key.counts()) continue;
                 trajectory.found.push_back(key.pose.scanInMap * key.sensorInBase.inverse());
@@ -176,7 +182,7 @@ private:
         m_result.seam = worstSeam(trajectory);
     }
 
-    const TwoDrives& m_drives;
+    std::vector<std::pair<std::string, const ScriptedDrive*>> m_drives;  ///< by robot
     LiveMapper m_mapper;
     TwoMapped m_result;
     bool m_met = false;
@@ -200,7 +206,7 @@ Sum mapTogether(const char* name, bool twins, const SensorErrors& sensor, std::u
         const std::uint64_t seed = firstSeed(first) + static_cast<std::uint64_t>(i);
         const Building building = std::move(generateBuilding(settings, seed)).value();
         const TwoDrives drives = twoDrives(building, sensor, seed);
-        TogetherMapped mapped(drives);
+        TogetherMapped mapped({&drives.first, &drives.second});
         const TwoMapped one = afterwards ? mapped.runApart() : mapped.run();
         std::printf(
             "%s %llu: %s after %.1f m of both ways, link off by %.3f m, %d wrong links asked, ATE %.3f m, "
@@ -225,6 +231,33 @@ TEST(TwoMappersLong, WhoMeetsTheOthersWayComesIntoOneMapWithIt) {
     EXPECT_EQ(sum.wrong, 0);
     EXPECT_LT(sum.ate, 0.04);
     EXPECT_LT(sum.seam, 0.06);
+}
+
+TEST(TwoMappersLong, ThreeRobotsComeIntoOneMap) {
+    const int count = std::min(measuredBuildings(10), 3);
+    for (int i = 0; i < count; ++i) {
+        const std::uint64_t seed = firstSeed(881) + static_cast<std::uint64_t>(i);
+        BuildingSettings settings;
+        settings.width = 30.0;
+        settings.depth = 20.0;
+        const Building building = std::move(generateBuilding(settings, seed)).value();
+        const TwoDrives drives = twoDrives(building, {}, seed);
+        ScriptSettings script;
+        script.seed = seed + 9000;
+        ScriptedDrive third =
+            scriptedDrive(building.arena, DrivePath(stretch(building.ways, 0.95, 0.45)), script);
+        rename(third, "third");
+        const TwoMapped one = TogetherMapped({&drives.first, &drives.second, &third}).run();
+        std::printf(
+            "three robots %llu: %s, link off by %.3f m, %d wrong links asked, ATE %.3f m, worst seam %.3f "
+            "m\n",
+            static_cast<unsigned long long>(seed), one.together ? "together" : "apart", one.worstLink,
+            one.wrong, one.ate, one.seam);
+        EXPECT_TRUE(one.together) << "seed " << seed;
+        EXPECT_EQ(one.wrong, 0);
+        EXPECT_LT(one.ate, 0.04);
+        EXPECT_LT(one.seam, 0.06);
+    }
 }
 
 TEST(TwoMappersLong, WithRealScanners) {
@@ -269,7 +302,7 @@ TEST(TwoMappersLong, WhatIsElsewhereStaysApart) {
         const Building there = std::move(generateBuilding(settings, seed + 1000)).value();
         TwoDrives drives = twoDrives(here, {}, seed);
         drives.second = twoDrives(there, {}, seed + 1000).second;
-        EXPECT_FALSE(TogetherMapped(drives).runApart().together) << "seed " << seed;
+        EXPECT_FALSE(TogetherMapped({&drives.first, &drives.second}).runApart().together) << "seed " << seed;
     }
 }
 
