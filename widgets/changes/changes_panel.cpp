@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/tables/button_flow.h"
+#include "widgets/tables/chosen_row.h"
 #include "widgets/tables/column_fitter.h"
 #include "widgets/tables/command_buttons.h"
 #include "widgets/tables/table_dress.h"
@@ -56,15 +57,7 @@ void ChangesPanel::show(const MapChanges* changes, const std::optional<Pose>& ro
     const auto kept = chosen();
     const auto rows = changes != nullptr ? changedRows(*changes, robotInMap) : std::vector<ChangedRow>();
     m_model.setRows(rows);
-    if (kept) {
-        const int row = m_model.rowAt(kept->inMap, SamePlace);
-        if (row < 0) {
-            m_table->clearSelection();
-            m_table->setCurrentIndex({});
-        } else if (row != m_table->currentIndex().row()) {
-            m_table->selectRow(row);
-        }
-    }
+    if (kept) chooseRow(*m_table, m_model.rowAt(kept->inMap, SamePlace));
     m_title->setText(changedText(changes));
     m_table->setVisible(!rows.empty());
     m_calm->setVisible(rows.empty());

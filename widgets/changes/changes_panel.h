@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "widgets/models/map/changed_model.h"
+#include "widgets/models/changes/changed_model.h"
 
 class QAction;
 class QLabel;

@@ -9,6 +9,7 @@
 
 #include "widgets/models/coverage/sensor_text.h"
 #include "widgets/tables/button_flow.h"
+#include "widgets/tables/chosen_row.h"
 #include "widgets/tables/column_fitter.h"
 #include "widgets/tables/command_buttons.h"
 #include "widgets/tables/table_dress.h"
@@ -72,13 +73,7 @@ void MissedPanel::show(const SearchedFloorPtr& searched, const std::optional<Pos
     const auto rows = searched ? missedRows(*searched, sensor(), robotInMap) : std::vector<MissedRow>();
     m_model.setRows(rows);
     if (kept) {
-        const int row = m_model.rowAt(kept->inMap, SamePlace);
-        if (row < 0) {
-            m_table->clearSelection();
-            m_table->setCurrentIndex({});
-        } else if (row != m_table->currentIndex().row()) {
-            m_table->selectRow(row);
-        }
+        chooseRow(*m_table, m_model.rowAt(kept->inMap, SamePlace));
         emit chosenChanged();  // a table that was filled anew does not say so
     }
     m_title->setText(searched ? searchedText(*searched, sensor()) : QString());

@@ -1,6 +1,7 @@
 #include "widgets/models/coverage/missed_model.h"
 
 #include "widgets/models/coverage/sensor_text.h"
+#include "widgets/models/map/nearest_row.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/victims/victim_rows.h"
 
@@ -48,14 +49,7 @@ const MissedRow* MissedModel::row(int row) const {
 }
 
 int MissedModel::rowAt(const Eigen::Vector3d& place, double reach) const {
-    int nearest = -1;
-    for (int i = 0; i < rowCount(); ++i) {
-        const double away = (m_rows[static_cast<std::size_t>(i)].inMap - place).head<2>().norm();
-        if (away > reach) continue;
-        reach = away;
-        nearest = i;
-    }
-    return nearest;
+    return nearestRow(m_rows, place, reach);
 }
 
 QString MissedModel::hint(int row) const {

@@ -1,8 +1,9 @@
-#include "widgets/models/map/changed_model.h"
+#include "widgets/models/changes/changed_model.h"
 
 #include <algorithm>
 #include <string>
 
+#include "widgets/models/map/nearest_row.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/others_text.h"
 #include "widgets/models/victims/victim_rows.h"
@@ -63,14 +64,7 @@ const ChangedRow* ChangedModel::row(int row) const {
 }
 
 int ChangedModel::rowAt(const Eigen::Vector3d& place, double reach) const {
-    int nearest = -1;
-    for (int i = 0; i < rowCount(); ++i) {
-        const double away = (m_rows[static_cast<std::size_t>(i)].inMap - place).norm();
-        if (away > reach) continue;
-        reach = away;
-        nearest = i;
-    }
-    return nearest;
+    return nearestRow(m_rows, place, reach);
 }
 
 QString ChangedModel::hint(int row) const {

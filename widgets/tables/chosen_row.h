@@ -1,0 +1,10 @@
+#pragma once
+
+class QTableView;
+
+namespace leitstand {
+
+/// Chooses @p row of @p table, which was filled anew; below 0: none.
+void chooseRow(QTableView& table, int row);
+
+}  // namespace leitstand
