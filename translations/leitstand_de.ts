@@ -6576,6 +6576,10 @@ F1 listet alle Tasten</translation>
         <source>The report in {} is not whole: {}</source>
         <translation>Der Bericht in {} ist unvollständig: {}</translation>
     </message>
+    <message>
+        <source>{} of {} scans are of parts of the map that have not met the rest: they lie aside in it, since nobody knows where they belong</source>
+        <translation>{} von {} Scans gehören zu Teilen der Karte, die den Rest nicht getroffen haben: sie liegen daneben, denn niemand weiß, wohin sie gehören</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ReviewComparison</name>

@@ -6576,6 +6576,10 @@ F1 でキー一覧</translation>
         <source>The report in {} is not whole: {}</source>
         <translation>{} の報告書は不完全です: {}</translation>
     </message>
+    <message>
+        <source>{} of {} scans are of parts of the map that have not met the rest: they lie aside in it, since nobody knows where they belong</source>
+        <translation>{}/{}のスキャンは、残りの地図とまだ結合していない部分のものです。位置が分からないため、離して置いてあります</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ReviewComparison</name>

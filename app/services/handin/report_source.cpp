@@ -1,6 +1,7 @@
 #include "app/services/handin/report_source.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -55,7 +56,7 @@ Result<ReportSource> ReportSource::open(const fs::path& folder, const Progress& 
     source.m_input.name = nameOf(folder);
     for (const RobotDescription& robot : source.robots()) source.m_input.robots.push_back(robot.name);
     source.readState();
-    source.readKeyScans(part(progress, 0.1, 0.5));
+    source.readKeyScans(folder, part(progress, 0.1, 0.5));
     if (!source.m_hasKeyScans && source.m_bag->lastSequence() > 0)
         source.registerClouds(folder, part(progress, 0.1, 0.8));
     source.readWays(part(progress, 0.8, 0.9));
@@ -83,8 +84,11 @@ void ReportSource::readState() {
     m_input.state = stateAt(history, m_bag->lastSequence());
 }
 
-void ReportSource::readKeyScans(const Progress& progress) {
+void ReportSource::readKeyScans(const fs::path& folder, const Progress& progress) {
     const auto& known = *m_input.state.keyScans;
+    const std::map<std::uint64_t, std::uint64_t> parts =
+        partsOf(m_input.state, linksOf(folder, m_input.state));
+    std::size_t aside = 0;
     const MapCrop crop = cropOf(m_input.state).value_or(MapCrop{});
     for (KeyScanSample& sample : keyScansOf(*m_bag)) {
         m_hasKeyScans = true;
@@ -100,7 +104,10 @@ void ReportSource::readKeyScans(const Progress& progress) {
         std::vector<PlacedBody> others;
         if (bodies != m_input.state.bodies->end())
             others = placed(bodies->second, state->second.pose.scanInMap);
-        scan = insideCrop(scan, crop, state->second.pose.scanInMap, others);
+        // How parts that have not met lie to the area nobody knows.
+        const bool met = parts.at(sample.id) == 0;
+        if (!met) ++aside;
+        scan = insideCrop(scan, met ? crop : MapCrop{}, state->second.pose.scanInMap, others);
         m_input.scans.push_back({.id = sample.id,
                                  .scan = std::move(scan),
                                  .scanInMap = state->second.pose.scanInMap,
@@ -114,6 +121,13 @@ void ReportSource::readKeyScans(const Progress& progress) {
             translate("leitstand::ReportText",
                       "there is no map: all scans of the mission were set aside or taken back"));
         m_toldOfMap = true;
+    }
+    if (aside > 0) {
+        m_warnings.push_back(fill(
+            translate("leitstand::ReportText",
+                      "{} of {} scans are of parts of the map that have not met the rest: they lie aside "
+                      "in it, since nobody knows where they belong"),
+            aside, m_input.scans.size()));
     }
     if (m_input.uncertain > 0) {
         m_warnings.push_back(

@@ -46,7 +46,7 @@ public:
 private:
     ReportSource();
     void readState();
-    void readKeyScans(const Progress& progress);
+    void readKeyScans(const std::filesystem::path& folder, const Progress& progress);
     void registerClouds(const std::filesystem::path& folder, const Progress& progress);
     void readWays(const Progress& progress);
     void readViews(const Progress& progress);

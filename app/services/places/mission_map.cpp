@@ -10,6 +10,8 @@
 
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mapping/graph/map_parts.h"
+#include "core/mapping/graph/scan_graph.h"
 #include "transport/convert/decode.h"
 
 namespace leitstand {
@@ -94,6 +96,27 @@ std::vector<ScanPose> posesOf(const MissionState& mission) {
 std::optional<MapCrop> cropOf(const MissionState& mission) {
     if (!mission.crop) return std::nullopt;
     return MapCrop{mission.crop->sample.polygon, mission.crop->sample.ceiling};
+}
+
+std::vector<Link> linksOf(const std::filesystem::path& folder, const MissionState& mission) {
+    ScanGraph graph;
+    for (const ScanLinksSample& sample : scanLinksOf(folder)) {
+        for (const Link& link : sample.links) graph.add(link);
+    }
+    for (const Link& link : loopsOf(mission)) graph.add(link);
+    return graph.links();
+}
+
+std::map<std::uint64_t, std::uint64_t> partsOf(const MissionState& mission, const std::vector<Link>& links) {
+    std::vector<ScanInPart> scans;
+    for (const auto& [id, scan] : *mission.keyScans) {
+        const std::uint64_t matched = scan.entry.matched;
+        scans.push_back({id, matched, beginsPart(matched, scan.pose.doubts), scan.entry.scanInMap, 0});
+    }
+    findParts(scans, MapParts(links));
+    std::map<std::uint64_t, std::uint64_t> parts;
+    for (const ScanInPart& scan : scans) parts.emplace(scan.id, scan.part);
+    return parts;
 }
 
 }  // namespace leitstand

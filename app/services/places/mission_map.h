@@ -28,6 +28,14 @@ inline constexpr std::string_view CarriedStation = "carried map";
 /// What the key scans of the mission @p folder were registered against, as it was said.
 [[nodiscard]] std::vector<ScanLinksSample> scanLinksOf(const std::filesystem::path& folder);
 
+/// The links of the mission @p folder, whose state is @p mission, as they are now, by rising id.
+[[nodiscard]] std::vector<Link> linksOf(const std::filesystem::path& folder, const MissionState& mission);
+
+/// With which scan the part of the map begins that each key scan of @p mission is of, by their ids; 0: it is
+/// of the map's first part. What has not met that lies aside: nobody knows how it lies to it.
+[[nodiscard]] std::map<std::uint64_t, std::uint64_t> partsOf(const MissionState& mission,
+                                                             const std::vector<Link>& links);
+
 /// What is known of other robots in key scans, in samples of a size that is sent at once; without a station.
 [[nodiscard]] std::vector<ScanBodiesSample> inSamples(std::map<std::uint64_t, std::vector<BodyInScan>> bodies,
                                                       Time now);

@@ -91,20 +91,24 @@ Result<MergedMap> merge(const MergeOrder& order, const Progress& progress) {
     const auto second = addMap(order.second, into, part(progress, First, Second));
     if (!second) return second.error();
     merged.second = *second;
-    LiveMapper mapper{std::string(CarriedStation), order.mapping};
+    LiveSettings mapping = order.mapping;
+    std::optional<LiveMapper> opened;
     {
         const auto read = readMap(order.into);
         if (!read) return read.error();
+        mapping.crop = cropOf(read->state).value_or(MapCrop{});
+        opened.emplace(std::string(CarriedStation), mapping);
         EarlierMap earlier{keyScansOf(*read->bag), posesOf(read->state)};
         earlier.links = scanLinksOf(order.into);
         earlier.bodies = *read->state.bodies;
         if (progress.cancelled()) return cancelled();
-        restore(mapper, earlier);
+        restore(*opened, earlier);
     }
+    LiveMapper& mapper = *opened;
     const LiveMapPtr map = mapper.map();
     const std::uint64_t sought = largestPart(*map, behind);
     const PartsMeeting meeting =
-        meetingOf(map, sought, order.mapping, order.relocalisation, part(progress, Second, Sought));
+        meetingOf(map, sought, mapping, order.relocalisation, part(progress, Second, Sought));
     if (progress.cancelled()) return cancelled();
     merged.sought = meeting.sought;
     merged.found = meeting.found;

@@ -9,7 +9,6 @@
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/review_log.h"
 #include "core/base/words.h"
-#include "core/mapping/graph/scan_graph.h"
 #include "core/mission/state/fold.h"
 
 namespace leitstand {
@@ -38,12 +37,7 @@ Result<RecordedMap> readMap(const std::filesystem::path& folder) {
 }
 
 std::vector<Link> linksOf(const RecordedMap& map) {
-    ScanGraph graph;
-    for (const ScanLinksSample& sample : scanLinksOf(map.folder)) {
-        for (const Link& link : sample.links) graph.add(link);
-    }
-    for (const Link& link : loopsOf(map.state)) graph.add(link);
-    return graph.links();
+    return linksOf(map.folder, map.state);
 }
 
 }  // namespace leitstand

@@ -12,21 +12,15 @@
 namespace leitstand {
 
 void LiveMapper::State::findParts() {
-    constexpr double Aside = 1.0;  // the map's first part begins at its origin [m]
-    const MapParts parts(loops.graph().links());
-    for (LiveKeyScan& scan : map.scans) {
-        const LiveKeyScan* const beginning = find(parts.lowest(scan.id));
-        std::uint64_t part = scan.part;
-        if (beginning != nullptr && beginning->begins()) {
-            part = beginning->enteredAt.translation().norm() > Aside ? beginning->id : 0;
-        } else if (const LiveKeyScan* const matched = find(scan.matched)) {
-            // Links of old missions, and of scans that were decided on, are missing. It comes later than that
-            // one.
-            part = matched->part;
-        }
-        if (part == scan.part) continue;
-        scan.part = part;
-        cropped.fit(scan, clouds);
+    std::vector<ScanInPart> scans;
+    scans.reserve(map.scans.size());
+    for (const LiveKeyScan& scan : map.scans)
+        scans.push_back({scan.id, scan.matched, scan.begins(), scan.enteredAt, scan.part});
+    leitstand::findParts(scans, MapParts(loops.graph().links()));
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        if (scans[i].part == map.scans[i].part) continue;
+        map.scans[i].part = scans[i].part;
+        cropped.fit(map.scans[i], clouds);
     }
     localStale = true;
 }

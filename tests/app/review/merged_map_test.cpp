@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/services/handin/report_source.h"
 #include "app/services/mapping/live_mapping.h"
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/carried_map.h"
@@ -121,6 +122,25 @@ TEST_F(MergedMaps, WhatNothingOfIsSeenInTheOtherLiesBesideIt) {
             EXPECT_GT(map->scans[i].matched, 6U) << i << ", of the second mission";
         }
     }
+}
+
+TEST_F(MergedMaps, AReportWarnsOfWhatHasNotMetTheRestWhateverAreaIsDrawn) {
+    order.mapping.loops.partsAgree = 100;
+    order.first = folder / "cropped";
+    {
+        WrittenMission mission(order.first);
+        double seconds = 1.0;
+        (void)writeRoom(mission, alongTheRoom(), seconds);
+        mission.say(seconds, std::string(station_topic::MapCrop),
+                    MapCropSample{Time{}, "us", {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, 2.0});
+    }
+    ASSERT_TRUE(mergeMaps(order));
+    const auto source = ReportSource::open(order.into);
+    ASSERT_TRUE(source) << source.error().text;
+    EXPECT_THAT(source->warnings(), testing::Contains(HasSubstr("6 of 12 scans are of parts")));
+    ASSERT_EQ(source->input().scans.size(), 12U);
+    for (const ReportScan& scan : source->input().scans)
+        EXPECT_GT(scan.scan->points.size(), 1000U) << scan.id;
 }
 
 TEST_F(MergedMaps, MissionsOfOneNameAreToldApart) {

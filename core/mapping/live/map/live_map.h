@@ -11,6 +11,7 @@
 #include "core/base/time.h"
 #include "core/cloud/scan.h"
 #include "core/event/map_samples.h"
+#include "core/mapping/graph/map_parts.h"
 #include "core/mapping/live/map/kept_scan.h"
 #include "core/mapping/live/map/matched_clouds.h"
 
@@ -36,9 +37,7 @@ struct LiveKeyScan {
 
     [[nodiscard]] bool counts() const { return pose.trust == ScanTrust::Certain; }
     /// Whether a part of the map begins with it: nothing that was there before led to it.
-    [[nodiscard]] bool begins() const {
-        return matched == 0 && (pose.doubts & ~static_cast<std::uint8_t>(ScanDoubt::Guessed)) == 0;
-    }
+    [[nodiscard]] bool begins() const { return beginsPart(matched, pose.doubts); }
     /// By odometry without what wheels spun: for ways between scans of one odometry frame.
     [[nodiscard]] Pose sensorByWheels() const { return unspun * scan->sensorInOdom; }
 };
