@@ -32,7 +32,7 @@ void tell(const MergeOrder& order, const MergedMap& merged, bool json) {
         return;
     }
     print(
-        "{} and {} key scans; of {} places of the second mission {} were found in the first, {} of them "
+        "{} and {} key scans; of {} places of the later mission {} were found in the earlier one, {} of them "
         "agree\n",
         merged.first, merged.second, merged.sought, merged.found, merged.agreeing);
     if (merged.together) {
@@ -88,8 +88,7 @@ void addMerge(CLI::App& app, int& exitCode) {
     command->add_flag("--json", arguments->json, "Print JSON");
     command->footer(
         "Both missions stay as they are; the map of the one that began first stays where it is. Exit code 1 "
-        "on "
-        "errors, and where no places are found for sure that both have seen: the new mission has the two "
+        "on errors, and where no places are found for sure that both have seen: the new mission has the two "
         "side by side then.");
     command->final_callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }

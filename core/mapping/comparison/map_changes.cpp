@@ -17,6 +17,9 @@ namespace {
 
 using Cell = std::array<int, 3>;
 
+constexpr float Farthest =
+    1e3F;  ///< no scanner sees so far [m]: of what a log says, cells could not be counted
+
 Cell cellAt(const Eigen::Vector3f& place, double edge) {
     const auto along = [edge](float coordinate) {
         return static_cast<int>(std::floor(static_cast<double>(coordinate) / edge));
@@ -100,7 +103,7 @@ private:
              const std::vector<const ReportScan*>& judges, const std::vector<const ReportScan*>& own) {
         std::set<Cell> asked;
         for (const Eigen::Vector3f& point : scan.scan->points) {
-            if (!point.allFinite()) continue;
+            if (!point.allFinite() || point.cwiseAbs().maxCoeff() > Farthest) continue;
             const Eigen::Vector3d place = scan.scanInMap * point.cast<double>();
             const Cell cell = cellAt(place.cast<float>(), m_settings.edge);
             if (!asked.insert(cell).second) continue;

@@ -1,6 +1,8 @@
 #include "core/mapping/comparison/map_changes.h"
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 #include <stop_token>
 #include <vector>
 
@@ -86,6 +88,20 @@ TEST(MapChanges, WhatWasNotLookedAtBothTimesIsNotCompared) {
     }
     EXPECT_EQ(changesOf(scans).compared, 0U) << "nothing is known, which is not nothing";
     EXPECT_THAT(changesOf(scans).things, IsEmpty());
+}
+
+TEST(MapChanges, PointsThatAreNowhereChangeNothing) {
+    auto scans = twoDays(false, true);
+    const std::size_t things = changesOf(scans).things.size();
+    auto hostile = std::make_shared<Scan>(*scans.back().scan);
+    constexpr float Most = std::numeric_limits<float>::max();
+    for (const float far : {Most, -Most, 1e30F, 3e9F}) {
+        hostile->points.emplace_back(far, 0.0F, 0.0F);
+        hostile->points.emplace_back(0.0F, far, far);
+        hostile->labels.insert(hostile->labels.end(), 2, Label::Wall);
+    }
+    scans.back().scan = hostile;
+    EXPECT_EQ(changesOf(scans).things.size(), things);
 }
 
 TEST(MapChanges, CancelledNothingIsTold) {
