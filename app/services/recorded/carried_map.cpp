@@ -20,6 +20,7 @@
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mapping/comparison/map_changes.h"
 #include "core/mapping/live/live_settings.h"
 
 namespace leitstand {
@@ -76,12 +77,6 @@ std::string nameOf(const std::filesystem::path& mission) {
     return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-/// What is behind the @ of @p robot's name; empty: it has none.
-std::string missionOf(const std::string& robot) {
-    const std::size_t at = robot.find('@');
-    return at == std::string::npos ? std::string() : robot.substr(at + 1);
-}
-
 /// @p name, or with a number behind it, so that it is none of @p taken, to which it belongs from then on.
 std::string madeUnique(const std::string& name, std::set<std::string>& taken) {
     std::string unique = name;
@@ -95,7 +90,7 @@ std::map<std::string, std::string> missionsOf(const MissionState& state, const s
                                               std::set<std::string> taken) {
     std::map<std::string, std::string> missions;
     for (const auto& [id, scan] : *state.keyScans) {
-        const std::string mission = missionOf(scan.entry.robot);
+        const std::string mission = carriedFrom(scan.entry.robot);
         if (!missions.contains(mission))
             missions.emplace(mission, madeUnique(mission.empty() ? name : mission, taken));
     }
@@ -105,7 +100,7 @@ std::map<std::string, std::string> missionsOf(const MissionState& state, const s
 /// @p scan as it is in another mission.
 KeyScanSample moved(KeyScanSample scan, const Berth& berth) {
     Scan other = *scan.scan;
-    const std::string mission = missionOf(other.robot);
+    const std::string mission = carriedFrom(other.robot);
     other.robot = other.robot.substr(0, other.robot.find('@')) + "@" + berth.missions.at(mission);
     scan.scan = std::make_shared<const Scan>(std::move(other));
     scan.stamp = stationTime();
@@ -129,7 +124,7 @@ Berth berthBeside(const RecordedMap& there, const MissionState& state, const std
         for (const Link& link : sample.links) berth.links = std::max(berth.links, link.id);
     }
     std::set<std::string> taken;
-    for (const auto& [id, scan] : *there.state.keyScans) taken.insert(missionOf(scan.entry.robot));
+    for (const auto& [id, scan] : *there.state.keyScans) taken.insert(carriedFrom(scan.entry.robot));
     berth.missions = missionsOf(state, name, std::move(taken));
     berth.aside.translation().y() = lowest - highest - LoopSettings().partsApart - ReachOfScans;
     return berth;

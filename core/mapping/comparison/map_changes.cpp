@@ -27,12 +27,6 @@ Cell cellAt(const Eigen::Vector3f& place, double edge) {
     return {along(place.x()), along(place.y()), along(place.z())};
 }
 
-std::string missionOf(const ReportScan& scan) {
-    const std::string& robot = scan.scan->robot;
-    const std::size_t at = robot.find('@');
-    return at == std::string::npos ? std::string() : robot.substr(at + 1);
-}
-
 /// A cell of changed points.
 struct Changed {
     Eigen::Vector3f place;            ///< in the map [m]
@@ -181,10 +175,15 @@ std::vector<ChangedThing> thingsOf(std::map<Cell, Changed> cells, bool isNew,
 
 }  // namespace
 
+std::string carriedFrom(const std::string& robot) {
+    const std::size_t at = robot.find('@');
+    return at == std::string::npos ? std::string() : robot.substr(at + 1);
+}
+
 Visits visitsOf(std::span<const ReportScan> scans) {
     std::map<std::string, std::uint64_t> newest;  // id of each mission
     for (const ReportScan& scan : scans) {
-        std::uint64_t& known = newest[missionOf(scan)];
+        std::uint64_t& known = newest[carriedFrom(scan.scan->robot)];
         known = std::max(known, scan.id);
     }
     Visits visits;
@@ -198,7 +197,7 @@ Visits visitsOf(std::span<const ReportScan> scans) {
         if (name != visits.name) visits.earlier.insert(name);
     }
     for (const ReportScan& scan : scans)
-        (missionOf(scan) == visits.name ? visits.after : visits.before).insert(scan.id);
+        (carriedFrom(scan.scan->robot) == visits.name ? visits.after : visits.before).insert(scan.id);
     return visits;
 }
 

@@ -16,6 +16,9 @@
 
 namespace leitstand {
 
+/// The mission that a map with scans of @p robot, "kurt3d@monday", was carried from; empty: from none.
+[[nodiscard]] std::string carriedFrom(const std::string& robot);
+
 /// Key scans of a map that were taken on two occasions.
 struct Visits {
     std::set<std::uint64_t> before, after;  ///< ids
@@ -51,7 +54,6 @@ struct ChangedThing {
     Eigen::AlignedBox3d box;             ///< in the map [m]
     std::vector<Eigen::Vector3f> cells;  ///< places on it, ChangeSettings::edge apart, in the map [m]
     std::uint64_t scan = 0;              ///< the key scan that saw most of it
-    [[nodiscard]] double size() const { return box.sizes().maxCoeff(); }  ///< [m]
 };
 
 /// What changed in a map since the visits before.

@@ -74,7 +74,8 @@ ToldChanges judged(const std::vector<ChangedThing>& things, const TwoDays& days,
             middle.z() += 0.5 * box.size.z();
             bool found = false;
             for (std::size_t i = 0; i < things.size(); ++i) {
-                const bool near = things[i].box.exteriorDistance(middle) < Near && things[i].size() < 2.0;
+                const bool near =
+                    things[i].box.exteriorDistance(middle) < Near && things[i].box.sizes().maxCoeff() < 2.0;
                 if (!near || things[i].isNew != (boxes == &days.came)) continue;
                 known[i] = found = true;
             }
