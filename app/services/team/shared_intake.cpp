@@ -75,6 +75,11 @@ void SharedIntake::know(const Event& event) {
         const std::lock_guard lock(m_mutex);
         for (const Link& link : links->links) m_links[link.id] = link.active;
     }
+    if (const auto* poses = std::get_if<ScanPosesSample>(&event.sample);
+        poses != nullptr && poses->station == m_setup.station) {
+        const std::lock_guard lock(m_mutex);
+        m_posesSaid = std::max(m_posesSaid, poses->stamp);
+    }
     const auto* scan = std::get_if<KeyScanSample>(&event.sample);
     if (scan == nullptr || !scan->scan) return;
     const std::lock_guard lock(m_mutex);
@@ -120,7 +125,6 @@ bool SharedIntake::wants(const KeyScanSample& scan, Other& other) {
 
 bool SharedIntake::wants(const Event& event, Other& other) {
     const Sample& sample = event.sample;
-    if (isOfMap(sample) && m_setup.holdsMap()) return false;
     if (other.map == Map::Other && isPlacedInMap(sample)) return false;
     if (const auto* scan = std::get_if<KeyScanSample>(&sample)) return wants(*scan, other);
     if (const auto* links = std::get_if<ScanLinksSample>(&sample)) return wants(*links);
@@ -199,17 +203,26 @@ void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
     if (event.topic == station_topic::Grants) {
         if (!ours) hearGrant(event, from);
         m_setup.enter(std::move(event));
-        return release(now);  // once a second
+    } else {
+        decide(now);  // what was said before comes before
+        hear(std::move(event), from, now);
     }
+    decide(now);
+    release(now);  // once a second at least
+}
+
+void SharedIntake::hear(RawEvent event, const Sender& from, SteadyTime now) {
     if (!m_others.contains(from) && m_others.size() >= MostOthers) return;
     const auto decoded = decodeStationEvent(event);
     if (!decoded) return m_setup.enter(std::move(event));  // counted as broken there, and kept
     Other& other = m_others[from];
     const Sample& sample = decoded->sample;
-    if (!isOfMap(sample) && waits(sample, from, other)) {
+    if (isOfMap(sample) && m_setup.holdsMap()) {
+        keepUndecided(std::move(event), from, now);
+    } else if (!isOfMap(sample) && waits(sample, from, other)) {
         wait({std::move(event), now, {}}, other);  // whether it is wanted depends on whose map it lies in
     } else if (!wants(*decoded, other)) {
-        return release(now);
+        return;
     } else if (waits(sample, from, other)) {
         Waiting one{std::move(event), now, scansOf(sample)};
         if (const auto* scan = std::get_if<KeyScanSample>(&sample))
@@ -218,7 +231,33 @@ void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
     } else {
         enter(std::move(event), sample);
     }
-    release(now);
+}
+
+void SharedIntake::keepUndecided(RawEvent event, const Sender& from, SteadyTime now) {
+    m_undecidedBytes += event.cdr->size();
+    m_undecided.push_back({std::move(event), from, now});
+    while (m_undecidedBytes > MostUndecidedBytes) {
+        m_undecidedBytes -= m_undecided.front().event.cdr->size();
+        m_undecided.pop_front();
+    }
+}
+
+void SharedIntake::decide(SteadyTime now) {
+    const bool ours = m_setup.holdsMap();
+    std::deque<Undecided> due;
+    while (!m_undecided.empty() && (!ours || now - m_undecided.front().since >= UntilDecided)) {
+        m_undecidedBytes -= m_undecided.front().event.cdr->size();
+        due.push_back(std::move(m_undecided.front()));
+        m_undecided.pop_front();
+    }
+    if (ours) return;  // what is due then is left out
+    for (Undecided& one : due) {
+        const auto decoded = decodeStationEvent(one.event);
+        const auto* poses = decoded ? std::get_if<ScanPosesSample>(&decoded->sample) : nullptr;
+        if (poses != nullptr && poses->stamp < m_posesSaid) continue;
+        one.event.received = {};  // it enters now
+        hear(std::move(one.event), one.from, now);
+    }
 }
 
 void SharedIntake::wait(Waiting one, Other& other) {

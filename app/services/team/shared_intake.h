@@ -43,7 +43,9 @@ struct SharedIntakeSetup {
 /// - of a find, a candidate, a clock and the mission's description the newest by its stamp counts; of two
 ///   finds of one number the one that was found first keeps it; a clock that a station began by itself gives
 ///   way;
-/// - the station that makes the map hears nobody else's;
+/// - the station that makes the map hears nobody else's. It may be wrong about that for a moment: one that
+///   was restarted makes the map as before until it hears that another one does by now. What it hears of a
+///   map meanwhile is kept for UntilDecided, and taken if the map turns out to be another one's;
 /// - a map that has no scan in common with this mission's, which is not empty, is another one: that is told
 ///   once, and nothing that lies in it is taken from that station. (Who meets a station tells it all scans
 ///   from the first on.)
@@ -65,8 +67,11 @@ public:
     [[nodiscard]] bool isAdopted(std::uint64_t id) const;
 
     static constexpr std::chrono::seconds LongestWait{60};  ///< of poses for their scans
-    static constexpr std::size_t MostWaiting = 4096;        ///< of one station ...
-    static constexpr std::size_t MostWaitingScans = 64;     ///< ... and with all their points
+    static constexpr std::chrono::seconds UntilDecided{
+        10};  ///< who makes the map: heartbeats come each second
+    static constexpr std::size_t MostUndecidedBytes = std::size_t{256} << 20U;
+    static constexpr std::size_t MostWaiting = 4096;     ///< of one station ...
+    static constexpr std::size_t MostWaitingScans = 64;  ///< ... and with all their points
 
 private:
     /// What tells a key scan from another of its number.
@@ -81,6 +86,12 @@ private:
         std::vector<std::uint64_t> scans;                          ///< that it builds on
         std::optional<std::pair<std::uint64_t, Known>> scan = {};  ///< that it is itself: id
     };
+    /// What was said of a map while this station made it.
+    struct Undecided {
+        RawEvent event;
+        Sender from;
+        SteadyTime since;
+    };
     enum class Map : std::uint8_t { Unknown, Same, Other };
     struct Other {
         Map map = Map::Unknown;
@@ -93,7 +104,12 @@ private:
     [[nodiscard]] bool wants(const VictimSample& find);
     [[nodiscard]] bool wants(const ClockSample& clock) const;
     [[nodiscard]] bool waits(const Sample& sample, const Sender& from, const Other& other) const;
+    void hear(RawEvent event, const Sender& from, SteadyTime now);
     void hearGrant(const RawEvent& event, const Sender& from);
+    void keepUndecided(RawEvent event, const Sender& from, SteadyTime now);
+    /// Takes what was undecided, if another station makes the map: not poses that are older than the newest
+    /// of this station.
+    void decide(SteadyTime now);
     void tellOtherMap(std::uint64_t scan) const;
     [[nodiscard]] bool knows(const std::vector<std::uint64_t>& scans) const;
     static void wait(Waiting one, Other& other);
@@ -111,6 +127,9 @@ private:
     std::set<std::uint64_t> m_adopted;
     std::map<std::uint64_t, bool> m_links;  ///< of scans, by id: whether they are active
     std::map<Sender, Other> m_others;
+    std::deque<Undecided> m_undecided;  ///< as it came
+    std::size_t m_undecidedBytes = 0;
+    Time m_posesSaid{};             ///< stamp of the newest poses that this station said itself
     std::optional<Sender> m_maker;  ///< of the map, as it says itself
 };
 

@@ -130,6 +130,40 @@ TEST_F(SharedIntakeTest, TheStationThatMakesTheMapHearsNobodyElses) {
     EXPECT_THAT(entered(), ElementsAre("victim")) << "finds are everybody's";
 }
 
+TEST_F(SharedIntakeTest, WhatIsSaidOfTheMapWhileTwoMeanToMakeItIsTakenByTheOneThatDoesNot) {
+    begin();
+    hear(keyScan(1));
+    begin();  // after a restart: it goes on with what it held ...
+    (void)entered();
+    m_holdsMap = true;
+    hear(keyScan(1));  // ... while another one has held it since, and tells what came meanwhile
+    hear(keyScan(1001));
+    hear(poses({1, 1001}, 3.0));
+    heartbeat(1s);
+    EXPECT_THAT(entered(), IsEmpty());
+    m_holdsMap = false;
+    hear(poses({1, 1001}, 4.0));
+    EXPECT_THAT(entered(), ElementsAre("scan 1001", "poses of 2", "poses of 2"));
+    EXPECT_EQ(placeOf(1001), 4.0);
+    m_holdsMap = true;
+    hear(poses({1, 1001}, 5.0));  // by one that was wrong about who makes the map ...
+    ScanPosesSample ours = poses({1, 1001}, 6.0);
+    ours.station = "us";
+    ours.stamp += 1s;
+    Event event;
+    event.sample = ours;
+    m_intake->know(event);  // ... before this station, which did, said so
+    m_holdsMap = false;     // it has handed it over since
+    heartbeat(1s);
+    EXPECT_THAT(entered(), IsEmpty());
+    m_holdsMap = true;
+    hear(poses({1, 1001}, 5.0));
+    heartbeat(11s);
+    m_holdsMap = false;
+    heartbeat(1s);
+    EXPECT_THAT(entered(), IsEmpty()) << "who makes the map was clear for long";
+}
+
 TEST_F(SharedIntakeTest, AScanThatComesBeforeAnyTellsWhoseMapItIsWaits) {
     begin();
     hear(keyScan(1));
