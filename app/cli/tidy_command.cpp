@@ -44,7 +44,9 @@ void tell(const TidiedMap& tidied, bool json) {
     if (!relaxed.contradicted.empty())
         print("{} links of loops contradict the rest and do not count any more\n",
               relaxed.contradicted.size());
-    if (tidied.moved == 0) {
+    if (tidied.moved == 0 && tidied.linked > 0) {
+        print("nothing moved noticeably; the scans, which had no links, have {} now\n", tidied.linked);
+    } else if (tidied.moved == 0) {
         print("nothing moved noticeably, nothing was written\n");
     } else {
         print("{} scans moved, by up to {:.3f} m; --undo takes it back\n", tidied.moved, relaxed.largest);

@@ -18,6 +18,7 @@
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mapping/relaxation/missing_links.h"
 #include "core/mission/state/undo_says.h"
 
 namespace leitstand {
@@ -42,17 +43,20 @@ Result<std::unique_ptr<LiveMission>> opened(const RecordedMap& read, const std::
     return LiveMission::open(settings);
 }
 
-/// What is known of @p links from now on, as @p found has it.
-std::vector<Link> changesOf(const std::vector<Link>& links, const Relaxation& found) {
+/// What is known of @p links from now on, as @p found has it. Of those that @p isNew names, which nobody has
+/// written yet, what still counts.
+template <class IsNew>
+std::vector<Link> changesOf(const std::vector<Link>& links, const Relaxation& found, IsNew isNew) {
     std::set<std::uint64_t> ends(found.contradicted.begin(), found.contradicted.end());
     ends.insert(found.replaced.begin(), found.replaced.end());
     std::vector<Link> changes;
     std::uint64_t next = 1;
     for (const Link& link : links) {
         next = std::max(next, link.id + 1);
-        if (!link.active || !ends.contains(link.id)) continue;
+        const bool ended = link.active && ends.contains(link.id);
+        if (isNew(link) ? ended : !ended) continue;
         changes.push_back(link);
-        changes.back().active = false;
+        changes.back().active = !ended;
     }
     for (Link link : found.matches) {
         link.id = next++;
@@ -112,6 +116,10 @@ bool wentOn(const MissionState& state, std::uint64_t sequence) {
 }  // namespace
 
 std::string tidiedText(const TidiedMap& tidied) {
+    if (tidied.moved == 0 && tidied.linked > 0)
+        return fill(translate("leitstand::Station",
+                              "the map is tidy: nothing moved; its scans are held together by {} links now"),
+                    tidied.linked);
     if (tidied.moved == 0)
         return translate("leitstand::Station", "the map is tidy: nothing moved, nothing was written");
     std::string text =
@@ -139,7 +147,7 @@ Result<TidiedMap> tidyMap(const std::filesystem::path& folder, const TidySetting
     if (earlier.scans.empty())
         return Error{fill(translate("leitstand::Station", "{}: expected a map of ours, found no key scans"),
                           folder.string())};
-    const std::vector<Link> links = linksOf(*read);
+    std::vector<Link> links = linksOf(*read);
     earlier.bodies = *state.bodies;
     LiveSettings mapping = settings.mapping;
     mapping.crop = cropOf(state).value_or(MapCrop{});
@@ -150,6 +158,10 @@ Result<TidiedMap> tidyMap(const std::filesystem::path& folder, const TidySetting
     TidiedMap tidied;
     const LiveMapPtr map = mapper.map();
     tidied.scans = map->scans.size();
+    std::uint64_t first = 1;  // id of a link that nobody has written
+    for (const Link& link : links) first = std::max(first, link.id + 1);
+    const std::vector<Link> missing = missingLinks(*map, links, first);
+    links.insert(links.end(), missing.begin(), missing.end());
     tidied.relaxation =
         relax(*map, links, mapping, settings.relaxation,
               {[&](double share) { progress.done(Reading + (1.0 - Reading) * share); }, progress.stop});
@@ -157,11 +169,14 @@ Result<TidiedMap> tidyMap(const std::filesystem::path& folder, const TidySetting
         return Error{translate("leitstand::Station", "cancelled: the map is as it was")};
     const std::vector<ScanPose> moved = movedPoses(state, tidied.relaxation.nodes, mapping.loops);
     tidied.moved = moved.size();
-    if (moved.empty()) return tidied;  // it is tidy
+    const std::vector<Link> changes =
+        changesOf(links, tidied.relaxation, [first](const Link& link) { return link.id >= first; });
+    if (!missing.empty()) tidied.linked = changes.size();
+    if (moved.empty() && tidied.linked == 0) return tidied;  // it is tidy
     auto mission = opened(*read, settings.version);
     if (!mission) return mission.error();
     const Time now = stationTime();
-    if (auto said = say(**mission, changesOf(links, tidied.relaxation), now); !said) return said.error();
+    if (auto said = say(**mission, changes, now); !said) return said.error();
     const ScanPosesSample poses{now, std::string(Tidying), ScanPosesSample::Cause::LoopClosure, moved};
     if (auto said = (*mission)->say(poses, station_topic::ScanPoses); !said) return said.error();
     if (auto closed = (*mission)->close(); !closed) return closed.error();

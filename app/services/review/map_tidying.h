@@ -23,6 +23,8 @@ struct TidySettings {
 struct TidiedMap {
     std::size_t scans = 0;  ///< of the map
     std::size_t moved = 0;  ///< of them noticeably
+    /// Links that were made, where scans had none: those of missions of before version 0.2.
+    std::size_t linked = 0;
     Relaxation relaxation;
 };
 

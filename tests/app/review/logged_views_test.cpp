@@ -149,7 +149,7 @@ TEST_F(LoggedViewsTest, WhatWasSearchedIsThereAgainAfterARestart) {
     book.add(SearchScene{}.scan());
     for (const SearchView& view : found) EXPECT_TRUE(book.add(view));
     std::vector<Eigen::Vector3d> trail = SearchScene::trail();
-    const SearchedFloorPtr expected = searchedFloorOf(book.coverage(trail));
+    const SearchedFloorPtr expected = searchedFloorOf(book.byStorey(trail));
     ASSERT_GT(expected->by(SearchSensor::Camera).seen, 1.0);
     const auto isSo = [&](const CoverageWatch& watch) {
         const auto now = watch.searched();

@@ -106,6 +106,33 @@ TEST_F(TidyingTest, PutsScansWhereSurfacesWantThemAndIsTakenBackAsItWas) {
     EXPECT_THAT(untidyMap(folder(), "test").error().text, HasSubstr("was not tidied"));
 }
 
+TEST_F(TidyingTest, AMapOfBeforeThereWereLinksGetsThemThoughNothingMoves) {
+    const std::filesystem::path old = m_folder / "old";
+    {
+        WrittenMission mission(old);
+        double seconds = 1.0;
+        std::vector<Pose> places;
+        for (int place = 0; place < Scans; ++place) places.push_back(onCircle(place));
+        writeRoom(mission, places, seconds, false);
+    }
+    ASSERT_TRUE(scanLinksOf(old).empty());
+    TidySettings settings;
+    settings.mapping.loops.noticed = 0.05;  // matches move scans by millimetres
+    const auto tidied = tidyMap(old, settings);
+    ASSERT_TRUE(tidied) << tidied.error().text;
+    EXPECT_EQ(tidied->moved, 0U);
+    EXPECT_GE(tidied->linked, std::size_t{Scans - 1});
+    EXPECT_THAT(tidiedText(*tidied), HasSubstr("links now"));
+    ASSERT_FALSE(scanLinksOf(old).empty());
+    const auto again = tidyMap(old, settings);
+    ASSERT_TRUE(again) << again.error().text;
+    EXPECT_EQ(again->linked, 0U) << "it has them";
+    ASSERT_TRUE(untidyMap(old, "test"));
+    const auto anew = tidyMap(old, settings);
+    ASSERT_TRUE(anew) << anew.error().text;
+    EXPECT_GE(anew->linked, std::size_t{Scans - 1}) << "they were taken back";
+}
+
 TEST_F(TidyingTest, AStationThatGoesOnHasTheTidiedMapAndWhatHoldsIt) {
     ASSERT_TRUE(tidyMap(folder()));
     const MissionState now = state();

@@ -6,13 +6,14 @@
 
 namespace leitstand::test {
 
-std::vector<ScanPose> writeRoom(WrittenMission& mission, std::span<const Pose> places, double& seconds) {
+std::vector<ScanPose> writeRoom(WrittenMission& mission, std::span<const Pose> places, double& seconds,
+                                bool links) {
     MappedRoom room;
     std::vector<ScanPose> poses;
     for (const Pose& place : places) {
         const MapUpdate update = room.add(place);
         mission.say(seconds, std::string(station_topic::KeyScans), *update.keyScan);
-        if (update.links) mission.say(seconds, std::string(station_topic::ScanLinks), *update.links);
+        if (links && update.links) mission.say(seconds, std::string(station_topic::ScanLinks), *update.links);
         mission.say(seconds, std::string(station_topic::ScanPoses), *update.poses);
         poses.push_back(update.poses->poses.front());
         seconds += 1.0;

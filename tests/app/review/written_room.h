@@ -12,7 +12,9 @@ namespace leitstand::test {
 
 /// Says into @p mission, from second @p seconds on, which rises, what a station said that mapped the room
 /// from @p places of the sensor in it, and returns where it had its scans.
-std::vector<ScanPose> writeRoom(WrittenMission& mission, std::span<const Pose> places, double& seconds);
+/// @p links: whether it said what each was registered against, as stations do from version 0.2 on.
+std::vector<ScanPose> writeRoom(WrittenMission& mission, std::span<const Pose> places, double& seconds,
+                                bool links = true);
 
 /// Six places along the room, ahead and a little to the left.
 [[nodiscard]] std::vector<Pose> alongTheRoom();
