@@ -11,7 +11,7 @@
 
 namespace leitstand {
 
-MapQuestion::MapQuestion(const QString& name, QAction& yes, QAction& no, QWidget& over)
+MapQuestion::MapQuestion(const QString& name, const std::vector<QAction*>& answers, QWidget& over)
     : QFrame(&over), m_text(new QLabel(this)), m_parts(new QBoxLayout(QBoxLayout::TopToBottom, this)) {
     setObjectName(name);
     setFrameShape(QFrame::StyledPanel);
@@ -20,7 +20,7 @@ MapQuestion::MapQuestion(const QString& name, QAction& yes, QAction& no, QWidget
     m_text->setWordWrap(true);
     m_parts->addWidget(m_text, 1);
     auto* buttons = new QHBoxLayout;
-    for (QAction* command : {&yes, &no}) {
+    for (QAction* command : answers) {
         auto* button = new QToolButton(this);
         button->setObjectName(QStringLiteral("button_") + command->objectName());
         button->setDefaultAction(command);
@@ -35,11 +35,19 @@ MapQuestion::MapQuestion(const QString& name, QAction& yes, QAction& no, QWidget
 }
 
 void MapQuestion::ask(const QString& question) {
+    if (question == m_question) return;
     m_question = question;
     m_text->setToolTip(question);
     setAccessibleName(question);
     setVisible(!question.isEmpty());
-    if (!question.isEmpty()) place();
+    // Those above it make room, or come down.
+    for (MapQuestion* const one : others()) {
+        if (!one->isHidden()) one->place();
+    }
+}
+
+QList<MapQuestion*> MapQuestion::others() const {
+    return parentWidget()->findChildren<MapQuestion*>(QString(), Qt::FindDirectChildrenOnly);
 }
 
 bool MapQuestion::eventFilter(QObject* watched, QEvent* event) {
@@ -59,8 +67,12 @@ void MapQuestion::place() {
     const int margin = small ? AtEdge : Margin;
     const int width = std::max(160, std::min(small ? room.width() : Widest, room.width() - 2 * margin));
     const int height = m_parts->heightForWidth(width);
-    const int below = small ? AtEdge : AboveLegend;
-    setGeometry((room.width() - width) / 2, room.height() - height - below, width, height);
+    int below = small ? AtEdge : AboveLegend;
+    for (const MapQuestion* const one : others()) {
+        if (one == this) break;
+        if (!one->isHidden()) below += one->height() + AtEdge;
+    }
+    setGeometry((room.width() - width) / 2, std::max(0, room.height() - height - below), width, height);
     raise();
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include <QFrame>
+#include <QList>
 #include <QString>
 
 class QAction;
@@ -9,13 +12,13 @@ class QLabel;
 
 namespace leitstand {
 
-/// Asks the operator something over the map. It lies at the lower edge of what it is over, in the middle; of
-/// a small one it takes a line. It takes no focus: driving goes on.
+/// Asks the operator something over the map. It lies at the lower edge of what it is over, in the middle,
+/// above those that were made before it; of a small map it takes a line. It takes no focus: driving goes on.
 class MapQuestion final : public QFrame {
     Q_OBJECT
 public:
-    /// @p name: objectName(). @p yes, @p no: commands of its buttons.
-    MapQuestion(const QString& name, QAction& yes, QAction& no, QWidget& over);
+    /// @p name: objectName(). @p answers: commands of its buttons.
+    MapQuestion(const QString& name, const std::vector<QAction*>& answers, QWidget& over);
 
     /// Empty: nothing is asked. What comes after its first line is left out over a small map.
     void ask(const QString& question);
@@ -25,6 +28,8 @@ protected:
 
 private:
     void place();
+    /// All over the same map, itself too, as they were made.
+    [[nodiscard]] QList<MapQuestion*> others() const;
 
     QString m_question;
     QLabel* m_text;

@@ -116,7 +116,11 @@ void MapScenery::setHighlighted(std::uint64_t id) {
 }
 
 void MapScenery::setGhosts(std::map<std::uint64_t, Pose> scansInMap) {
-    if (scansInMap.empty() && m_order.ghosts.empty()) return;
+    const bool same = std::equal(scansInMap.begin(), scansInMap.end(), m_order.ghosts.begin(),
+                                 m_order.ghosts.end(), [](const auto& a, const auto& b) {
+                                     return a.first == b.first && a.second.matrix() == b.second.matrix();
+                                 });
+    if (same) return;
     m_order.ghosts = std::move(scansInMap);
     submit();
 }

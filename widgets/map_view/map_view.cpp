@@ -91,7 +91,17 @@ void MapView::setChanges(std::shared_ptr<const MapChanges> changes) {
 }
 
 void MapView::setGhosts(std::map<std::uint64_t, Pose> scansInMap) {
-    m_state->scenery.setGhosts(std::move(scansInMap));
+    m_state->ghosts = std::move(scansInMap);
+    m_state->showGhosts();
+}
+
+void MapView::setDragged(std::map<std::uint64_t, Pose> scansInMap) {
+    m_state->draggedScans = std::move(scansInMap);
+    m_state->showGhosts();
+}
+
+void MapView::State::showGhosts() {
+    scenery.setGhosts(draggedScans.empty() ? ghosts : draggedScans);
 }
 
 void MapView::showScan(std::uint64_t id) {

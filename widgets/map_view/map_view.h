@@ -78,6 +78,8 @@ public:
     /// Shows scans a second time, in one colour, where they might come to stand: by MapScan::id,
     /// in the map's frame. Empty: none.
     void setGhosts(std::map<std::uint64_t, Pose> scansInMap);
+    /// The same for scans that the operator drags; while there are any, the others are not shown.
+    void setDragged(std::map<std::uint64_t, Pose> scansInMap);
     /// Shows what came and what went in colours of their own, all else dimmed; null: neither.
     void setChanges(std::shared_ptr<const MapChanges> changes);
     /// Frames the scan of this MapScan::id.
@@ -105,6 +107,9 @@ public:
     /// From now on left clicks are corners of an area, a double click ends it (areaDrawn), the right button
     /// takes a corner back.
     void startArea();
+    /// From now on the left button drags something over the floor (groundDragged), with Shift it turns it;
+    /// the right button ends it.
+    void startGrab();
     void endGesture();
     [[nodiscard]] bool drawing() const;  ///< a gesture is on
 
@@ -131,6 +136,7 @@ signals:
     /// A pose was drawn while one was asked for; drawing goes on until endGesture().
     void poseDrawn(const leitstand::GroundPose& pose);
     void areaDrawn(const std::vector<Eigen::Vector2d>& area);
+    void groundDragged(const leitstand::GroundDrag& drag);
     void gestureEnded();  ///< by the operator, without a result
     /// A double click onto the floor while nothing is drawn.
     void groundActivated(const Eigen::Vector3d& place);

@@ -113,6 +113,11 @@ void MapView::startArea() {
     setCursor(Qt::CrossCursor);
 }
 
+void MapView::startGrab() {
+    m_state->tools.startGrab();
+    setCursor(Qt::SizeAllCursor);
+}
+
 void MapView::endGesture() {
     m_state->tools.end();
     setCursor(m_state->measuring ? Qt::CrossCursor : Qt::ArrowCursor);
@@ -120,7 +125,7 @@ void MapView::endGesture() {
 }
 
 bool MapView::drawing() const {
-    return m_state->tools.posing() || m_state->tools.drawingArea();
+    return m_state->tools.posing() || m_state->tools.drawingArea() || m_state->tools.grabbing();
 }
 
 std::optional<Eigen::Vector3d> MapView::State::groundAt(const QPointF& position) const {
@@ -142,6 +147,12 @@ bool MapView::State::pressGesture(const QMouseEvent& event) {
         return true;
     }
     if (event.button() != Qt::LeftButton) return false;  // the middle one shifts the map meanwhile
+    if (tools.grabbing()) {
+        const bool turns = event.modifiers().testFlag(Qt::ShiftModifier);
+        if (const auto place = groundUnder(scenery.projection(), event.position(), ground))
+            emit view.groundDragged(tools.grab(*place, turns));
+        return true;
+    }
     if (const auto place = groundAt(event.position())) {
         tools.press(*place, event.position());
         tools.addCorner(*place);
@@ -152,6 +163,12 @@ bool MapView::State::pressGesture(const QMouseEvent& event) {
 
 bool MapView::State::moveGesture(const QMouseEvent& event) {
     if (!view.drawing()) return false;
+    if (tools.grabbing()) {
+        const auto place = groundUnder(scenery.projection(), event.position(), ground);
+        const auto drag = place ? tools.dragTo(*place) : std::nullopt;
+        if (drag) emit view.groundDragged(*drag);
+        return true;
+    }
     // While a heading is drawn the level of the press counts: picked points would make it jump.
     if (const auto place = event.buttons().testFlag(Qt::LeftButton)
                                ? groundUnder(scenery.projection(), event.position(), ground)
@@ -165,6 +182,7 @@ bool MapView::State::moveGesture(const QMouseEvent& event) {
 bool MapView::State::releaseGesture(const QMouseEvent& event) {
     if (!view.drawing()) return false;
     if (event.button() != Qt::LeftButton) return true;
+    tools.letGo();
     if (const auto pose = tools.release()) {
         drawn = true;  // the second press of a double click is no other wish
         emit view.poseDrawn(*pose);
@@ -176,7 +194,8 @@ bool MapView::State::releaseGesture(const QMouseEvent& event) {
 void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
     State& state = *m_state;
     if (std::exchange(state.drawn, false)) return;
-    if (event->button() != Qt::LeftButton || state.measuring || state.tools.posing()) {
+    if (event->button() != Qt::LeftButton || state.measuring || state.tools.posing() ||
+        state.tools.grabbing()) {
         mousePressEvent(event);
         return;
     }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 
 #include <QPoint>
@@ -32,6 +33,7 @@ struct MapView::State {
     /// The robot that is drawn at @p position; null: none.
     [[nodiscard]] const RobotMark* robotAt(const QPointF& position) const;
     void describe();  ///< to screen readers
+    void showGhosts();
     void moveBy(MapDrag how, const QPointF& pull);
     /// What gestures do with the mouse; false: nothing, the camera has it.
     bool pressGesture(const QMouseEvent& event);
@@ -61,6 +63,7 @@ struct MapView::State {
     std::vector<MapCaption> captions;
     std::vector<MapLink> links;
     std::uint64_t highlighted = 0;
+    std::map<std::uint64_t, Pose> ghosts, draggedScans;  ///< setGhosts(), setDragged()
 
     bool measuring = false;
     bool stale = false;                       ///< the map is greyed

@@ -264,6 +264,13 @@ void LiveMapping::solveLoops() {
     });
 }
 
+void LiveMapping::meetMore() {
+    if (!m_mapper.meetsMore() || m_solves) return;
+    if (m_listener.makesMap && !m_listener.makesMap()) return m_mapper.meetNoMore();
+    const auto links = m_mapper.meetMore(stationTime());
+    if (links && m_listener.onLoop) m_listener.onLoop(*links);
+}
+
 void LiveMapping::settle(const MapSolution& solution) {
     m_solves = false;
     if (m_listener.makesMap && !m_listener.makesMap()) return m_mapper.leaveUnsettled();
@@ -356,7 +363,7 @@ void LiveMapping::run(const std::stop_token& stop) {
         std::deque<Work> taken;
         {
             std::unique_lock lock(m_mutex);
-            const auto came = [this] { return !m_waiting.empty(); };
+            const auto came = [this] { return !m_waiting.empty() || (m_mapper.meetsMore() && !m_solves); };
             if (const auto until = due()) {
                 m_came.wait_until(lock, stop, *until, came);
             } else {
@@ -369,6 +376,7 @@ void LiveMapping::run(const std::stop_token& stop) {
             std::visit([this](const auto& content) { work(content); }, one);
         }
         registerDone(stationTime());
+        meetMore();
         solveLoops();
         seekPlace();
         lookForPassing();

@@ -147,6 +147,7 @@ private:
     void solveLoops();                                ///< where the map meets itself, on a thread beside
     void settle(const MapSolution& solution);
     void tellScanner(const std::string& name, Robot& robot);
+    void meetMore();        ///< where two parts have met, at one more of their scans
     void seekPlace();       ///< where the map may meet itself far off, likewise
     void lookForPassing();  ///< who passed by in scans, likewise
     void leaveOutPassing(std::map<std::uint64_t, std::vector<BodyInScan>> found);

@@ -403,6 +403,21 @@ Result<void> StationMapping::propose(std::uint64_t scan, const Pose& scanInMap) 
     return {};
 }
 
+Result<void> StationMapping::moveTo(std::uint64_t scan, SubmapKind kind, const Pose& moved,
+                                    std::function<void(Result<std::size_t>)> done) {
+    if (auto may = m_state->known(scan); !may) return may;
+    m_state->mapping->post(
+        [&state = *m_state, scan, kind, moved, done = std::move(done)](LiveMapper& mapper) {
+            if (const auto may = state.granted(); !may) return done(may.error());
+            const auto links = mapper.moveTo(scan, kind, moved, stationTime());
+            if (!links) return done(links.error());
+            state.sayOrTell(*links, station_topic::ScanLinks);
+            state.loopClosed = true;
+            done(links->links.size());
+        });
+    return {};
+}
+
 Result<void> StationMapping::answerLoop(const OpenLoop& asked, bool same) {
     if (auto may = m_state->granted(); !may) return may;
     const auto open = openLoop(*m_state->mission.state());

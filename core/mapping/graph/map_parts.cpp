@@ -1,10 +1,28 @@
 #include "core/mapping/graph/map_parts.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/event/map_samples.h"
 
 namespace leitstand {
+namespace {
+
+/// That of @p scans, which are by rising id, with @p id; null: there is none.
+const ScanInPart* scanWith(std::span<const ScanInPart> scans, std::uint64_t id) {
+    const auto found =
+        std::lower_bound(scans.begin(), scans.end(), id,
+                         [](const ScanInPart& scan, std::uint64_t wanted) { return scan.id < wanted; });
+    return found != scans.end() && found->id == id ? &*found : nullptr;
+}
+
+/// ScanInPart::part of what hangs together with @p scan, which begins it.
+std::uint64_t partBeginningWith(const ScanInPart& scan) {
+    constexpr double Aside = 1.0;  // the map's first part begins at its origin [m]
+    return scan.enteredAt.translation().norm() > Aside ? scan.id : 0;
+}
+
+}  // namespace
 
 MapParts::MapParts(std::span<const Link> links) {
     for (const Link& link : links) {
@@ -28,19 +46,29 @@ bool beginsPart(std::uint64_t matched, std::uint8_t doubts) {
     return matched == 0 && (doubts & ~static_cast<std::uint8_t>(ScanDoubt::Guessed)) == 0;
 }
 
+std::set<std::uint64_t> unheldLoops(std::span<const Link> links, std::span<const ScanInPart> scans) {
+    std::vector<Link> others;
+    std::copy_if(links.begin(), links.end(), std::back_inserter(others),
+                 [](const Link& link) { return link.kind != LinkKind::Loop; });
+    if (others.size() == links.size()) return {};
+    const MapParts parts(others);
+    std::set<std::uint64_t> unheld;
+    for (const Link& link : links) {
+        if (!link.active || link.kind != LinkKind::Loop) continue;
+        const ScanInPart* const from = scanWith(scans, parts.lowest(link.from));
+        const ScanInPart* const to = scanWith(scans, parts.lowest(link.to));
+        if (from == to || from == nullptr || to == nullptr || !from->begins || !to->begins) continue;
+        if (partBeginningWith(*from) != partBeginningWith(*to)) unheld.insert(link.id);
+    }
+    return unheld;
+}
+
 void findParts(std::vector<ScanInPart>& scans, const MapParts& parts) {
-    constexpr double Aside = 1.0;  // the map's first part begins at its origin [m]
-    const auto find = [&scans](std::uint64_t id) -> const ScanInPart* {
-        const auto found =
-            std::lower_bound(scans.begin(), scans.end(), id,
-                             [](const ScanInPart& scan, std::uint64_t wanted) { return scan.id < wanted; });
-        return found != scans.end() && found->id == id ? &*found : nullptr;
-    };
     for (ScanInPart& scan : scans) {
-        const ScanInPart* const beginning = find(parts.lowest(scan.id));
+        const ScanInPart* const beginning = scanWith(scans, parts.lowest(scan.id));
         if (beginning != nullptr && beginning->begins) {
-            scan.part = beginning->enteredAt.translation().norm() > Aside ? beginning->id : 0;
-        } else if (const ScanInPart* const matched = find(scan.matched)) {
+            scan.part = partBeginningWith(*beginning);
+        } else if (const ScanInPart* const matched = scanWith(scans, scan.matched)) {
             // Links of old missions, and of scans that were decided on, are missing. It comes later than that
             // one.
             scan.part = matched->part;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,12 @@ struct ScanInPart {
     /// map's origin; 0: it is of that.
     std::uint64_t part = 0;
 };
+
+/// Ids of active loops of @p links whose scans hang together by nothing else and are of different parts, by
+/// where these begin among @p scans, which are by rising id: what had made the parts one was taken back
+/// since.
+[[nodiscard]] std::set<std::uint64_t> unheldLoops(std::span<const Link> links,
+                                                  std::span<const ScanInPart> scans);
 
 /// Puts the part of each of @p scans, which are by rising id, to what @p parts say; where they say nothing it
 /// stays as it is.

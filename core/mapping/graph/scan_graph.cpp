@@ -18,7 +18,7 @@ std::vector<Link>::iterator placeOf(std::vector<Link>& links, std::uint64_t id) 
 }  // namespace
 
 void ScanGraph::connect(const Link& link) {
-    if (!link.active || link.from == link.to) return;
+    if (!link.active || link.from == link.to || m_unheld.contains(link.id)) return;
     const double distance = link.pose.translation().norm();
     m_edges[link.from].push_back({link.to, distance, link.id});
     m_edges[link.to].push_back({link.from, distance, link.id});
@@ -53,6 +53,17 @@ void ScanGraph::setActive(std::uint64_t id, bool active) {
     disconnect(*place);
     place->active = active;
     connect(*place);
+}
+
+void ScanGraph::setUnheld(std::set<std::uint64_t> ids) {
+    if (ids == m_unheld) return;
+    for (const Link& link : m_links) {
+        if (m_unheld.contains(link.id) != ids.contains(link.id)) disconnect(link);
+    }
+    const std::set<std::uint64_t> before = std::exchange(m_unheld, std::move(ids));
+    for (const Link& link : m_links) {
+        if (before.contains(link.id) && !m_unheld.contains(link.id)) connect(link);
+    }
 }
 
 void ScanGraph::forget(std::uint64_t id) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/mapping/graph/pose_graph.h"
@@ -19,6 +20,9 @@ public:
     void setActive(std::uint64_t id, bool active);
     /// Takes the scan @p id out, with all its links.
     void forget(std::uint64_t id);
+    /// The links @p ids are as good as not active, whatever they say, until this is said anew
+    /// (unheldLoops()).
+    void setUnheld(std::set<std::uint64_t> ids);
     /// Ids of links that come later begin with the next @p block: another station numbers some, too.
     void beginBlock(std::uint64_t block);
 
@@ -45,6 +49,7 @@ private:
 
     std::map<std::uint64_t, std::vector<Edge>> m_edges;  ///< of active links, by scan
     std::vector<Link> m_links;
+    std::set<std::uint64_t> m_unheld;
     std::uint64_t m_next = 1;
 };
 

@@ -16,6 +16,7 @@
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/live/loops/map_problem.h"
 #include "core/mapping/live/loops/sought_place.h"
+#include "core/mapping/live/loops/submap.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/map/live_scan.h"
 #include "core/registration/icp.h"
@@ -155,6 +156,19 @@ public:
     /// the map has there: a question for the log, as MapUpdate::loop. Errors, in words, also where it does
     /// not fit.
     [[nodiscard]] Result<ScanLinksSample> propose(std::uint64_t id, const Pose& scanInMap, Time now);
+
+    /// Since two parts of the map came together: whether scans are left that may see what the other part has
+    /// seen, for meetMore().
+    [[nodiscard]] bool meetsMore() const;
+    /// Looks at one of these; after the last one links for the log, as MapUpdate::loop: of those that agree.
+    [[nodiscard]] std::optional<ScanLinksSample> meetMore(Time now);
+    void meetNoMore();  ///< the map is another station's now
+
+    /// The operator has moved the submapOf() @p scan by @p moved (to put before the poses of its scans):
+    /// links of them to all others that they fit there, for the log; poses follow by problem(). Errors, in
+    /// words: none fits.
+    [[nodiscard]] Result<ScanLinksSample> moveTo(std::uint64_t scan, SubmapKind kind, const Pose& moved,
+                                                 Time now);
 
     /// It is known that scans of one part of the map were taken at about @p scansInMap in another one: their
     /// links where at least LoopSettings::partsAgree fit there, for the log; poses follow by problem().

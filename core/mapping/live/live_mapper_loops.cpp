@@ -10,19 +10,56 @@
 #include "core/mapping/live/live_mapper_state.h"
 
 namespace leitstand {
+namespace {
 
-void LiveMapper::State::findParts() {
+/// Makes those of @p links inactive that nothing follows.
+void leaveUnheld(std::vector<Link>& links, std::span<const ScanInPart> scans) {
+    const std::set<std::uint64_t> unheld = unheldLoops(links, scans);
+    for (Link& link : links) link.active = link.active && !unheld.contains(link.id);
+}
+
+}  // namespace
+
+std::vector<ScanInPart> LiveMapper::State::scansInParts() const {
     std::vector<ScanInPart> scans;
     scans.reserve(map.scans.size());
     for (const LiveKeyScan& scan : map.scans)
         scans.push_back({scan.id, scan.matched, scan.begins(), scan.enteredAt, scan.part});
-    leitstand::findParts(scans, MapParts(loops.graph().links()));
+    return scans;
+}
+
+void LiveMapper::State::findParts() {
+    std::vector<ScanInPart> scans = scansInParts();
+    std::set<std::uint64_t> before, joined;  // parts that were there, and those that are others' now
+    for (const ScanInPart& scan : scans) before.insert(scan.part);
+    loops.setUnheld(unheldLoops(loops.graph().links(), scans));
+    leitstand::findParts(scans, MapParts(linksNow(scans)));
+    bool changed = false;
     for (std::size_t i = 0; i < scans.size(); ++i) {
-        if (scans[i].part == map.scans[i].part) continue;
-        map.scans[i].part = scans[i].part;
-        cropped.fit(map.scans[i], clouds);
+        const std::uint64_t was = map.scans[i].part;
+        if (scans[i].part == was) continue;
+        changed = true;
+        if (was != 0 && before.contains(scans[i].part)) joined.insert(was);
+    }
+    if (!changed) return;
+    // What came apart does not meet any more; what came together may have seen the same elsewhere, too.
+    meeting.clear();
+    loops.forgetMet();
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        LiveKeyScan& scan = map.scans[i];
+        if (scan.counts() && joined.contains(scan.part) && !joined.contains(scans[i].part))
+            meeting.push_back(scan.id);
+        if (scans[i].part == scan.part) continue;
+        scan.part = scans[i].part;
+        cropped.fit(scan, clouds);
     }
     localStale = true;
+}
+
+std::vector<Link> LiveMapper::State::linksNow(std::span<const ScanInPart> scans) const {
+    std::vector<Link> links = loops.graph().links();
+    leaveUnheld(links, scans);
+    return links;
 }
 
 bool LiveMapper::State::isAlone(const RobotTrack& robot) {
@@ -157,7 +194,48 @@ std::optional<ScanLinksSample> LiveMapper::join(const std::map<std::uint64_t, Po
     return ScanLinksSample{now, state.station, std::move(links)};
 }
 
-MapProblem LiveMapper::State::problem() const {
+bool LiveMapper::meetsMore() const {
+    return !m_state->meeting.empty();
+}
+
+std::optional<ScanLinksSample> LiveMapper::meetMore(Time now) {
+    State& state = *m_state;
+    if (state.meeting.empty()) return std::nullopt;
+    const LiveKeyScan* const scan = state.find(state.meeting.front());
+    state.meeting.pop_front();
+    if (scan != nullptr && scan->counts()) state.loops.meetAt(*scan, state.map);
+    if (!state.meeting.empty()) return std::nullopt;
+    std::vector<Link> links = state.loops.takeMet();
+    if (links.empty()) return std::nullopt;
+    ++state.revision;
+    state.unsolved = true;
+    return ScanLinksSample{now, state.station, std::move(links)};
+}
+
+void LiveMapper::meetNoMore() {
+    m_state->meeting.clear();
+    m_state->loops.forgetMet();
+}
+
+Result<ScanLinksSample> LiveMapper::moveTo(std::uint64_t scan, SubmapKind kind, const Pose& moved, Time now) {
+    State& state = *m_state;
+    // Of the map as it is: what entered while it was moved comes along.
+    const std::set<std::uint64_t> submap = submapOf(state.map, scan, kind);
+    std::map<std::uint64_t, Pose> scansInMap;
+    for (const LiveKeyScan& one : state.map.scans) {
+        if (submap.contains(one.id)) scansInMap.emplace(one.id, moved * one.pose.scanInMap);
+    }
+    std::vector<Link> links = state.loops.moveTo(scansInMap, state.map);
+    if (links.empty())
+        return Error{translate("leitstand::Station",
+                               "it does not fit the rest of the map there: move it nearer to where it "
+                               "belongs, or snap it first")};
+    ++state.revision;
+    state.unsolved = true;
+    return ScanLinksSample{now, state.station, std::move(links)};
+}
+
+MapProblem LiveMapper::State::problem(std::span<const Link> instead) const {
     MapProblem problem;
     problem.revision = revision;
     std::set<std::uint64_t> counting;
@@ -168,8 +246,18 @@ MapProblem LiveMapper::State::problem() const {
             problem.graph.nodes.push_back({scan.id, aside ? scan.enteredAt : scan.pose.scanInMap, false});
         if (scan.counts()) counting.insert(scan.id);
     }
-    problem.graph.links = loops.graph().links();
-    for (Link& link : problem.graph.links) {
+    std::vector<Link>& links = problem.graph.links;
+    links = loops.graph().links();
+    for (const Link& link : instead) {
+        const auto known =
+            std::find_if(links.begin(), links.end(), [&](const Link& one) { return one.id == link.id; });
+        if (known == links.end())
+            links.push_back(link);  // another station's, which comes here in a moment
+        else
+            *known = link;
+    }
+    leaveUnheld(links, scansInParts());
+    for (Link& link : links) {
         // A decision may have taken away what a scan was matched with; then odometry tells where it is, as
         // before.
         const bool counts = counting.contains(link.to);
@@ -181,22 +269,11 @@ MapProblem LiveMapper::State::problem() const {
 
 std::optional<MapProblem> LiveMapper::problem() {
     if (!std::exchange(m_state->unsolved, false)) return std::nullopt;
-    return m_state->problem();
+    return m_state->problem({});
 }
 
 MapProblem LiveMapper::problemWith(std::span<const Link> links) const {
-    MapProblem problem = m_state->problem();
-    std::vector<Link>& known = problem.graph.links;
-    for (const Link& link : links) {
-        const auto before =
-            std::find_if(known.begin(), known.end(), [&](const Link& one) { return one.id == link.id; });
-        if (before == known.end()) {
-            known.push_back(link);  // another station's, which comes here in a moment
-        } else {
-            *before = link;
-        }
-    }
-    return problem;
+    return m_state->problem(links);
 }
 
 void LiveMapper::leaveUnsettled() {

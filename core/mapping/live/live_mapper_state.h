@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/mapping/calibration/range_bias.h"
 #include "core/mapping/calibration/scanner_lean.h"
@@ -85,6 +87,9 @@ struct LiveMapper::State {
     [[nodiscard]] bool empty() const;  ///< nothing counts
     /// Where a scan that looks upwards by @p up begins a part of its own.
     [[nodiscard]] Pose aside(const Eigen::Vector3d& up) const;
+    [[nodiscard]] std::vector<ScanInPart> scansInParts() const;
+    /// All links; those that nothing follows (unheldLoops()) are not active.
+    [[nodiscard]] std::vector<Link> linksNow(std::span<const ScanInPart> scans) const;
     void findParts();  ///< which part each scan is of, by the links as they are
     /// Whether nothing counts of the part that @p robot, which nobody has put anywhere, is in.
     [[nodiscard]] bool isAlone(const RobotTrack& robot);
@@ -107,7 +112,8 @@ struct LiveMapper::State {
     void apply(std::span<const ScanPose> poses);
     /// The scan @p id was registered again, against @p against: what was known of it before is no more.
     void linkAgain(std::uint64_t id, std::span<const std::uint64_t> against, const Match& match, Time now);
-    [[nodiscard]] MapProblem problem() const;  ///< of all links, as they are now
+    /// Of all links, as they are now, or as @p instead has them.
+    [[nodiscard]] MapProblem problem(std::span<const Link> instead) const;
     [[nodiscard]] ScanPosesSample decided(std::vector<ScanPose> poses, Time now);
     void goOn(const std::string& robot);
     /// What is matched of @p key, whose scan is whole yet, of the points @p reduced.
@@ -125,6 +131,7 @@ struct LiveMapper::State {
         0;  ///< of what solutions are for: decisions, and what other stations say, change it
     std::optional<ScanLinksSample> madeLinks;  ///< by the newest decision
     bool unsolved = false;                     ///< since a loop closed or was taken back
+    std::deque<std::uint64_t> meeting;         ///< scans of parts that came together, for meetMore()
     std::uint64_t sought = 0;      ///< newest scan that is to be looked for in the whole map; 0: none
     bool soughtElsewhere = false;  ///< the last one, in other parts
     std::uint64_t nextId = 1;

@@ -91,5 +91,27 @@ TEST_F(Storeys, HeightsOfOneEndWhereTheNextBegins) {
     EXPECT_FALSE(heightsOf(storeys, 1).to);
 }
 
+TEST(StoreyShares, TogetherHaveAllHeights) {
+    const std::vector<Storey> storeys = {{-1, -3.0}, {0, 0.0}, {1, 2.6}};
+    const std::vector<StoreyShare> shares = sharesOf(storeys);
+    ASSERT_THAT(shares, SizeIs(3));
+    for (const double z : {-1e6, -20.0, -3.0, -0.7, -0.6, 0.0, 1.9, 2.1, 2.6, 40.0}) {
+        int holding = 0;
+        for (const StoreyShare& share : shares) holding += share.heights.hold(z) ? 1 : 0;
+        EXPECT_EQ(holding, 1) << z;
+        EXPECT_TRUE(shares[shareAt(shares, z)].heights.hold(z)) << z;
+    }
+    EXPECT_EQ(shares[shareAt(shares, 0.0)].number, 0);
+    EXPECT_EQ(shares[shareAt(shares, 1.9)].number, 0) << "a ramp is the storey's that it leads up from";
+    ASSERT_THAT(sharesOf({}), SizeIs(1)) << "of a map that has none";
+    EXPECT_TRUE(sharesOf({}).front().heights.hold(1e9));
+}
+
+TEST(StoreyShares, HaveNames) {
+    EXPECT_EQ(storeyName(0), "0");
+    EXPECT_EQ(storeyName(2), "+2");
+    EXPECT_EQ(storeyName(-1), "\u22121");
+}
+
 }  // namespace
 }  // namespace leitstand::test

@@ -53,6 +53,23 @@ void GroundTools::startArea() {
     m_drawingArea = true;
 }
 
+void GroundTools::startGrab() {
+    end();
+    m_grabbing = true;
+}
+
+GroundDrag GroundTools::grab(const Eigen::Vector3d& ground, bool turns) {
+    m_held = GroundDrag{ground, ground, turns, true};
+    return *m_held;
+}
+
+std::optional<GroundDrag> GroundTools::dragTo(const Eigen::Vector3d& ground) {
+    if (!m_held) return std::nullopt;
+    m_held->to = ground;
+    m_held->begins = false;
+    return m_held;
+}
+
 void GroundTools::end() {
     *this = {};
 }

@@ -22,15 +22,23 @@ public:
     /// Draws poses of @p robot from now on.
     void startPose(RobotMark robot);
     void startArea();  ///< draws an area from now on
+    void startGrab();  ///< what is pressed on is dragged from now on
     void end();        ///< draws nothing any more
     [[nodiscard]] bool posing() const { return m_robot.has_value(); }
     [[nodiscard]] bool drawingArea() const { return m_drawingArea; }
+    [[nodiscard]] bool grabbing() const { return m_grabbing; }
 
     /// A button went down over @p ground.
     void press(const Eigen::Vector3d& ground, const QPointF& pixel);
     void moveTo(const Eigen::Vector3d& ground, const QPointF& pixel);
     /// The pose that was drawn.
     [[nodiscard]] std::optional<GroundPose> release();
+
+    /// Something is grabbed at @p ground; @p turns: to turn it.
+    [[nodiscard]] GroundDrag grab(const Eigen::Vector3d& ground, bool turns);
+    /// It was dragged to @p ground; empty: nothing is held.
+    [[nodiscard]] std::optional<GroundDrag> dragTo(const Eigen::Vector3d& ground);
+    void letGo() { m_held.reset(); }
 
     void addCorner(const Eigen::Vector3d& ground);
     void takeCornerBack();
@@ -44,6 +52,8 @@ private:
     std::optional<GroundPose> m_pose;
     QPointF m_pressed;
     bool m_drawingArea = false;
+    bool m_grabbing = false;
+    std::optional<GroundDrag> m_held;
     std::vector<Eigen::Vector3d> m_corners;
     std::optional<Eigen::Vector3d> m_cursor;
 };

@@ -1,5 +1,7 @@
 #include "app/window/live/map/links_on_map.h"
 
+#include <cstdint>
+#include <map>
 #include <vector>
 
 #include <QAction>
@@ -12,7 +14,14 @@
 namespace leitstand {
 namespace {
 
-MapLink::Standing standingOf(const Link& link) {
+/// With which scan the part of the map begins that a key scan is of, by its id.
+using Parts = std::map<std::uint64_t, std::uint64_t>;
+
+MapLink::Standing standingOf(const Link& link, const Parts& parts) {
+    const auto from = parts.find(link.from), to = parts.find(link.to);
+    // What had brought their parts together was taken back.
+    const bool apart = from != parts.end() && to != parts.end() && from->second != to->second;
+    if (link.active && apart) return MapLink::Standing::Open;
     if (link.active) return MapLink::Standing::Counts;
     return link.kind == LinkKind::Operator ? MapLink::Standing::Refused : MapLink::Standing::Open;
 }
@@ -37,8 +46,12 @@ LinksOnMap::LinksOnMap(const ViewContext& context, MapView& view, QObject* paren
 void LinksOnMap::follow(const LiveMoment& moment) {
     std::vector<MapLink> links;
     if (m_shown->isChecked() && moment.mission) {
+        Parts parts;
+        if (moment.scans) {
+            for (const LiveKeyScan& scan : moment.scans->scans) parts.emplace(scan.id, scan.part);
+        }
         for (const Link& link : loopsOf(*moment.mission))
-            links.push_back({link.from, link.to, standingOf(link)});
+            links.push_back({link.from, link.to, standingOf(link, parts)});
     }
     m_view.setLinks(std::move(links));
 }

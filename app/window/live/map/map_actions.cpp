@@ -5,6 +5,7 @@
 #include "app/window/live/map/decisions/decisions_feature.h"
 #include "app/window/live/map/decisions/loops_feature.h"
 #include "app/window/live/map/decisions/scanner_feature.h"
+#include "app/window/live/map/decisions/submap_feature.h"
 #include "app/window/live/map/go_to.h"
 #include "app/window/live/map/map_feature.h"
 #include "app/window/live/map/map_grant.h"
@@ -27,6 +28,9 @@ MapActions::MapActions(const LiveContext& context, MapFeature& map) : QObject(&m
     connect(scanners, &ScannerFeature::told, this, &MapActions::told);
     auto* loops = new LoopsFeature(context, map.view(), this);
     connect(loops, &LoopsFeature::told, this, &MapActions::told);
+    auto* submaps = new SubmapFeature(
+        context, map.view(), map.gestures(), [decisions] { return decisions->chosen(); }, this);
+    connect(submaps, &SubmapFeature::told, this, &MapActions::told);
     auto* grant = new MapGrantFeature(context, this);
     connect(grant, &MapGrantFeature::told, this, &MapActions::told);
 }

@@ -20,6 +20,9 @@ MapGestures::MapGestures(MapView& view, QObject* parent) : QObject(parent), m_vi
         disarm();
         if (then) then(area);
     });
+    connect(&view, &MapView::groundDragged, this, [this](const GroundDrag& drag) {
+        if (m_thenDrag) m_thenDrag(drag);
+    });
     connect(&view, &MapView::gestureEnded, this, &MapGestures::disarm);
 }
 
@@ -44,7 +47,14 @@ void MapGestures::armArea(QAction& by, const QString& hint,
     m_view.startArea();
 }
 
+void MapGestures::armGrab(QAction& by, const QString& hint, std::function<void(const GroundDrag&)> then) {
+    arm(by, hint);
+    m_thenDrag = std::move(then);
+    m_view.startGrab();
+}
+
 void MapGestures::disarm() {
+    m_thenDrag = {};
     m_thenPose = {};
     m_thenArea = {};
     m_view.endGesture();

@@ -30,6 +30,8 @@ public:
                  std::function<void(const GroundPose&)> then);
     void armArea(QAction& by, const QString& hint,
                  std::function<void(const std::vector<Eigen::Vector2d>&)> then);
+    /// The operator drags something over the floor until disarm(); @p then is told of every step.
+    void armGrab(QAction& by, const QString& hint, std::function<void(const GroundDrag&)> then);
     void disarm();
     [[nodiscard]] bool armed() const { return m_by != nullptr; }
 
@@ -44,6 +46,7 @@ private:
     QString m_calmHint;
     std::function<void(const GroundPose&)> m_thenPose;
     std::function<void(const std::vector<Eigen::Vector2d>&)> m_thenArea;
+    std::function<void(const GroundDrag&)> m_thenDrag;
 };
 
 }  // namespace leitstand

@@ -68,8 +68,9 @@ std::vector<Link> LoopCloser::contradict(std::span<const std::uint64_t> links) {
 
 void LoopCloser::forget(std::uint64_t scan) {
     m_graph.forget(scan);
-    std::erase_if(m_pending,
-                  [scan](const Found& found) { return found.link.from == scan || found.link.to == scan; });
+    for (std::vector<Found>* some : {&m_pending, &m_met})
+        std::erase_if(
+            *some, [scan](const Found& found) { return found.link.from == scan || found.link.to == scan; });
 }
 
 void LoopCloser::beginBlock() {
@@ -99,14 +100,12 @@ double LoopCloser::deviation(std::uint64_t from, std::uint64_t to) const {
     return way ? m_settings.driftAtLeast + *way : std::numeric_limits<double>::infinity();
 }
 
-const LiveKeyScan* LoopCloser::olderAt(const LiveKeyScan& entered, const Pose& guess, const LiveMap& map,
-                                       bool samePart) const {
-    const std::map<std::uint64_t, double> near = sameAge(entered.id);
+template <class Passed>
+const LiveKeyScan* LoopCloser::nearestTo(const Pose& guess, const LiveMap& map, Passed passed) const {
     const LiveKeyScan* nearest = nullptr;
     double least = m_settings.reach;
     for (const LiveKeyScan& scan : map.scans) {
-        if (!scan.counts() || near.contains(scan.id) || scan.id == entered.id) continue;
-        if (samePart && scan.part != entered.part) continue;
+        if (!scan.counts() || passed(scan)) continue;
         const double distance = mapDistance(scan.pose.scanInMap, guess);
         if (distance < least) {
             least = distance;
@@ -114,6 +113,14 @@ const LiveKeyScan* LoopCloser::olderAt(const LiveKeyScan& entered, const Pose& g
         }
     }
     return nearest;
+}
+
+const LiveKeyScan* LoopCloser::olderAt(const LiveKeyScan& entered, const Pose& guess, const LiveMap& map,
+                                       bool samePart) const {
+    const std::map<std::uint64_t, double> near = sameAge(entered.id);
+    return nearestTo(guess, map, [&](const LiveKeyScan& scan) {
+        return near.contains(scan.id) || scan.id == entered.id || (samePart && scan.part != entered.part);
+    });
 }
 
 std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, const Pose& guess,
@@ -126,10 +133,18 @@ std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, co
 std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, const LiveKeyScan& older,
                                                   const Pose& guess, const LiveMap& map) const {
     const std::map<std::uint64_t, double> near = sameAge(entered.id);
+    return lookAt(entered, older, guess, map,
+                  [&](const LiveKeyScan& scan) { return near.contains(scan.id); });
+}
+
+template <class Passed>
+std::optional<LoopCloser::Found> LoopCloser::lookAt(const LiveKeyScan& entered, const LiveKeyScan& older,
+                                                    const Pose& guess, const LiveMap& map,
+                                                    Passed passed) const {
     const std::map<std::uint64_t, double> about = m_graph.within(older.id, m_settings.about);
     std::vector<LiveKeyScan> others;
     for (const LiveKeyScan& scan : map.scans) {
-        if (scan.counts() && about.contains(scan.id) && !near.contains(scan.id)) others.push_back(scan);
+        if (scan.counts() && about.contains(scan.id) && !passed(scan)) others.push_back(scan);
     }
     const LocalMap local = localMap(others, older.pose.scanInMap);
     Step step;
@@ -260,6 +275,32 @@ bool LoopCloser::seeks(const LiveKeyScan& entered, const LiveMap& map) {
     return true;
 }
 
+void LoopCloser::meetAt(const LiveKeyScan& scan, const LiveMap& map) {
+    std::optional<Found> found = look(scan, scan.pose.scanInMap, map, true);
+    if (!found) return;
+    const double shift = (found->correction * found->at - found->at).norm();
+    if (shift <= m_settings.askBeyond * deviation(found->link.from, found->link.to))
+        m_met.push_back(std::move(*found));
+}
+
+std::vector<Link> LoopCloser::takeMet() {
+    const std::vector<Found> met = std::exchange(m_met, {});
+    /// Whether the next one by @p step of the same robot that is well apart agrees.
+    const auto agrees = [&](std::size_t i, std::ptrdiff_t step) {
+        for (auto j = static_cast<std::ptrdiff_t>(i) + step; j >= 0 && j < std::ssize(met); j += step) {
+            const Found& other = met[static_cast<std::size_t>(j)];
+            if (other.robot != met[i].robot || (other.at - met[i].at).norm() < m_settings.apart) continue;
+            return (other.at - met[i].at).norm() <= m_settings.pendingWithin && agree(met[i], other);
+        }
+        return false;
+    };
+    std::vector<Link> links;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        if (agrees(i, -1) || agrees(i, 1)) links.push_back(m_graph.add(met[i].link));
+    }
+    return links;
+}
+
 std::vector<Link> LoopCloser::join(const std::map<std::uint64_t, Pose>& scansInMap, const LiveMap& map) {
     std::vector<Link> links;
     for (const LiveKeyScan& scan : map.scans) {
@@ -272,6 +313,35 @@ std::vector<Link> LoopCloser::join(const std::map<std::uint64_t, Pose>& scansInM
     // What is looked for stays as it was until all are found.
     for (Link& link : links) link = m_graph.add(std::move(link));
     m_pending.clear();
+    return links;
+}
+
+std::vector<Link> LoopCloser::moveTo(const std::map<std::uint64_t, Pose>& scansInMap, const LiveMap& map) {
+    const auto moves = [&](const LiveKeyScan& scan) { return scansInMap.contains(scan.id); };
+    struct Candidate {
+        const LiveKeyScan* scan;
+        const LiveKeyScan* other;
+        Pose there;
+    };
+    std::vector<Candidate> candidates;
+    for (const LiveKeyScan& scan : map.scans) {
+        const auto there = scansInMap.find(scan.id);
+        if (there == scansInMap.end() || !scan.counts()) continue;
+        if (const LiveKeyScan* const other = nearestTo(there->second, map, moves))
+            candidates.push_back({&scan, other, there->second});
+    }
+    // Matching takes what a scan that enters does, and holds these up.
+    const std::size_t tries = std::min(candidates.size(), 2 * m_settings.mostByHand);
+    std::vector<Link> links;
+    for (std::size_t i = 0; i < tries && links.size() < m_settings.mostByHand; ++i) {
+        const Candidate& one = candidates[i * candidates.size() / tries];
+        std::optional<Found> found = lookAt(*one.scan, *one.other, one.there, map, moves);
+        if (!found) continue;
+        links.push_back(std::move(found->link));
+        links.back().kind = LinkKind::Operator;
+    }
+    for (Link& link : links) link = m_graph.add(std::move(link));
+    if (!links.empty()) m_pending.clear();
     return links;
 }
 

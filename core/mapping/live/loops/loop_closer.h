@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/pose.h"
@@ -35,6 +37,8 @@ public:
     /// Loops that others speak against, likewise; as they are now.
     std::vector<Link> contradict(std::span<const std::uint64_t> links);
     void moved() { m_pending.clear(); }  ///< scans stand elsewhere now
+    /// Which of its links nothing follows: unheldLoops().
+    void setUnheld(std::set<std::uint64_t> links) { m_graph.setUnheld(std::move(links)); }
     void forget(std::uint64_t scan);
     void beginBlock();
 
@@ -54,10 +58,24 @@ public:
     [[nodiscard]] std::vector<Link> closeFar(const LiveKeyScan& entered, const Pose& scanInMap,
                                              const LiveMap& map, bool verified = true);
 
+    /// Two parts of the map have come together where some of their scans agree: @p scan is of the one, and
+    /// lies where it does by that. Whether it sees what the other has seen, too, is kept for takeMet().
+    void meetAt(const LiveKeyScan& scan, const LiveMap& map);
+    /// Links of the scans that meetAt() was asked about since: of those that agree with the nearest one
+    /// before or after along the same robot's way, which are taken into the graph.
+    [[nodiscard]] std::vector<Link> takeMet();
+    void forgetMet() { m_met.clear(); }
+
     /// It is known that scans of one part of the map were taken at about @p scansInMap in another one: the
     /// links of those that fit there, active, which are taken into the graph. None where fewer than
     /// LoopSettings::partsAgree do.
     [[nodiscard]] std::vector<Link> join(const std::map<std::uint64_t, Pose>& scansInMap, const LiveMap& map);
+
+    /// The operator has moved the scans of @p scansInMap together, to about there: links of those that fit
+    /// what is there of all others, active, at most LoopSettings::mostByHand of them, from all over it. None:
+    /// none fits.
+    [[nodiscard]] std::vector<Link> moveTo(const std::map<std::uint64_t, Pose>& scansInMap,
+                                           const LiveMap& map);
 
     /// A loop that the operator shows: @p scan was taken at about @p guess. Its link, not active, which is
     /// taken into the graph as a question. Errors, in words: nothing older is about there, or it does not
@@ -80,9 +98,16 @@ private:
     /// of the map where @p samePart; null: none.
     [[nodiscard]] const LiveKeyScan* olderAt(const LiveKeyScan& entered, const Pose& guess,
                                              const LiveMap& map, bool samePart) const;
+    /// Likewise, of those scans that @p passed leaves over.
+    template <class Passed>
+    [[nodiscard]] const LiveKeyScan* nearestTo(const Pose& guess, const LiveMap& map, Passed passed) const;
     /// Whether @p entered, roughly at @p guess, sees what @p older and the scans about it have seen.
     [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const LiveKeyScan& older,
                                             const Pose& guess, const LiveMap& map) const;
+    /// Likewise, where @p passed tells the scans that are not to be matched with.
+    template <class Passed>
+    [[nodiscard]] std::optional<Found> lookAt(const LiveKeyScan& entered, const LiveKeyScan& older,
+                                              const Pose& guess, const LiveMap& map, Passed passed) const;
     /// The same with olderAt(), unless the operator said no there.
     [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const Pose& guess, const LiveMap& map,
                                             bool samePart) const;
@@ -102,6 +127,7 @@ private:
     FitSettings m_fit;
     ScanGraph m_graph;
     std::vector<Found> m_pending;
+    std::vector<Found> m_met;                       ///< of meetAt()
     std::map<std::string, std::uint64_t> m_sought;  ///< newest scan that seeks() was true of, by robot
 };
 

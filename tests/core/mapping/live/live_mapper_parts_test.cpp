@@ -1,12 +1,9 @@
 #include <algorithm>
-#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/mapping/live/live_mapper.h"
-#include "core/mapping/relocalisation/place_recognition.h"
-#include "tests/core/mapping/live/mapped_room.h"
+#include "tests/core/mapping/live/two_in_a_room.h"
 
 namespace leitstand::test {
 namespace {
@@ -15,76 +12,6 @@ using testing::Each;
 using testing::Field;
 using testing::IsEmpty;
 using testing::Not;
-
-/// In a room there is little way on which places can agree.
-LiveSettings inARoom() {
-    LiveSettings settings;
-    settings.loops.seekPartsEvery = 0.3;
-    return settings;
-}
-
-/// A room that one robot has mapped, and another one that nobody has placed in it.
-struct TwoRobotsInARoom : MappedRoom {
-    TwoRobotsInARoom() : MappedRoom(inARoom()) { drive(6); }
-
-    /// What the second robot sees from @p sensorInRoom; its odometry has a frame of its own.
-    LiveScan seen(const Pose& sensorInRoom) {
-        LiveScan live = scanAt(sensorInRoom, seed++);
-        Scan scan = *live.scan;
-        scan.robot = "second";
-        scan.sensorInOdom = poseFrom({3, 1, 0}, 0, 0, degrees(70)) * scan.sensorInOdom;
-        live.scan = std::make_shared<const Scan>(std::move(scan));
-        return live;
-    }
-    /// It goes across the room and turns a little; what is sought is found where it can be.
-    std::optional<ScanLinksSample> explore(int scans) {
-        std::optional<ScanLinksSample> question;
-        for (int i = 0; i < scans && !question; ++i) {
-            const Pose here = poseFrom({1.5 - 0.45 * i, 1.0 - 0.3 * i, 0.9}, 0, 0, degrees(200 + 4 * i));
-            const MapUpdate update = add(seen(here));
-            if (update.keyScan) second.emplace_back(update.keyScan->id, here);
-            question = update.loop;
-            const auto sought = mapper.sought();
-            const auto place = sought ? recognise(*sought, {}) : std::nullopt;
-            if (place) question = mapper.recognised(*sought, *place, now);
-            if (question) log.say(*question, "/leitstand/scan_links");
-        }
-        return question;
-    }
-    /// What the operator says to @p question.
-    void answer(ScanLinksSample question, bool same) {
-        for (Link& link : question.links) {
-            link.kind = LinkKind::Operator;
-            link.active = same;
-        }
-        log.say(question, "/leitstand/scan_links");
-        mapper.restore(question);
-    }
-    /// How far the second robot's scans are from where they were taken, in the first one's map [m].
-    double worst() {
-        const LiveMapPtr map = mapper.map();
-        const Pose roomInMap =
-            map->scans.front().pose.scanInMap * poseFrom({-1.4, 0, 0.9}, 0, 0, 0).inverse();
-        double largest = 0.0;
-        for (const auto& [id, inRoom] : second) {
-            for (const LiveKeyScan& scan : map->scans) {
-                if (scan.id == id)
-                    largest = std::max(largest, distanceBetween(scan.pose.scanInMap, roomInMap * inRoom));
-            }
-        }
-        return largest;
-    }
-    std::vector<LiveKeyScan> scansOf(const std::string& robot) {
-        std::vector<LiveKeyScan> found;
-        const LiveMapPtr map = mapper.map();
-        for (const LiveKeyScan& scan : map->scans) {
-            if (scan.scan->robot == robot) found.push_back(scan);
-        }
-        return found;
-    }
-
-    std::vector<std::pair<std::uint64_t, Pose>> second;  ///< ids, and where they were taken
-};
 
 TEST(LiveMapperParts, ARobotThatNobodyPlacedWaitsUntilItIsToBeginAPart) {
     TwoRobotsInARoom room;
@@ -135,6 +62,55 @@ TEST(LiveMapperParts, ScansWhereBothSawTheSameAreAQuestionAndTheAnswerBringsTheP
     EXPECT_TRUE(alike(room.poses(), room.log.poses()));
     const MapUpdate next = room.add(room.seen(poseFrom({-1.5, -1.2, 0.9}, 0, 0, degrees(240))));
     EXPECT_EQ(next.localisation.trust, ScanTrust::Certain) << "the robot goes on in the other's map";
+}
+
+TEST(LiveMapperParts, PartsThatCameTogetherAreLinkedWhereverTheySawTheSame) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    const auto question = room.explore(8);
+    ASSERT_TRUE(question);
+    // As in a building: a room is so small that all of it hangs together over what was answered.
+    LiveSettings settings = inARoom();
+    settings.loops.sameAge = 0.5;
+    LiveMapper mapper = room.log.readAgain(settings);
+    const auto poses = [&] {
+        std::vector<ScanPose> all;
+        const LiveMapPtr map = mapper.map();
+        for (const LiveKeyScan& scan : map->scans) all.push_back(scan.pose);
+        return all;
+    };
+    const auto answer = [&](bool same) {
+        ScanLinksSample said = *question;
+        for (Link& link : said.links) {
+            link.kind = LinkKind::Operator;
+            link.active = same;
+        }
+        mapper.restore(said);
+        const auto problem = mapper.problem();
+        ASSERT_TRUE(problem);
+        (void)mapper.settle(solve(*problem), room.now);
+    };
+    const auto before = poses();
+    EXPECT_FALSE(mapper.meetsMore());
+    answer(true);
+    std::size_t links = 0;
+    for (int i = 0; mapper.meetsMore(); ++i) {
+        ASSERT_LT(i, 20);
+        const auto more = mapper.meetMore(room.now);
+        if (!more) continue;
+        EXPECT_FALSE(mapper.meetsMore()) << "said all at once";
+        links += more->links.size();
+        EXPECT_THAT(more->links, Each(Field(&Link::kind, LinkKind::Loop)));
+        EXPECT_THAT(more->links, Each(Field(&Link::active, true)));
+    }
+    EXPECT_GE(links, 2U);
+    const auto together = poses();
+    answer(false);
+    EXPECT_TRUE(alike(poses(), before)) << "what was found by the answer falls with it";
+    EXPECT_FALSE(mapper.meetsMore()) << "nothing is looked for between what came apart";
+    answer(true);
+    for (std::size_t i = 0; i < together.size(); ++i)
+        EXPECT_LT(distanceBetween(poses()[i].scanInMap, together[i].scanInMap), 0.02) << "it holds again";
 }
 
 TEST(LiveMapperParts, TakenBackThePartLiesWhereItWas) {

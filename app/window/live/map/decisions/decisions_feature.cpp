@@ -63,6 +63,10 @@ DecisionsFeature::DecisionsFeature(const LiveContext& context, MapView& view, Ma
     showArea();
 }
 
+std::uint64_t DecisionsFeature::chosen() const {
+    return m_panel->chosen();
+}
+
 QAction& DecisionsFeature::add(const QString& id, const QString& text, const QString& hint,
                                const QKeySequence& keys, bool checkable) {
     return m_context.commands.add({.id = id,

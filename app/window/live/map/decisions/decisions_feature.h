@@ -32,6 +32,7 @@ public:
                      QObject* parent);
 
     [[nodiscard]] const KeyScanModel& scans() const { return m_scans; }
+    [[nodiscard]] std::uint64_t chosen() const;  ///< id of a key scan; 0: none
 
 signals:
     void told(const QString& text);

@@ -30,7 +30,7 @@ constexpr double NoticedOfFinds = 0.05;  ///< [m]
 LoopsFeature::LoopsFeature(const LiveContext& context, MapView& view, QObject* parent)
     : QObject(parent), m_context(context), m_view(view) {
     addCommands();
-    m_question = new MapQuestion(QStringLiteral("loopQuestion"), *m_close, *m_refuse, m_view);
+    m_question = new MapQuestion(QStringLiteral("loopQuestion"), {m_close, m_refuse}, m_view);
     connect(&context.bridge, &LiveBridge::ticked, this,
             [this](const LiveMoment& moment) { follow(*moment.mission); });
 }

@@ -29,7 +29,7 @@ ScannerFeature::ScannerFeature(const LiveContext& context, MapView& view, QObjec
     m_leave = add(QStringLiteral("scanner.leave"), tr("Leave the sca&nner as it is"));
     m_use->setIconText(tr("Correct"));
     m_leave->setIconText(tr("Leave"));
-    m_question = new MapQuestion(QStringLiteral("scannerQuestion"), *m_use, *m_leave, view);
+    m_question = new MapQuestion(QStringLiteral("scannerQuestion"), {m_use, m_leave}, view);
     connect(m_use, &QAction::triggered, this, [this] { answer(true); });
     connect(m_leave, &QAction::triggered, this, [this] { answer(false); });
     connect(&context.bridge, &LiveBridge::ticked, this, &ScannerFeature::follow);

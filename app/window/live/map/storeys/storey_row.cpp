@@ -3,6 +3,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/models/map/storey_text.h"
 #include "widgets/models/numbers.h"
 
 namespace leitstand {
@@ -11,11 +12,6 @@ namespace {
 constexpr int ButtonSize = 32;  ///< [px]
 
 }  // namespace
-
-QString storeyText(int number) {
-    if (number == 0) return QStringLiteral("0");
-    return (number > 0 ? QStringLiteral("+%1") : QStringLiteral("\u2212%1")).arg(std::abs(number));
-}
 
 StoreyRow::StoreyRow(QWidget* parent) : QFrame(parent), m_layout(new QVBoxLayout(this)) {
     setObjectName(QStringLiteral("storeys"));

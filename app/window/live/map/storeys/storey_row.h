@@ -39,7 +39,4 @@ private:
     bool m_all = true;
 };
 
-/// "+1" for 1, as on the button and in texts.
-[[nodiscard]] QString storeyText(int number);
-
 }  // namespace leitstand

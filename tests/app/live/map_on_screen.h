@@ -1,0 +1,109 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include <QAction>
+#include <QMouseEvent>
+
+#include <gtest/gtest.h>
+
+#include "app/services/station/station_mapping.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/live/layouts/layout_feature.h"
+#include "core/base/pose.h"
+#include "core/mission/state/mission_state.h"
+#include "tests/app/live/live_page.h"
+#include "widgets/map_view/map_view.h"
+#include "widgets/map_view/scene/points/map_colours.h"
+
+namespace leitstand::test {
+
+/// Pixels of @p view in the hue of what a scan's points would become.
+inline int countViolet(MapView& view) {
+    const Rgba wanted = mapColours(view.settings().theme).scanInQuestion;
+    const QImage image = view.grab().toImage();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QRgb pixel = image.pixel(x, y);
+            count += qRed(pixel) == wanted.r && qGreen(pixel) == wanted.g && qBlue(pixel) == wanted.b ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+/// The live map with real robot processes.
+class LiveMapOnScreen : public LivePage {
+protected:
+    LiveMapOnScreen() : LiveMapOnScreen(QStringLiteral("yellow")) {}
+    /// @p arena: a grade, or a file.
+    explicit LiveMapOnScreen(const QString& arena) : LivePage(Robots::None) {
+        startRobots(arena);
+        m_window->layouts().use("map");
+        EXPECT_TRUE(soon([&] { return place("kurt3d").placed; })) << "no scan was registered";
+    }
+    [[nodiscard]] RobotInMap place(const std::string& name) const {
+        const RobotsInMapPtr robots = station().mapping().robots();
+        for (const RobotInMap& robot : *robots) {
+            if (robot.robot == name) return robot;
+        }
+        return {};
+    }
+    void trigger(const char* id) {
+        QAction* const action = m_window->commands().find(id);
+        ASSERT_NE(action, nullptr) << id;
+        EXPECT_TRUE(soon([&] { return action->isEnabled(); })) << id;
+        action->trigger();
+    }
+    [[nodiscard]] std::size_t operatorDecisions() const {
+        std::size_t count = 0;
+        const MissionStatePtr mission = station().mission();
+        for (const Decision& one : *mission->decisions) {
+            const auto* poses = std::get_if<ScanPosesSample>(&one.content);
+            if (poses != nullptr && poses->cause == ScanPosesSample::Cause::Operator && !one.undone) ++count;
+        }
+        return count;
+    }
+    /// What Kurt3D says of itself, for a failure's text.
+    [[nodiscard]] std::string told() const {
+        const auto said = station().mission()->robots.at("kurt3d");
+        const std::string mode =
+            said->mode ? said->mode->sample.mode + ", " + said->mode->sample.reason : "no mode";
+        return mode + (robot().stop.standing ? ", stopped, " : ", ") + std::to_string(speed()) + " m/s";
+    }
+    [[nodiscard]] MapView& map() const { return m_window->mapView(); }
+    /// Presses the map at @p place and lets go 0.6 m ahead of it, once both are to be seen.
+    void draw(const Pose& place) {
+        const Eigen::Vector3d ahead = place * Eigen::Vector3d(0.6, 0, 0);
+        ASSERT_TRUE(soon([&] {
+            const auto at = map().project(place.translation()), to = map().project(ahead);
+            return at && to && map().rect().contains(at->toPoint()) && map().rect().contains(to->toPoint()) &&
+                   map().settled();
+        }));
+        const QPoint from = map().project(place.translation())->toPoint();
+        const QPoint to = map().project(ahead)->toPoint();
+        QTest::mousePress(&map(), Qt::LeftButton, {}, from);
+        QMouseEvent drag(QEvent::MouseMove, to, map().mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&map(), &drag);
+        QTest::mouseRelease(&map(), Qt::LeftButton, {}, to);
+        EXPECT_FALSE(map().drawing());
+    }
+    /// Kurt3D goes until the map has two scans that count, and stands.
+    void mapTwoScans() {
+        station().ask("kurt3d");
+        ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
+        ASSERT_TRUE(station().setMode("kurt3d", "explore").ok());
+        ASSERT_TRUE(soon([&] {
+            const auto scans = station().mapping().scans()->scans;
+            return std::count_if(scans.begin(), scans.end(), [](const auto& one) { return one.counts(); }) >=
+                   2;
+        })) << "it moved not: "
+            << told();
+        station().stopAll();
+        ASSERT_TRUE(soon([&] { return robot().stop.standing; }));
+    }
+};
+
+}  // namespace leitstand::test
