@@ -98,6 +98,26 @@
         <source>%1 m², %2 %</source>
         <translation>%1 m², %2 %</translation>
     </message>
+    <message>
+        <source>%1 m² at x %2, y %3, storey %4</source>
+        <translation>%1 m² bei x %2, y %3, Stockwerk %4</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>Stockwerk</translation>
+    </message>
+    <message>
+        <source>Can be reached</source>
+        <translation>Erreichbar</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
 </context>
 <context>
     <name>CurveText</name>
@@ -406,6 +426,22 @@
         <source>Report made</source>
         <translation>Bericht erstellt</translation>
     </message>
+    <message>
+        <source>; storey %1: %2 m²</source>
+        <translation>; Stockwerk %1: %2 m²</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>Stockwerk</translation>
+    </message>
+    <message>
+        <source> of storey %1</source>
+        <translation> von Stockwerk %1</translation>
+    </message>
+    <message>
+        <source>%1: storey %2, map at %3 to %4 m above its floor</source>
+        <translation>%1: Stockwerk %2, Karte in %3 bis %4 m über seinem Boden</translation>
+    </message>
 </context>
 <context>
     <name>ScoreText</name>
@@ -508,6 +544,18 @@
     <message>
         <source>The profile has no weight for the area “%1”: its finds count once.</source>
         <translation>Das Profil hat kein Gewicht für den Bereich „%1“: Funde dort zählen einfach.</translation>
+    </message>
+    <message>
+        <source>storey %1: %2</source>
+        <translation>Stockwerk %1: %2</translation>
+    </message>
+    <message>
+        <source>Of the finds, by storey: %1.</source>
+        <translation>Von den Funden je Stockwerk: %1.</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>Stockwerk</translation>
     </message>
 </context>
 <context>
@@ -4857,6 +4905,14 @@ F1 listet alle Tasten</translation>
         <source>Nothing that can be reached was missed</source>
         <translation>Nichts Erreichbares wurde übersehen</translation>
     </message>
+    <message>
+        <source>x %1, y %2, storey %3</source>
+        <translation>x %1, y %2, Stockwerk %3</translation>
+    </message>
+    <message>
+        <source>; storey %1: %2</source>
+        <translation>; Stockwerk %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MissedPanel</name>
@@ -8033,6 +8089,14 @@ F1 listet alle Tasten</translation>
         <source>{}: a map is merged with that of another mission</source>
         <translation>{}: eine Karte wird mit der einer anderen Mission verbunden</translation>
     </message>
+    <message>
+        <source>the map is tidy: nothing moved; its scans are held together by {} links now</source>
+        <translation>die Karte ist in Ordnung: nichts hat sich bewegt; ihre Scans halten jetzt {} Verknüpfungen zusammen</translation>
+    </message>
+    <message>
+        <source>it does not fit the rest of the map there: move it nearer to where it belongs, or snap it first</source>
+        <translation>es passt dort nicht zum Rest der Karte: Schieben Sie es näher dorthin, wo es hingehört, oder lassen Sie es erst einrasten</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -8292,6 +8356,117 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>%1 Mbit/s</source>
         <translation>%1 Mbit/s</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::SubmapFeature</name>
+    <message>
+        <source>Move a part of the map by &amp;hand</source>
+        <translation>Einen Teil der Karte von &amp;Hand schieben</translation>
+    </message>
+    <message>
+        <source>A run of scans, a robot&apos;s, a storey or a part that has not met the rest: drag it to where it belongs, Shift+drag turns it</source>
+        <translation>Scans einer Strecke, eines Roboters, ein Stockwerk oder ein Teil, der den Rest noch nicht getroffen hat: Ziehen Sie ihn dorthin, wo er hingehört; Umschalt+Ziehen dreht ihn</translation>
+    </message>
+    <message>
+        <source>Move &amp;more of the map, or less</source>
+        <translation>&amp;Mehr von der Karte schieben, oder weniger</translation>
+    </message>
+    <message>
+        <source>From the chosen scan on, all of its robot, its storey, its part of the map</source>
+        <translation>Vom gewählten Scan an, alles von seinem Roboter, sein Stockwerk, sein Teil der Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Snap the moved part</source>
+        <translation>Den geschobenen Teil ein&amp;rasten lassen</translation>
+    </message>
+    <message>
+        <source>Lays the moved part onto the rest of the map, from where it is</source>
+        <translation>Legt den geschobenen Teil von dort, wo er ist, auf den Rest der Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the moved part there</source>
+        <translation>Den geschobenen Teil dort &amp;lassen</translation>
+    </message>
+    <message>
+        <source>Its scans are linked with those that they lie on, and the map follows</source>
+        <translation>Seine Scans werden mit denen verknüpft, auf denen sie liegen, und die Karte folgt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Einrasten</translation>
+    </message>
+    <message>
+        <source>Leave there</source>
+        <translation>Dort lassen</translation>
+    </message>
+    <message>
+        <source>There is no part of the map that could be moved against the rest</source>
+        <translation>Es gibt keinen Teil der Karte, der gegen den Rest geschoben werden könnte</translation>
+    </message>
+    <message>
+        <source>Drag: moves the violet part · Shift+drag: turns it · right button: not at all</source>
+        <translation>Ziehen: schiebt den violetten Teil · Umschalt+Ziehen: dreht ihn · rechte Taste: gar nicht</translation>
+    </message>
+    <message>
+        <source>No other part of the map could be moved against the rest</source>
+        <translation>Kein anderer Teil der Karte könnte gegen den Rest geschoben werden</translation>
+    </message>
+    <message>
+        <source>Too little of it lies on the rest of the map there: drag it nearer first</source>
+        <translation>Zu wenig davon liegt dort auf dem Rest der Karte: Ziehen Sie ihn erst näher</translation>
+    </message>
+    <message>
+        <source>The map has changed: what was moved is not there any more</source>
+        <translation>Die Karte hat sich geändert: Was geschoben wurde, ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>%1 from scan %2 on (scans: %3)</source>
+        <translation>%1 ab Scan %2 (Scans: %3)</translation>
+    </message>
+    <message>
+        <source>all of %1 (scans: %2)</source>
+        <translation>alles von %1 (Scans: %2)</translation>
+    </message>
+    <message>
+        <source>the storey of scan %1 (scans: %2)</source>
+        <translation>das Stockwerk von Scan %1 (Scans: %2)</translation>
+    </message>
+    <message>
+        <source>the part of the map with scan %1 (scans: %2)</source>
+        <translation>der Teil der Karte mit Scan %1 (Scans: %2)</translation>
+    </message>
+    <message>
+        <source>It is laid onto the rest of the map…</source>
+        <translation>Er wird auf den Rest der Karte gelegt…</translation>
+    </message>
+    <message>
+        <source>It is made ready…</source>
+        <translation>Er wird vorbereitet…</translation>
+    </message>
+    <message>
+        <source>Nothing of the rest of the map is there</source>
+        <translation>Dort ist nichts vom Rest der Karte</translation>
+    </message>
+    <message>
+        <source>On the rest of the map: %1, seam %2 m</source>
+        <translation>Auf dem Rest der Karte: %1, Naht %2 m</translation>
+    </message>
+    <message>
+        <source>Another station makes the map: it is moved there</source>
+        <translation>Eine andere Station macht die Karte: Dort wird sie geschoben</translation>
+    </message>
+    <message>
+        <source>Left there; links to the rest of the map: %1</source>
+        <translation>Dort gelassen; Verknüpfungen mit dem Rest der Karte: %1</translation>
     </message>
 </context>
 <context>

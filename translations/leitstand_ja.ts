@@ -98,6 +98,26 @@
         <source>%1 m², %2 %</source>
         <translation>%1 m²、%2 %</translation>
     </message>
+    <message>
+        <source>%1 m² at x %2, y %3, storey %4</source>
+        <translation>%1 m²（x %2、y %3、%4階）</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>階</translation>
+    </message>
+    <message>
+        <source>Can be reached</source>
+        <translation>到達可能</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
 </context>
 <context>
     <name>CurveText</name>
@@ -406,6 +426,22 @@
         <source>Report made</source>
         <translation>報告書作成</translation>
     </message>
+    <message>
+        <source>; storey %1: %2 m²</source>
+        <translation>、%1階: %2 m²</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>階</translation>
+    </message>
+    <message>
+        <source> of storey %1</source>
+        <translation>（%1階）</translation>
+    </message>
+    <message>
+        <source>%1: storey %2, map at %3 to %4 m above its floor</source>
+        <translation>%1: %2階、その床から %3〜%4 m の地図</translation>
+    </message>
 </context>
 <context>
     <name>ScoreText</name>
@@ -508,6 +544,18 @@
     <message>
         <source>The profile has no weight for the area “%1”: its finds count once.</source>
         <translation>プロファイルにはエリア「%1」の重みがありません: そこでの発見は1倍です。</translation>
+    </message>
+    <message>
+        <source>storey %1: %2</source>
+        <translation>%1階: %2</translation>
+    </message>
+    <message>
+        <source>Of the finds, by storey: %1.</source>
+        <translation>発見の階別内訳: %1。</translation>
+    </message>
+    <message>
+        <source>Storey</source>
+        <translation>階</translation>
     </message>
 </context>
 <context>
@@ -4857,6 +4905,14 @@ F1 でキー一覧</translation>
         <source>Nothing that can be reached was missed</source>
         <translation>到達可能な見落としなし</translation>
     </message>
+    <message>
+        <source>x %1, y %2, storey %3</source>
+        <translation>x %1、y %2、%3階</translation>
+    </message>
+    <message>
+        <source>; storey %1: %2</source>
+        <translation>、%1階: %2</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MissedPanel</name>
@@ -8033,6 +8089,14 @@ F1 でキー一覧</translation>
         <source>{}: a map is merged with that of another mission</source>
         <translation>{}: 地図は別のミッションの地図と統合します</translation>
     </message>
+    <message>
+        <source>the map is tidy: nothing moved; its scans are held together by {} links now</source>
+        <translation>地図は整っています。動いたものはなく、スキャンは {} 本のリンクで結ばれました</translation>
+    </message>
+    <message>
+        <source>it does not fit the rest of the map there: move it nearer to where it belongs, or snap it first</source>
+        <translation>そこでは地図の残りと合いません。正しい場所に近づけるか、先に吸着させてください</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -8292,6 +8356,117 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>%1 Mbit/s</source>
         <translation>%1 Mbit/s</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::SubmapFeature</name>
+    <message>
+        <source>Move a part of the map by &amp;hand</source>
+        <translation>地図の一部を手で動かす(&amp;H)</translation>
+    </message>
+    <message>
+        <source>A run of scans, a robot&apos;s, a storey or a part that has not met the rest: drag it to where it belongs, Shift+drag turns it</source>
+        <translation>一続きのスキャン、ロボット一台分、一つの階、またはまだ残りとつながっていない部分を、あるべき場所へドラッグします。Shift+ドラッグで回します</translation>
+    </message>
+    <message>
+        <source>Move &amp;more of the map, or less</source>
+        <translation>動かす範囲を変える(&amp;M)</translation>
+    </message>
+    <message>
+        <source>From the chosen scan on, all of its robot, its storey, its part of the map</source>
+        <translation>選んだスキャン以降、そのロボットのすべて、その階、地図のその部分</translation>
+    </message>
+    <message>
+        <source>&amp;Snap the moved part</source>
+        <translation>動かした部分を吸着(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Lays the moved part onto the rest of the map, from where it is</source>
+        <translation>動かした部分を、今の位置から地図の残りに重ねます</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the moved part there</source>
+        <translation>動かした部分をそこに置く(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Its scans are linked with those that they lie on, and the map follows</source>
+        <translation>そのスキャンを重なるスキャンと結び、地図がそれに従います</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>吸着</translation>
+    </message>
+    <message>
+        <source>Leave there</source>
+        <translation>そこに置く</translation>
+    </message>
+    <message>
+        <source>There is no part of the map that could be moved against the rest</source>
+        <translation>残りに対して動かせる部分が地図にありません</translation>
+    </message>
+    <message>
+        <source>Drag: moves the violet part · Shift+drag: turns it · right button: not at all</source>
+        <translation>ドラッグ: 紫の部分を動かす · Shift+ドラッグ: 回す · 右ボタン: やめる</translation>
+    </message>
+    <message>
+        <source>No other part of the map could be moved against the rest</source>
+        <translation>残りに対して動かせる部分はほかにありません</translation>
+    </message>
+    <message>
+        <source>Too little of it lies on the rest of the map there: drag it nearer first</source>
+        <translation>そこでは地図の残りとの重なりが少なすぎます。先に近づけてください</translation>
+    </message>
+    <message>
+        <source>The map has changed: what was moved is not there any more</source>
+        <translation>地図が変わりました。動かしていたものはもうありません</translation>
+    </message>
+    <message>
+        <source>%1 from scan %2 on (scans: %3)</source>
+        <translation>%1 のスキャン %2 以降（スキャン: %3）</translation>
+    </message>
+    <message>
+        <source>all of %1 (scans: %2)</source>
+        <translation>%1 のすべて（スキャン: %2）</translation>
+    </message>
+    <message>
+        <source>the storey of scan %1 (scans: %2)</source>
+        <translation>スキャン %1 の階（スキャン: %2）</translation>
+    </message>
+    <message>
+        <source>the part of the map with scan %1 (scans: %2)</source>
+        <translation>スキャン %1 を含む地図の部分（スキャン: %2）</translation>
+    </message>
+    <message>
+        <source>It is laid onto the rest of the map…</source>
+        <translation>地図の残りに重ねています…</translation>
+    </message>
+    <message>
+        <source>It is made ready…</source>
+        <translation>準備しています…</translation>
+    </message>
+    <message>
+        <source>Nothing of the rest of the map is there</source>
+        <translation>そこには地図の残りがありません</translation>
+    </message>
+    <message>
+        <source>On the rest of the map: %1, seam %2 m</source>
+        <translation>地図の残りとの重なり: %1、ずれ %2 m</translation>
+    </message>
+    <message>
+        <source>Another station makes the map: it is moved there</source>
+        <translation>地図は別の局が作っています。そこで動かしてください</translation>
+    </message>
+    <message>
+        <source>Left there; links to the rest of the map: %1</source>
+        <translation>そこに置きました。地図の残りとのリンク: %1</translation>
     </message>
 </context>
 <context>

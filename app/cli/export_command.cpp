@@ -78,12 +78,17 @@ void addExport(CLI::App& app, int& exitCode) {
         ->add_option("--height", arguments->height,
                      "Of the GeoTIFF: low (0.25 to 0.35 m) or upper (0.9 to 1.1 m)")
         ->check(CLI::IsMember({"low", "upper"}));
+    command->add_option("--storey", arguments->options.storey,
+                        "Of the GeoTIFF: only this storey, 0 where the map begins, 1 above it, -1 below; "
+                        "else all in one, as seen from above");
     command->add_flag("--json", arguments->json, "Print JSON");
     command->final_callback([arguments, &exitCode] {
         if (!canExport(arguments->out)) {
             throw CLI::ValidationError(
                 "--out", "expected an ending .pcd .ply .xyz .bt .tif .tum .csv, or a folder that ends in /");
         }
+        if (arguments->options.storey && !arguments->out.ends_with(".tif"))
+            throw CLI::ValidationError("--storey", "expected a GeoTIFF, NAME.tif, as --out");
         arguments->options.upper = arguments->height == "upper";
         exitCode = runExport(*arguments);
     });

@@ -28,17 +28,51 @@ QString titleOf(SearchSensor sensor) {
     return CoverageText::tr("Scanner");
 }
 
-QString missedText(const std::vector<MissedRegion>& regions) {
+QString missedText(const std::vector<MissedRegion>& regions, bool several) {
     if (regions.empty()) return CoverageText::tr("nothing");
     QStringList texts;
     for (std::size_t i = 0; i < std::min(MostListed, regions.size()); ++i) {
-        texts += CoverageText::tr("%1 m\u00B2 at x %2, y %3")
-                     .arg(reportNumber(regions[i].area, 1), reportNumber(regions[i].place.x(), 1),
-                          reportNumber(regions[i].place.y(), 1));
+        const QString area = reportNumber(regions[i].area, 1), x = reportNumber(regions[i].place.x(), 1),
+                      y = reportNumber(regions[i].place.y(), 1);
+        texts += several ? CoverageText::tr("%1 m\u00B2 at x %2, y %3, storey %4")
+                               .arg(area, x, y, QString::fromStdString(storeyName(regions[i].storey)))
+                         : CoverageText::tr("%1 m\u00B2 at x %2, y %3").arg(area, x, y);
     }
     if (regions.size() > MostListed)
         texts += CoverageText::tr("and %1 more").arg(regions.size() - MostListed);
     return texts.join(QStringLiteral("<br>"));
+}
+
+QString share(double seen, double reachable) {
+    return reachable > 0.0 ? CoverageText::tr("%1 %").arg(reportNumber(100.0 * seen / reachable, 0))
+                           : QStringLiteral("\u2013");
+}
+
+/// How much of each of several storeys was seen.
+QString storeysHtml(const ReportModel& model) {
+    if (model.storeys.empty()) return {};
+    QString html = QStringLiteral(
+                       "<p></p><table border='1' cellspacing='0' cellpadding='4' width='100%' "
+                       "style='border-collapse:collapse; border-color:#999999'><tr><th align='left'>%1</th>"
+                       "<th align='left'>%2</th>")
+                       .arg(CoverageText::tr("Storey"), CoverageText::tr("Can be reached"));
+    for (const ReportSearch::Sensor& one : model.search.sensors)
+        html += QStringLiteral("<th align='left'>%1</th>").arg(titleOf(one.sensor));
+    html += QStringLiteral("</tr>");
+    for (const ReportStorey& storey : model.storeys) {
+        html += QStringLiteral("<tr><td>%1</td><td>%2</td>")
+                    .arg(QString::fromStdString(storeyName(storey.share.number)),
+                         CoverageText::tr("%1 m\u00B2").arg(reportNumber(storey.search.reachable, 1)));
+        for (const ReportSearch::Sensor& all : model.search.sensors) {
+            double seen = 0.0;
+            for (const ReportSearch::Sensor& one : storey.search.sensors) {
+                if (one.sensor == all.sensor) seen = one.seen;
+            }
+            html += QStringLiteral("<td>%1</td>").arg(share(seen, storey.search.reachable));
+        }
+        html += QStringLiteral("</tr>");
+    }
+    return html + QStringLiteral("</table>");
 }
 
 }  // namespace
@@ -64,9 +98,9 @@ QString coverageHtml(const ReportContent& content) {
                          CoverageText::tr("%1 m\u00B2, %2 %")
                              .arg(reportNumber(one.seen, 1),
                                   reportNumber(100.0 * one.seen / search.reachable, 0)),
-                         missedText(one.missed));
+                         missedText(one.missed, !content.model.storeys.empty()));
     }
-    return html + QStringLiteral("</table>");
+    return html + QStringLiteral("</table>") + storeysHtml(content.model);
 }
 
 }  // namespace leitstand

@@ -117,6 +117,21 @@ QString signOf(const VictimSign& sign, const char* unit, int digits) {
     return text;
 }
 
+/// What was explored of each of several storeys, to go on with after a figure of all.
+QString storeysText(const ReportModel& model) {
+    QString text;
+    for (const ReportStorey& storey : model.storeys) {
+        text += ReportText::tr("; storey %1: %2 m\u00B2")
+                    .arg(QString::fromStdString(storeyName(storey.share.number)),
+                         reportNumber(storey.explored, 1));
+    }
+    return text;
+}
+
+QString storeyOf(const ReportFind& find) {
+    return find.storey ? QString::fromStdString(storeyName(*find.storey)) : QStringLiteral("\u2013");
+}
+
 QString missionRows(const ReportContent& content) {
     const ReportFacts& facts = content.model.facts;
     const bool known = facts.events > 0;
@@ -140,8 +155,9 @@ QString missionRows(const ReportContent& content) {
          {ReportText::tr("Stations"),
           stations.isEmpty() ? QStringLiteral("\u2013") : stations.join(QStringLiteral(", "))},
          {ReportText::tr("Map"), ReportText::tr("%1 scans, %2 m\u00B2 explored")
-                                     .arg(content.model.scans)
-                                     .arg(reportNumber(content.model.explored, 1))},
+                                         .arg(content.model.scans)
+                                         .arg(reportNumber(content.model.explored, 1)) +
+                                     storeysText(content.model)},
          {ReportText::tr("Report made"),
           QStringLiteral("%1, %2").arg(reportDate(content.created), reportClock(content.created))}});
 }
@@ -162,9 +178,11 @@ QString robotRows(const ReportModel& model) {
 
 QString findRows(const ReportModel& model) {
     if (model.finds.empty()) return QStringLiteral("<p>%1</p>").arg(ReportText::tr("Nothing was filed."));
+    constexpr qsizetype Place = 3;  // what storey it is on stands before it
     std::vector<QStringList> rows = {{QString(), ReportText::tr("What"), ReportText::tr("Status"),
                                       ReportText::tr("Place in the map"), ReportText::tr("Way"),
                                       ReportText::tr("Found"), ReportText::tr("By")}};
+    if (!model.storeys.empty()) rows.front().insert(Place, ReportText::tr("Storey"));
     for (const ReportFind& find : model.finds) {
         rows.push_back({QStringLiteral("<b>%1</b>").arg(safe(find.name)), kindOf(find.sample.kind),
                         statusOf(find.sample), positionOf(find),
@@ -175,6 +193,7 @@ QString findRows(const ReportModel& model) {
                         QStringLiteral("%1, %2").arg(orDash(find.sample.robot), find.sample.autonomous
                                                                                     ? QStringLiteral("A")
                                                                                     : QStringLiteral("T"))});
+        if (!model.storeys.empty()) rows.back().insert(Place, storeyOf(find));
     }
     return table(rows);
 }
@@ -258,7 +277,10 @@ QString findHtml(const ReportContent& content, std::size_t index) {
                                  ? ReportText::tr(", \u00B1 %1 m").arg(reportNumber(sample.deviation, 2))
                                  : QString())},
         {ReportText::tr("Height"),
-         ReportText::tr("%1 m above the floor").arg(reportNumber(find.aboveFloor, 2))},
+         ReportText::tr("%1 m above the floor").arg(reportNumber(find.aboveFloor, 2)) +
+             (content.model.storeys.empty() || !find.storey
+                  ? QString()
+                  : ReportText::tr(" of storey %1").arg(storeyOf(find)))},
         {ReportText::tr("Found"), ReportText::tr("%1, %2 after the mission's begin")
                                       .arg(reportClock(sample.found), safe(spanText(find.missionTime)))},
         {ReportText::tr("By"), QStringLiteral("%1, %2").arg(orDash(sample.robot), modeOf(sample))},
@@ -289,11 +311,13 @@ QString wayHtml(const ReportFind& find) {
            QStringLiteral("<p>%1</p>").arg(wayText(find));
 }
 
-QString mapCaption(const ReportContent& content, std::size_t band) {
-    const HeightBand& heights = reportBands().at(band);
-    return ReportText::tr("%1: map at %2 to %3 m above the floor")
-        .arg(QString::fromStdString(content.name), reportNumber(heights.low, 2),
-             reportNumber(heights.high, 2));
+QString mapCaption(const ReportContent& content, const ReportMap& map) {
+    const HeightBand& heights = reportBands().at(map.band);
+    const QString name = QString::fromStdString(content.name), low = reportNumber(heights.low, 2),
+                  high = reportNumber(heights.high, 2);
+    if (!map.storey) return ReportText::tr("%1: map at %2 to %3 m above the floor").arg(name, low, high);
+    return ReportText::tr("%1: storey %2, map at %3 to %4 m above its floor")
+        .arg(name, QString::fromStdString(storeyName(*map.storey)), low, high);
 }
 
 }  // namespace leitstand

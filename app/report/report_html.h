@@ -18,6 +18,6 @@ namespace leitstand {
 /// The way to it, in words.
 [[nodiscard]] QString wayHtml(const ReportFind& find);
 /// What stands over the map of a height.
-[[nodiscard]] QString mapCaption(const ReportContent& content, std::size_t band);
+[[nodiscard]] QString mapCaption(const ReportContent& content, const ReportMap& map);
 
 }  // namespace leitstand

@@ -80,6 +80,29 @@ QString row(const QStringList& cells, const char* tag) {
     return html + QStringLiteral("</tr>");
 }
 
+QString storeyOf(const ReportModel& model, const ScoredFind& scored) {
+    for (const ReportFind& find : model.finds) {
+        if (find.name == scored.name && find.storey) return QString::fromStdString(storeyName(*find.storey));
+    }
+    return QStringLiteral("\u2013");
+}
+
+/// What the confirmed finds of each of several storeys bring.
+QString storeySums(const ReportContent& content) {
+    QStringList sums;
+    for (const ReportStorey& storey : content.model.storeys) {
+        const QString name = QString::fromStdString(storeyName(storey.share.number));
+        double sum = 0.0;
+        for (const ScoredFind& find : content.score.finds) {
+            if (find.confirmed && storeyOf(content.model, find) == name) sum += find.total;
+        }
+        sums += ScoreText::tr("storey %1: %2").arg(name, number(sum));
+    }
+    if (sums.isEmpty()) return {};
+    return QStringLiteral("<p>%1</p>")
+        .arg(ScoreText::tr("Of the finds, by storey: %1.").arg(sums.join(QStringLiteral(", "))));
+}
+
 }  // namespace
 
 QString scoreHtml(const ReportContent& content) {
@@ -94,18 +117,27 @@ QString scoreHtml(const ReportContent& content) {
     html += QStringLiteral(
         "<table border='1' cellspacing='0' cellpadding='4' width='100%' "
         "style='border-collapse:collapse; border-color:#999999'>");
-    html += row({QString(), ScoreText::tr("Items"), ScoreText::tr("Points"), ScoreText::tr("Area"),
-                 ScoreText::tr("Autonomy"), ScoreText::tr("Total")},
-                "th");
+    const bool several = !content.model.storeys.empty();
+    QStringList heads = {QString(),
+                         ScoreText::tr("Items"),
+                         ScoreText::tr("Points"),
+                         ScoreText::tr("Area"),
+                         ScoreText::tr("Autonomy"),
+                         ScoreText::tr("Total")};
+    if (several) heads.insert(1, ScoreText::tr("Storey"));
+    html += row(heads, "th");
     for (const ScoredFind& find : result.finds) {
-        html += row({QStringLiteral("<b>%1</b>").arg(safe(find.name)), itemsOf(find), number(find.points),
-                     QStringLiteral("x %1").arg(number(find.weight)),
-                     QStringLiteral("%1, x %2").arg(autonomyOf(find.autonomy), number(find.factor)),
-                     find.confirmed ? number(find.total)
-                                    : ScoreText::tr("%1 (not confirmed)").arg(number(find.total))},
-                    "td");
+        QStringList cells = {QStringLiteral("<b>%1</b>").arg(safe(find.name)),
+                             itemsOf(find),
+                             number(find.points),
+                             QStringLiteral("x %1").arg(number(find.weight)),
+                             QStringLiteral("%1, x %2").arg(autonomyOf(find.autonomy), number(find.factor)),
+                             find.confirmed ? number(find.total)
+                                            : ScoreText::tr("%1 (not confirmed)").arg(number(find.total))};
+        if (several) cells.insert(1, storeyOf(content.model, find));
+        html += row(cells, "td");
     }
-    html += QStringLiteral("</table>");
+    html += QStringLiteral("</table>") + storeySums(content);
     html +=
         QStringLiteral("<p>%1</p>")
             .arg(ScoreText::tr("%1 of the finds, less %2 for contacts (%3 with the arena, %4 with victims), "

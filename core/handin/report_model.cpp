@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -123,6 +124,26 @@ MapMark::Kind kindOf(const VictimSample& find) {
                                                           : MapMark::Kind::UnconfirmedVictim;
 }
 
+/// Number of the storey with height @p z of the map [m]; empty where there is but one.
+std::optional<int> storeyAt(const ReportModel& model, double z) {
+    for (const ReportStorey& one : model.storeys) {
+        if (one.share.heights.hold(z)) return one.share.number;
+    }
+    return std::nullopt;
+}
+
+/// The storey of this number; null: there is none.
+const ReportStorey* storeyOf(const ReportModel& model, std::optional<int> number) {
+    const auto found = std::find_if(model.storeys.begin(), model.storeys.end(),
+                                    [number](const ReportStorey& one) { return one.share.number == number; });
+    return found == model.storeys.end() ? nullptr : &*found;
+}
+
+const OccupancyGrid& gridOf(const ReportModel& model, const ReportMap& map) {
+    const ReportStorey* storey = storeyOf(model, map.storey);
+    return (storey != nullptr ? storey->grids : model.grids).at(map.band);
+}
+
 void addFinds(ReportModel& model, const MissionState& state) {
     std::vector<RobotPath> paths;
     for (const ReportRobot& robot : model.robots) paths.push_back(robot.path);
@@ -137,11 +158,64 @@ void addFinds(ReportModel& model, const MissionState& state) {
         find.sample = sample;
         find.name = nameOf(sample.kind, sample.number);
         find.position = positionInMap(state, sample);
-        find.aboveFloor = find.position.z() - model.floor.below(find.position);
+        const double ground = model.floor.below(find.position);
+        find.aboveFloor = find.position.z() - ground;
+        if (find.position.allFinite()) find.storey = storeyAt(model, ground).value_or(0);
         find.missionTime = std::max(nanoseconds::zero(), nanoseconds(sample.found - state.first));
-        if (find.position.allFinite()) find.way = ways.to(find.position, model.grids.front(), model.floor);
+        if (find.position.allFinite())
+            find.way = ways.to(find.position, gridOf(model, mapAbout(model, find)), model.floor);
         model.finds.push_back(std::move(find));
     }
+}
+
+/// One for each of reportBands().
+std::vector<OccupancyGrid> gridsOf(const VoxelEvidence& evidence, const FloorHeights& floor) {
+    std::vector<OccupancyGrid> grids;
+    for (const HeightBand& band : reportBands())
+        grids.push_back(evidence.empty() ? OccupancyGrid() : gridOf(evidence, floor, band));
+    return grids;
+}
+
+/// Tells the cells of the maps of all storeys in one where no victim was: each as the storey whose floor they
+/// show does.
+void markCleared(ReportModel& model) {
+    std::vector<StoreyShare> shares;
+    for (const ReportStorey& storey : model.storeys) shares.push_back(storey.share);
+    for (std::size_t band = 0; band < model.grids.size(); ++band) {
+        OccupancyGrid& grid = model.grids[band];
+        for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+            if (grid.cells[i].state != OccupancyGrid::State::Free) continue;
+            const auto columns = static_cast<std::size_t>(grid.columns);
+            const double x = grid.origin.x() + grid.cell * (static_cast<double>(i % columns) + 0.5),
+                         y = grid.origin.y() + grid.cell * (static_cast<double>(i / columns) + 0.5);
+            const ReportStorey& shown = model.storeys[shareAt(shares, model.floor.at(x, y))];
+            grid.cells[i].cleared = shown.grids[band].cells[i].cleared;
+        }
+    }
+}
+
+/// What each storey shows and what of it was searched, and that of all of them.
+void addStoreys(ReportModel& model, const ReportInput& input, std::span<const Eigen::Vector3d> ground) {
+    const std::vector<StoreyCoverage> coverages = coverageOf(input.scans, input.views, ground);
+    model.search = searchOf(coverages, input.views);
+    if (coverages.size() == 1) {
+        for (OccupancyGrid& grid : model.grids) markCleared(grid, *coverages.front().map);
+        model.explored = exploredArea(model.grids.front());
+        return;
+    }
+    for (const StoreyCoverage& one : coverages) {
+        FloorSettings how;
+        how.heights = one.storey.heights;
+        ReportStorey storey;
+        storey.share = one.storey;
+        storey.grids = gridsOf(model.evidence, FloorHeights::of(input.scans, ground, how));
+        for (OccupancyGrid& grid : storey.grids) markCleared(grid, *one.map);
+        storey.explored = exploredArea(storey.grids.front());
+        storey.search = searchOf({&one, 1}, input.views);
+        model.explored += storey.explored;
+        model.storeys.push_back(std::move(storey));
+    }
+    markCleared(model);
 }
 
 }  // namespace
@@ -160,50 +234,61 @@ ReportModel reportOf(const ReportInput& input, const Progress& progress) {
     }
     model.evidence = VoxelEvidence::of(input.scans, {}, progress);
     model.floor = FloorHeights::of(input.scans, ground);
-    for (const HeightBand& band : reportBands()) {
-        model.grids.push_back(model.hasMap() ? gridOf(model.evidence, model.floor, band) : OccupancyGrid());
-    }
-    model.explored = exploredArea(model.grids.front());
-    if (model.hasMap()) {
-        const CoverageMapPtr coverage = coverageOf(input.scans, input.views, ground);
-        model.search = searchOf(*coverage);
-        // Of a bag without key scans nobody knows where cameras looked; some robots have none.
-        std::erase_if(model.search.sensors, [&](const ReportSearch::Sensor& one) {
-            return one.sensor != SearchSensor::Scanner &&
-                   std::none_of(input.views.begin(), input.views.end(),
-                                [&](const SearchView& view) { return view.sensor == one.sensor; });
-        });
-        for (OccupancyGrid& grid : model.grids) markCleared(grid, *coverage);
-    }
+    model.grids = gridsOf(model.evidence, model.floor);
+    if (model.hasMap()) addStoreys(model, input, ground);
     addFinds(model, input.state);
     return model;
 }
 
-std::vector<MapMark> marksOf(const ReportModel& model) {
+std::vector<ReportMap> mapsOf(const ReportModel& model) {
+    std::vector<ReportMap> maps;
+    if (!model.hasMap()) return maps;
+    const std::size_t bands = reportBands().size();
+    for (std::size_t band = 0; model.storeys.empty() && band < bands; ++band) maps.push_back({band, {}});
+    for (const ReportStorey& storey : model.storeys) {
+        for (std::size_t band = 0; band < bands; ++band) maps.push_back({band, storey.share.number});
+    }
+    return maps;
+}
+
+std::vector<MapMark> marksOf(const ReportModel& model, std::optional<int> storey) {
     std::vector<MapMark> marks;
     for (const ReportFind& find : model.finds) {
-        if (find.position.allFinite())
+        if (find.position.allFinite() && (!storey || find.storey == storey))
             marks.push_back({kindOf(find.sample), find.sample.number, find.position.head<2>()});
     }
     return marks;
 }
 
-MapDrawing drawingOf(const ReportModel& model, std::size_t band, std::string title) {
+MapDrawing drawingOf(const ReportModel& model, const ReportMap& map, std::string title) {
     MapDrawing drawing;
     drawing.title = std::move(title);
-    drawing.grid = model.grids.at(band);
+    drawing.grid = gridOf(model, map);
+    const ReportStorey* storey = storeyOf(model, map.storey);
+    const auto isShown = [storey](const PathPose& pose) {
+        return storey == nullptr || storey->share.heights.hold(pose.baseInMap.translation().z());
+    };
     for (const ReportRobot& robot : model.robots) {
-        if (robot.path.poses.empty()) continue;
-        drawing.paths.emplace_back();
+        bool goesOn = false;
         for (const PathPose& pose : robot.path.poses) {
-            if (pose.afterGap) drawing.paths.emplace_back();
+            if (!isShown(pose)) {
+                goesOn = false;
+                continue;
+            }
+            if (!goesOn || pose.afterGap) drawing.paths.emplace_back();
             drawing.paths.back().emplace_back(pose.baseInMap.translation().head<2>());
+            goesOn = true;
         }
+        if (robot.path.poses.empty() || !isShown(robot.path.poses.front())) continue;
         const Pose& first = robot.path.poses.front().baseInMap;
         drawing.starts.push_back({first.translation().head<2>(), std::atan2(first(1, 0), first(0, 0))});
     }
-    drawing.marks = marksOf(model);
+    drawing.marks = marksOf(model, map.storey);
     return drawing;
+}
+
+ReportMap mapAbout(const ReportModel& model, const ReportFind& find) {
+    return {0, model.storeys.empty() ? std::nullopt : find.storey};
 }
 
 std::string handInName(const ReportFacts& facts) {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "core/handin/report_work.h"
 #include "core/mapping/floor_heights.h"
 #include "core/mapping/report_scan.h"
+#include "core/mapping/storeys.h"
 #include "core/mission/state/mission_state.h"
 
 namespace leitstand {
@@ -69,8 +71,17 @@ struct ReportFind {
     std::string name;                                    ///< "V1"
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the map, with the newest poses of scans [m]
     double aboveFloor = 0.0;                             ///< [m]
-    std::chrono::nanoseconds missionTime{};              ///< found, since the mission's begin
+    std::optional<int> storey;  ///< number of the one whose floor it is above; empty: nobody knows its place
+    std::chrono::nanoseconds missionTime{};  ///< found, since the mission's begin
     Way way;
+};
+
+/// A storey of a map that has several.
+struct ReportStorey {
+    StoreyShare share;
+    std::vector<OccupancyGrid> grids;  ///< one for each of reportBands(), above this storey's floor
+    double explored = 0.0;             ///< area at the lower height [m2]
+    ReportSearch search;               ///< of its floor
 };
 
 /// Everything that a report tells, worked out.
@@ -82,9 +93,10 @@ struct ReportModel {
     std::size_t scans = 0, uncertain = 0;
     VoxelEvidence evidence;
     FloorHeights floor;
-    std::vector<OccupancyGrid> grids;  ///< one for each of reportBands()
-    double explored = 0.0;             ///< area at the lower height [m2]
-    ReportSearch search;
+    std::vector<OccupancyGrid> grids;   ///< one for each of reportBands(); all storeys in one, as from above
+    double explored = 0.0;              ///< area at the lower height, of all storeys [m2]
+    ReportSearch search;                ///< of all storeys
+    std::vector<ReportStorey> storeys;  ///< from the lowest on; empty where there is but one
     ReportWork work;
 
     [[nodiscard]] bool hasMap() const { return !evidence.empty(); }
@@ -93,11 +105,22 @@ struct ReportModel {
 /// The report of @p input; equal inputs make equal reports.
 [[nodiscard]] ReportModel reportOf(const ReportInput& input, const Progress& progress = {});
 
-/// What was found, as it is marked in maps of @p model.
-[[nodiscard]] std::vector<MapMark> marksOf(const ReportModel& model);
+/// One of the maps of a report.
+struct ReportMap {
+    std::size_t band = 0;            ///< of reportBands()
+    std::optional<int> storey = {};  ///< number of one of ReportModel::storeys; empty: all in one
+};
+/// The maps of all places of @p model, each place in one of them for each height: those of its storeys, or of
+/// the only one; none without a map.
+[[nodiscard]] std::vector<ReportMap> mapsOf(const ReportModel& model);
 
-/// The map of @p model at the height of number @p band, with everything that is marked in it.
-[[nodiscard]] MapDrawing drawingOf(const ReportModel& model, std::size_t band, std::string title);
+/// What was found, as it is marked in a map of @p storey, or of all storeys.
+[[nodiscard]] std::vector<MapMark> marksOf(const ReportModel& model, std::optional<int> storey = {});
+
+/// @p map of @p model, with everything that is marked in it.
+[[nodiscard]] MapDrawing drawingOf(const ReportModel& model, const ReportMap& map, std::string title);
+/// The map that shows the place of @p find at the height that stops robots.
+[[nodiscard]] ReportMap mapAbout(const ReportModel& model, const ReportFind& find);
 
 /// "RoboCup2013-Team-Mission" of @p facts.
 [[nodiscard]] std::string handInName(const ReportFacts& facts);

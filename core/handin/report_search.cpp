@@ -1,29 +1,38 @@
 #include "core/handin/report_search.h"
 
-#include <limits>
+#include <algorithm>
 
 #include "core/mission/coverage/search_book.h"
 
 namespace leitstand {
 
-CoverageMapPtr coverageOf(std::span<const ReportScan> scans, std::span<const SearchView> views,
-                          std::span<const Eigen::Vector3d> trail) {
+std::vector<StoreyCoverage> coverageOf(std::span<const ReportScan> scans, std::span<const SearchView> views,
+                                       std::span<const Eigen::Vector3d> trail) {
     SearchBook book;
-    std::uint64_t nameless = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t nameless = std::uint64_t{1} << 63U;  // those of a mission begin with 1
     for (ReportScan scan : scans) {
-        if (scan.id == 0) scan.id = nameless--;  // of a bag without key scans
+        if (scan.id == 0) scan.id = nameless++;  // of a bag without key scans
         book.add(scan);
     }
     for (const SearchView& view : views) (void)book.add(view);
-    return book.coverage(trail);
+    return book.byStorey(trail);
 }
 
-ReportSearch searchOf(const CoverageMap& coverage) {
+ReportSearch searchOf(std::span<const StoreyCoverage> storeys, std::span<const SearchView> views) {
     ReportSearch search;
-    search.reachable = coverage.ground().reachableArea();
+    for (const StoreyCoverage& one : storeys) search.reachable += one.map->ground().reachableArea();
     if (!(search.reachable > 0.0)) return search;
-    for (const SearchSensor sensor : SearchSensors)
-        search.sensors.push_back({sensor, coverage.seenArea(sensor), missed(coverage, sensor)});
+    for (const SearchSensor sensor : SearchSensors) {
+        // Of a bag without key scans nobody knows where cameras looked; some robots have none.
+        const bool looked = sensor == SearchSensor::Scanner ||
+                            std::any_of(views.begin(), views.end(),
+                                        [sensor](const SearchView& view) { return view.sensor == sensor; });
+        if (!looked) continue;
+        ReportSearch::Sensor& told = search.sensors.emplace_back();
+        told.sensor = sensor;
+        for (const StoreyCoverage& one : storeys) told.seen += one.map->seenArea(sensor);
+        told.missed = missed(storeys, sensor);
+    }
     return search;
 }
 

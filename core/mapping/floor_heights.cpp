@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -12,14 +13,15 @@ namespace {
 constexpr float None = std::numeric_limits<float>::quiet_NaN();
 constexpr int MostCells = 4000;  ///< along an axis
 
-/// Calls @p take with every floor point of @p scans in the map [m].
+/// Calls @p take with every floor point of @p scans at @p heights, in the map [m].
 template <class Take>
-void forEachFloorPoint(std::span<const ReportScan> scans, Take take) {
+void forEachFloorPoint(std::span<const ReportScan> scans, const StoreyHeights& heights, Take take) {
     for (const ReportScan& placed : scans) {
         const Scan& scan = *placed.scan;
         for (std::size_t i = 0; i < scan.labels.size() && i < scan.points.size(); ++i) {
-            if (scan.labels[i] == Label::Floor && scan.points[i].allFinite())
-                take(placed.scanInMap * scan.points[i].cast<double>());
+            if (scan.labels[i] != Label::Floor || !scan.points[i].allFinite()) continue;
+            const Eigen::Vector3d point = placed.scanInMap * scan.points[i].cast<double>();
+            if (heights.hold(point.z())) take(point);
         }
     }
 }
@@ -36,14 +38,14 @@ std::ptrdiff_t FloorHeights::cellOf(double x, double y) const {
 void FloorHeights::gather(std::span<const ReportScan> scans, const FloorSettings& settings) {
     // Points are gone through twice: they are many, and only their heights are kept.
     std::vector<std::uint32_t> ends(m_height.size() + 1);
-    forEachFloorPoint(scans, [&](const Eigen::Vector3d& point) {
+    forEachFloorPoint(scans, settings.heights, [&](const Eigen::Vector3d& point) {
         const auto cell = cellOf(point.x(), point.y());
         if (cell >= 0) ++ends[static_cast<std::size_t>(cell) + 1];
     });
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
     std::vector<float> heights(ends.back());
     std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
-    forEachFloorPoint(scans, [&](const Eigen::Vector3d& point) {
+    forEachFloorPoint(scans, settings.heights, [&](const Eigen::Vector3d& point) {
         const auto cell = cellOf(point.x(), point.y());
         if (cell >= 0) heights[next[static_cast<std::size_t>(cell)]++] = static_cast<float>(point.z());
     });
@@ -164,11 +166,14 @@ void FloorHeights::fill(std::vector<float>& heights) const {
     }
 }
 
-FloorHeights FloorHeights::of(std::span<const ReportScan> scans, std::span<const Eigen::Vector3d> ground,
+FloorHeights FloorHeights::of(std::span<const ReportScan> scans, std::span<const Eigen::Vector3d> trail,
                               const FloorSettings& settings) {
+    std::vector<Eigen::Vector3d> ground;
+    std::copy_if(trail.begin(), trail.end(), std::back_inserter(ground),
+                 [&](const Eigen::Vector3d& place) { return settings.heights.hold(place.z()); });
     FloorHeights floor;
     Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    forEachFloorPoint(scans, [&](const Eigen::Vector3d& point) {
+    forEachFloorPoint(scans, settings.heights, [&](const Eigen::Vector3d& point) {
         low = low.cwiseMin(point.head<2>());
         high = high.cwiseMax(point.head<2>());
     });

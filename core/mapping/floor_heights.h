@@ -7,17 +7,19 @@
 #include <Eigen/Core>
 
 #include "core/mapping/report_scan.h"
+#include "core/mapping/storeys.h"
 
 namespace leitstand {
 
 /// How the local floor is told.
 struct FloorSettings {
-    double cell = 0.10;       ///< [m]
-    double layer = 0.10;      ///< points so far above a surface's lowest belong to it [m] ...
-    double apart = 0.25;      ///< ... those that are farther above it to another one: a deck, a table [m]
-    double step = 0.12;       ///< from cell to cell; what is higher is furniture, not floor [m]
-    double underRobot = 0.2;  ///< under a robot a cell so near to the height of base_link is floor [m] ...
-    double blind = 1.0;       ///< ... and so far around it, one that is no step away from that height [m]
+    double cell = 0.10;          ///< [m]
+    double layer = 0.10;         ///< points so far above a surface's lowest belong to it [m] ...
+    double apart = 0.25;         ///< ... those that are farther above it to another one: a deck, a table [m]
+    double step = 0.12;          ///< from cell to cell; what is higher is furniture, not floor [m]
+    double underRobot = 0.2;     ///< under a robot a cell so near to the height of base_link is floor [m] ...
+    double blind = 1.0;          ///< ... and so far around it, one that is no step away from that height [m]
+    StoreyHeights heights = {};  ///< what floor is outside them, is another storey's
 };
 
 /// How high the floor is at each place of a map: floors have ramps and storeys, so that heights count from

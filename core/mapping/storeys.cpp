@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 
 namespace leitstand {
 namespace {
@@ -52,17 +53,16 @@ std::vector<double> levelsOf(const std::vector<double>& heights) {
 }
 
 /// The floor about the scanners at @p level.
-double floorAt(const Map& map, double level) {
-    std::vector<const MapScan*> scans;
-    for (const MapScan& scan : map.scans) {
-        if (!scan.uncertain && std::abs(scan.poseInMap.translation().z() - level) <= About)
-            scans.push_back(&scan);
+double floorAt(std::span<const ReportScan> all, double level) {
+    std::vector<const ReportScan*> scans;
+    for (const ReportScan& scan : all) {
+        if (std::abs(scan.scanInMap.translation().z() - level) <= About) scans.push_back(&scan);
     }
     std::vector<double> heights;
     const std::size_t every = std::max<std::size_t>(1, scans.size() / Looked);
     for (std::size_t i = 0; i < scans.size(); i += every) {
         const Scan& scan = *scans[i]->scan;
-        const Pose& pose = scans[i]->poseInMap;
+        const Pose& pose = scans[i]->scanInMap;
         const std::size_t step = std::max<std::size_t>(1, scan.points.size() / PointsOfEach);
         for (std::size_t point = 0; point < std::min(scan.points.size(), scan.labels.size()); point += step) {
             if (scan.labels[point] != Label::Floor || !scan.points[point].allFinite()) continue;
@@ -79,9 +79,18 @@ double floorAt(const Map& map, double level) {
 }  // namespace
 
 std::vector<Storey> storeysOf(const Map& map) {
-    std::vector<double> heights;
+    std::vector<ReportScan> scans;
     for (const MapScan& scan : map.scans) {
-        if (!scan.uncertain) heights.push_back(scan.poseInMap.translation().z());
+        if (!scan.uncertain) scans.push_back({.scan = scan.scan, .scanInMap = scan.poseInMap});
+    }
+    return storeysOf(scans);
+}
+
+std::vector<Storey> storeysOf(std::span<const ReportScan> scans) {
+    std::vector<double> heights;
+    for (const ReportScan& scan : scans) {
+        if (const double height = scan.scanInMap.translation().z(); std::isfinite(height))
+            heights.push_back(height);
     }
     if (heights.empty()) return {};
     const double first = heights.front();
@@ -93,14 +102,35 @@ std::vector<Storey> storeysOf(const Map& map) {
     });
     std::vector<Storey> storeys;
     for (auto level = levels.begin(); level != levels.end(); ++level)
-        storeys.push_back({static_cast<int>(level - begins), floorAt(map, *level)});
+        storeys.push_back({static_cast<int>(level - begins), floorAt(scans, *level)});
     return storeys;
+}
+
+std::string storeyName(int number) {
+    if (number == 0) return "0";
+    return (number > 0 ? "+" : "\u2212") + std::to_string(std::abs(number));
 }
 
 StoreyHeights heightsOf(const std::vector<Storey>& storeys, std::size_t index) {
     StoreyHeights heights{storeys.at(index).floor - BelowFloor, std::nullopt};
     if (index + 1 < storeys.size()) heights.to = storeys[index + 1].floor - BelowFloor;
     return heights;
+}
+
+std::vector<StoreyShare> sharesOf(const std::vector<Storey>& storeys) {
+    if (storeys.empty()) return {StoreyShare{}};
+    std::vector<StoreyShare> shares;
+    for (std::size_t i = 0; i < storeys.size(); ++i)
+        shares.push_back({storeys[i].number, heightsOf(storeys, i)});
+    shares.front().heights.from = StoreyHeights{}.from;
+    return shares;
+}
+
+std::size_t shareAt(std::span<const StoreyShare> shares, double z) {
+    for (std::size_t i = shares.size(); i > 1; --i) {
+        if (z >= shares[i - 1].heights.from) return i - 1;
+    }
+    return 0;
 }
 
 }  // namespace leitstand

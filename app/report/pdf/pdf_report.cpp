@@ -184,12 +184,13 @@ private:
 
 void layOut(Pages& pages, const ReportContent& content) {
     for (const QString& section : overviewHtml(content)) pages.text(section);
-    for (std::size_t band = 0; band < content.maps.size(); ++band) {
-        band == 0 ? pages.nextPageUnlessFree() : pages.nextPage();
-        pages.text(QStringLiteral("<p><b>%1</b></p>").arg(mapCaption(content, band).toHtmlEscaped()));
-        const MapPicture& map = content.maps[band];
+    for (const PrintedMap& printed : content.maps) {
+        &printed == &content.maps.front() ? pages.nextPageUnlessFree() : pages.nextPage();
+        pages.text(
+            QStringLiteral("<p><b>%1</b></p>").arg(mapCaption(content, printed.shows).toHtmlEscaped()));
+        const MapPicture& map = printed.picture;
         const auto over = [&](QPainter& painter, const QRectF& picture) {
-            drawCallouts(painter, picture, map, marksOf(content.model));
+            drawCallouts(painter, picture, map, marksOf(content.model, printed.shows.storey));
             const double dots = picture.width() / map.picture.width / map.perPixel;
             drawScale(painter, picture.bottomLeft(), dots);
         };

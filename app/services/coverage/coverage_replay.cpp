@@ -54,7 +54,7 @@ struct CoverageReplay::Work {
         made = std::move(now);
         if (trails.empty() || made->poses.empty()) return SearchedFloorPtr();
         book.follow(made->poses);
-        return searchedFloorOf(book.coverage(trails, moment.now));
+        return searchedFloorOf(book.byStorey(trails, moment.now));
     }
 
     SearchBook book;

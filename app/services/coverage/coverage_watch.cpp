@@ -101,7 +101,7 @@ struct CoverageWatch::Work {
         poses = std::move(now);
         book.follow(poses);
         search.follow(poses);
-        SearchedFloorPtr made = searchedFloorOf(book.coverage(trail));
+        SearchedFloorPtr made = searchedFloorOf(book.byStorey(trail));
         changed = false;
         const auto took = Clock::now() - begin;
         next = Clock::now() + std::clamp<Clock::duration>(Rarely * took, Every, Longest);

@@ -56,13 +56,19 @@ struct FindPages {
     std::vector<Eigen::Vector2d> wayPixels;  ///< the way in that picture [px]
 };
 
+/// A map of the report, painted.
+struct PrintedMap {
+    ReportMap shows;
+    MapPicture picture;
+};
+
 /// A printed report before it is laid out.
 struct ReportContent {
     ReportModel model;
     std::string name;                          ///< "RoboCup2013-Team-Mission"
     std::string version;                       ///< of the program that writes it
     Time created{};                            ///< stated in the report
-    std::vector<MapPicture> maps;              ///< one for each height, without title
+    std::vector<PrintedMap> maps;              ///< of mapsOf(), without titles
     std::vector<FindPages> finds;              ///< one for each of the model's
     std::vector<std::string> warnings;         ///< what is missing or could not be read
     std::optional<ScoreProfile> profile = {};  ///< rules of the score; empty: there are none

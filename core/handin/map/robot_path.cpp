@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include "core/mapping/live/trail.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double MostDisagreement = 1.0;  ///< of two anchors; beyond it the odometry began anew [m]
 constexpr double Turned = degrees(10);
+constexpr std::chrono::seconds Beyond{1};  ///< the end of odometry, an anchor tells alone where the robot was
 
 /// Where an anchor has the odometry's frame.
 struct OdometryInMap {
@@ -68,7 +70,7 @@ std::vector<PathPose> joinedPath(std::span<const PathAnchor> anchors, std::span<
             corrections.push_back({anchor.time, anchor.baseInMap * at->inverse()});
     }
     if (corrections.empty()) return thinned(path, apart);
-    path.clear();
+    const std::vector<PathPose> anchored = std::exchange(path, {});
     std::size_t next = 0;  // first correction after the pose
     for (const PathPose& pose : odometry) {
         while (next < corrections.size() && corrections[next].time <= pose.time) ++next;
@@ -83,6 +85,11 @@ std::vector<PathPose> joinedPath(std::span<const PathAnchor> anchors, std::span<
         placed.afterGap = !path.empty() && isGap(distanceBetween(path.back().baseInMap, placed.baseInMap),
                                                  placed.time - path.back().time);
         path.push_back(placed);
+    }
+    for (const PathPose& anchor : anchored) {
+        if (anchor.time <= odometry.back().time + Beyond) continue;
+        path.push_back(anchor);
+        path.back().afterGap = true;
     }
     return thinned(path, apart);
 }

@@ -13,9 +13,9 @@
 namespace leitstand {
 namespace {
 
-constexpr double Apart = 0.10;    ///< trails are thinned to this [m]
-constexpr double Crossing = 0.3;  ///< trails that come so near meet [m]
-constexpr double Storey = 0.3;    ///< ... unless one is so far above the other [m]
+constexpr double Apart = 0.10;      ///< trails are thinned to this [m]
+constexpr double Crossing = 0.3;    ///< trails that come so near meet [m]
+constexpr double SameStorey = 0.3;  ///< ... unless one is so far above the other [m]
 constexpr double Far = std::numeric_limits<double>::infinity();
 
 constexpr double Touching = 0.15;  ///< of a find: what is seen so near is its own surface [m] ...
@@ -73,7 +73,8 @@ struct WayFinder::Graph {
                 const auto [first, last] = places.equal_range(keyOf(node.point, dx, dy));
                 for (auto near = first; near != last; ++near) {
                     const Eigen::Vector3d away = nodes[near->second].point - node.point;
-                    if (away.head<2>().norm() <= Crossing && std::abs(away.z()) <= Storey) take(near->second);
+                    if (away.head<2>().norm() <= Crossing && std::abs(away.z()) <= SameStorey)
+                        take(near->second);
                 }
             }
         }
@@ -173,7 +174,7 @@ Way WayFinder::to(const Eigen::Vector3d& place, const OccupancyGrid& map, const 
     if (!map.empty()) {
         const double ground = floor.below(place);
         goal = best([&](const Graph::Node& node) {
-            return std::abs(floor.below(node.point) - ground) <= Storey &&
+            return std::abs(floor.below(node.point) - ground) <= SameStorey &&
                    isClear(map, place.head<2>(), node.point.head<2>());
         });
     }

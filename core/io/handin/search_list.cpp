@@ -1,7 +1,10 @@
 #include "core/io/handin/search_list.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -13,21 +16,28 @@
 namespace leitstand {
 namespace {
 
-constexpr std::array<std::string_view, 6> Columns = {"sensor", "what", "m2", "percent", "x", "y"};
+constexpr std::array<std::string_view, 7> Columns = {"sensor", "what", "m2", "percent", "x", "y", "storey"};
+constexpr std::size_t WithoutStorey = Columns.size() - 1;
+constexpr double MostStoreys = 1000.0;  ///< what is beyond is no storey
 
 }  // namespace
 
 Result<void> writeSearchList(const std::filesystem::path& file, const std::vector<ListedSearch>& rows) {
-    std::string text = fmt::format("{}\n", fmt::join(Columns, ","));
+    const bool storeys =
+        std::any_of(rows.begin(), rows.end(), [](const ListedSearch& row) { return row.storey.has_value(); });
+    const auto columns = std::span(Columns).first(storeys ? Columns.size() : WithoutStorey);
+    std::string text = fmt::format("{}\n", fmt::join(columns, ","));
     for (const ListedSearch& row : rows) {
         const bool placed = row.what == "missed";
         if (!std::isfinite(row.area) || !std::isfinite(row.share) || !std::isfinite(row.x + row.y))
             return Error{leitstand::fill(
                 translate("leitstand::Error", "{}: is not written: a figure of {} is no number"),
                 file.string(), row.sensor)};
-        text += fmt::format("{},{},{:.2f},{:.1f},{},{}\n", csvField(row.sensor), csvField(row.what), row.area,
+        text += fmt::format("{},{},{:.2f},{:.1f},{},{}", csvField(row.sensor), csvField(row.what), row.area,
                             100.0 * row.share, placed ? fmt::format("{:.2f}", row.x) : "",
                             placed ? fmt::format("{:.2f}", row.y) : "");
+        if (storeys) text += row.storey ? fmt::format(",{}", *row.storey) : ",";
+        text += '\n';
     }
     return detail::writeWhole(file, text);
 }
@@ -37,14 +47,18 @@ Result<std::vector<ListedSearch>> readSearchList(const std::filesystem::path& fi
     if (!opened) return opened.error();
     CsvReader reader = std::move(opened).value();
     std::vector<std::string> fields;
-    if (!reader.next(fields) || !std::equal(fields.begin(), fields.end(), Columns.begin(), Columns.end())) {
+    const bool known = reader.next(fields) && fields.size() >= WithoutStorey &&
+                       fields.size() <= Columns.size() &&
+                       std::equal(fields.begin(), fields.end(), Columns.begin());
+    if (!known) {
         if (const auto failure = reader.failure()) return *failure;
         return reader.mismatch(fmt::format("the columns {}", fmt::join(Columns, ",")));
     }
+    const std::size_t columns = fields.size();
     std::vector<ListedSearch> rows;
     while (reader.next(fields)) {
         if (fields.size() == 1 && fields.front().empty()) continue;
-        if (fields.size() != Columns.size()) return reader.mismatch("six fields");
+        if (fields.size() != columns) return reader.mismatch(fmt::format("{} fields", columns));
         ListedSearch row;
         row.sensor = fields[0];
         row.what = fields[1];
@@ -53,12 +67,16 @@ Result<std::vector<ListedSearch>> readSearchList(const std::filesystem::path& fi
         if (!percent || !std::isfinite(*percent)) return reader.mismatch("a number as percent");
         row.area = *area;
         row.share = *percent / 100.0;
-        for (std::size_t i = 4; i < 6; ++i) {
+        for (std::size_t i = 4; i < columns; ++i) {
             if (fields[i].empty()) continue;
             const auto number = detail::toNumber(fields[i]);
-            if (!number || !std::isfinite(*number))
+            const bool storey = i == WithoutStorey;
+            if (!number || !std::isfinite(*number) || (storey && std::abs(*number) > MostStoreys))
                 return reader.mismatch(fmt::format("a number as {}", Columns[i]));
-            (i == 4 ? row.x : row.y) = *number;
+            if (storey)
+                row.storey = static_cast<int>(*number);
+            else
+                (i == 4 ? row.x : row.y) = *number;
         }
         rows.push_back(std::move(row));
     }

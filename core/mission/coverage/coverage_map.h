@@ -47,4 +47,10 @@ private:
 };
 using CoverageMapPtr = std::shared_ptr<const CoverageMap>;
 
+/// What was searched of a storey.
+struct StoreyCoverage {
+    StoreyShare storey;
+    CoverageMapPtr map;  ///< never null
+};
+
 }  // namespace leitstand

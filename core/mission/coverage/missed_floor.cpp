@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace leitstand {
 namespace {
@@ -33,6 +34,12 @@ MissedRegion regionOf(const SearchGround& ground, const std::vector<std::size_t>
     return region;
 }
 
+std::vector<MissedRegion> largestFirst(std::vector<MissedRegion> regions) {
+    std::stable_sort(regions.begin(), regions.end(),
+                     [](const MissedRegion& a, const MissedRegion& b) { return a.area > b.area; });
+    return regions;
+}
+
 }  // namespace
 
 std::vector<MissedRegion> missed(const CoverageMap& coverage, SearchSensor sensor) {
@@ -60,9 +67,18 @@ std::vector<MissedRegion> missed(const CoverageMap& coverage, SearchSensor senso
         MissedRegion region = regionOf(ground, cells);
         if (region.area >= coverage.settings().leastMissed) regions.push_back(region);
     }
-    std::stable_sort(regions.begin(), regions.end(),
-                     [](const MissedRegion& a, const MissedRegion& b) { return a.area > b.area; });
-    return regions;
+    return largestFirst(std::move(regions));
+}
+
+std::vector<MissedRegion> missed(std::span<const StoreyCoverage> storeys, SearchSensor sensor) {
+    std::vector<MissedRegion> all;
+    for (const StoreyCoverage& one : storeys) {
+        for (MissedRegion region : missed(*one.map, sensor)) {
+            region.storey = one.storey.number;
+            all.push_back(region);
+        }
+    }
+    return largestFirst(std::move(all));
 }
 
 }  // namespace leitstand

@@ -97,14 +97,22 @@ std::vector<SearchView> SearchBook::allViews() const {
     return all;
 }
 
-CoverageMapPtr SearchBook::coverage(std::span<const Eigen::Vector3d> trail, Time until) const {
+std::vector<ReportScan> SearchBook::counted() const {
     std::vector<ReportScan> scans;
     for (const auto& [id, held] : m_scans) {
         if (held.counts) scans.push_back(held.scan);
     }
-    auto map = std::make_shared<CoverageMap>(SearchGround::of(scans, trail, m_settings), m_settings);
+    return scans;
+}
+
+CoverageMapPtr SearchBook::coverage(std::span<const Eigen::Vector3d> trail, Time until,
+                                    const StoreyHeights& heights) const {
+    auto map =
+        std::make_shared<CoverageMap>(SearchGround::of(counted(), trail, m_settings, heights), m_settings);
     for (const auto& [id, held] : m_scans) {
-        if (!held.counts) continue;
+        // Nothing is known of the ceiling between two storeys: what robots looked at from another one does
+        // not count.
+        if (!held.counts || !heights.hold(held.scan.baseInMap().translation().z())) continue;
         map->scan(held.shots, held.scan.scanInMap);
         const auto looks = m_looks.find(id);
         if (looks == m_looks.end()) continue;
@@ -113,6 +121,13 @@ CoverageMapPtr SearchBook::coverage(std::span<const Eigen::Vector3d> trail, Time
         }
     }
     return map;
+}
+
+std::vector<StoreyCoverage> SearchBook::byStorey(std::span<const Eigen::Vector3d> trail, Time until) const {
+    std::vector<StoreyCoverage> storeys;
+    for (const StoreyShare& share : sharesOf(storeysOf(counted())))
+        storeys.push_back({share, coverage(trail, until, share.heights)});
+    return storeys;
 }
 
 }  // namespace leitstand

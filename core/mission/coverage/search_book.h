@@ -33,9 +33,13 @@ public:
     /// All views, by scan.
     [[nodiscard]] std::vector<SearchView> allViews() const;
 
-    /// What was searched @p until then. @p trail: base_link where robots were, in the map [m].
-    [[nodiscard]] CoverageMapPtr coverage(std::span<const Eigen::Vector3d> trail,
-                                          Time until = Time::max()) const;
+    /// What was searched @p until then of the storey with @p heights, from what looked at it from there.
+    /// @p trail: base_link where robots were, in the map [m].
+    [[nodiscard]] CoverageMapPtr coverage(std::span<const Eigen::Vector3d> trail, Time until = Time::max(),
+                                          const StoreyHeights& heights = {}) const;
+    /// Likewise, of each storey of the map, from the lowest on; at least one.
+    [[nodiscard]] std::vector<StoreyCoverage> byStorey(std::span<const Eigen::Vector3d> trail,
+                                                       Time until = Time::max()) const;
 
 private:
     struct Held {
@@ -43,6 +47,7 @@ private:
         ShotDensity shots;
         bool counts = true;
     };
+    [[nodiscard]] std::vector<ReportScan> counted() const;
     [[nodiscard]] ViewGrain grain(double coarseness) const;
     bool makeRoom(ScanViews& looks);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/mapping/floor_heights.h"
@@ -230,25 +231,29 @@ void SearchGround::reach(std::span<const Eigen::Vector3d> trail) {
 }
 
 SearchGround SearchGround::of(std::span<const ReportScan> scans, std::span<const Eigen::Vector3d> trail,
-                              const CoverageSettings& settings) {
+                              const CoverageSettings& settings, const StoreyHeights& heights) {
     SearchGround ground;
     ground.m_settings = settings;
     if (!ground.frame(scans)) return ground;
+    std::vector<Eigen::Vector3d> here;
+    std::copy_if(trail.begin(), trail.end(), std::back_inserter(here),
+                 [&](const Eigen::Vector3d& place) { return heights.hold(place.z()); });
     FloorSettings how;
     how.cell = ground.m_cell;
-    const FloorHeights floor = FloorHeights::of(scans, trail, how);
+    how.heights = heights;
+    const FloorHeights floor = FloorHeights::of(scans, here, how);
     for (std::size_t cell = 0; cell < ground.size(); ++cell) {
         const Eigen::Vector2d place = ground.middleOf(cell);
         ground.m_height[cell] = static_cast<float>(floor.at(place.x(), place.y()));
     }
-    ground.stand(scans, trail, floor);
+    ground.stand(scans, here, floor);
     ground.closeWalls();
     for (std::size_t cell = 0; cell < ground.size(); ++cell) {
         const Eigen::Vector2d place = ground.middleOf(cell);
         ground.m_floor[cell] = floor.seen(place.x(), place.y()) && !ground.obstructs(cell) ? 1 : 0;
     }
     ground.closeFloor();
-    ground.reach(trail);
+    ground.reach(here);
     return ground;
 }
 

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "core/mapping/report_scan.h"
+#include "core/mapping/storeys.h"
 #include "core/mission/coverage/coverage_settings.h"
 
 namespace leitstand {
@@ -18,10 +19,11 @@ class FloorHeights;
 /// reach. A grid in the map's frame.
 class SearchGround {
 public:
-    /// @p trail: base_link where robots were, in the map [m].
+    /// That of the storey with @p heights. @p trail: base_link where robots were, in the map [m].
     [[nodiscard]] static SearchGround of(std::span<const ReportScan> scans,
                                          std::span<const Eigen::Vector3d> trail,
-                                         const CoverageSettings& settings = {});
+                                         const CoverageSettings& settings = {},
+                                         const StoreyHeights& heights = {});
 
     [[nodiscard]] double cell() const { return m_cell; }                      ///< edge [m]
     [[nodiscard]] int columns() const { return m_columns; }                   ///< along x

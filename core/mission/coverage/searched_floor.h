@@ -9,6 +9,13 @@
 
 namespace leitstand {
 
+/// How much of a storey was searched.
+struct SearchedStorey {
+    int number = 0;
+    double reachable = 0.0;                           ///< floor that robots can reach [m2]
+    std::array<double, SearchSensors.size()> seen{};  ///< of it, by SearchSensor [m2]
+};
+
 /// What was searched, told for each kind of sensor: all that a window shows of it, made where it is computed.
 /// Immutable once shared.
 struct SearchedFloor {
@@ -18,8 +25,8 @@ struct SearchedFloor {
         std::vector<MissedRegion> missed;  ///< the largest first
         FloorTint tint;
     };
-    CoverageMapPtr coverage;
-    double reachable = 0.0;  ///< floor that robots can reach [m2]
+    double reachable = 0.0;               ///< floor that robots can reach, of all storeys [m2]
+    std::vector<SearchedStorey> storeys;  ///< from the lowest on
     std::array<Part, SearchSensors.size()> parts;
 
     [[nodiscard]] const Part& by(SearchSensor sensor) const {
@@ -28,8 +35,7 @@ struct SearchedFloor {
 };
 using SearchedFloorPtr = std::shared_ptr<const SearchedFloor>;
 
-/// @p coverage: not null.
-[[nodiscard]] SearchedFloorPtr searchedFloorOf(CoverageMapPtr coverage);
+[[nodiscard]] SearchedFloorPtr searchedFloorOf(const std::vector<StoreyCoverage>& storeys);
 /// How to paint @p searched; null where nothing is known. Nothing is copied.
 [[nodiscard]] FloorTintPtr tintOf(const SearchedFloorPtr& searched, SearchSensor sensor);
 

@@ -85,6 +85,41 @@ TEST_F(Report, HasAllFilesAndHasReadThemAgain) {
     std::printf("a report of 3 scans takes %.2f s\n", json["seconds"].get<double>());
 }
 
+TEST_F(Report, OfAMapWithTwoStoreysHasBoth) {
+    const TemporaryFolder folder;
+    SampleMission what;
+    what.scans = 5;
+    what.upstairs = true;
+    writeSampleMission(folder / "two", what);
+    const fs::path made = folder / "out";
+    const ProcessOutcome told = ctl({"report", (folder / "two").string(), "--out", made.string()});
+    ASSERT_EQ(told.exitCode, 0) << told.err;
+    const auto map = [&](const std::string& ending) { return readGeoTiff(made / (Name + ending)).value(); };
+    const MapPicture below = map("_storey0.tif"), above = map("_storey1.tif");
+    EXPECT_EQ(at(below, 1.5 + 0.14, 1.0), map_colour::Victim) << "V1";
+    EXPECT_EQ(at(above, 1.5, 1.0), map_colour::Code) << "Q2, at the same place upstairs";
+    EXPECT_EQ(at(above, 2.5 + 0.14, 1.5), map_colour::Victim) << "V4";
+    EXPECT_NE(at(below, 2.5 + 0.14, 1.5), map_colour::Victim);
+    EXPECT_EQ(at(map(".tif"), 2.5 + 0.14, 1.5), map_colour::Victim) << "the rules' map has everything";
+    EXPECT_TRUE(fs::exists(made / (std::string(Name) + "_storey1_upper.tif")));
+    const auto rows = readSearchList(made / (std::string(Name) + "_searched.csv")).value();
+    EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const ListedSearch& row) {
+        return row.what == "seen" && row.storey == 1 && row.area > 5.0;
+    }));
+    const std::string pdf = pdfText(made / (std::string(Name) + ".pdf"));
+    EXPECT_THAT(pdf, HasSubstr("storey +1, map at 0.25 to 0.35 m above its floor"));
+    EXPECT_THAT(pdf, HasSubstr("Of the finds, by storey: storey 0: "));
+    const auto exported = [&](const char* storey) {
+        return ctl(
+            {"export", (folder / "two").string(), "--out", (folder / "up.tif").string(), "--storey", storey});
+    };
+    EXPECT_EQ(exported("1").exitCode, 0);
+    EXPECT_EQ(at(readGeoTiff(folder / "up.tif").value(), 1.5, 1.0), map_colour::Code);
+    const ProcessOutcome none = exported("2");
+    EXPECT_EQ(none.exitCode, 1);
+    EXPECT_THAT(none.err, HasSubstr("expected one of the storeys 0, 1, found 2"));
+}
+
 TEST_F(Report, ChecksumsAreTrue) {
     const ProcessOutcome sums =
         runProcess("/bin/sh", {"-c", "cd '" + out().string() + "' && sha256sum --check --strict SHA256SUMS"});
@@ -195,7 +230,7 @@ TEST_F(Report, ThePdfHasItsPicturesAndMapPages) {
     std::size_t maps = 0;
     std::istringstream pages(text);
     for (std::string page; std::getline(pages, page, '\f');)
-        maps += page.find(std::string(Name) + ": map at ") != std::string::npos ? 1 : 0;
+        maps += page.find(fmt::format("{}: map at ", Name)) != std::string::npos ? 1 : 0;
     EXPECT_EQ(maps, 2U) << "a page for each height";
 }
 

@@ -240,7 +240,7 @@ void writeSampleMission(const std::filesystem::path& folder, const SampleMission
         writer.say(info, station_topic::Mission);
     }
     writer.receive(ModeSample{{at(100), ""}, "explore", true, "", {"explore"}}, "/kurt3d/mode");
-    const auto scans = roomScans(what.scans);
+    const auto scans = what.upstairs ? storeyScans(what.scans) : roomScans(what.scans);
     std::uint64_t frozen = 0;  // odometry of the moment of the second scan
     for (int i = 0; i < what.odometry; ++i) {
         OdometrySample odometry;
@@ -261,6 +261,10 @@ void writeSampleMission(const std::filesystem::path& folder, const SampleMission
     }
     if (what.setAside) rejectAll(writer, scans);
     if (what.finds) sayFinds(writer, scans, frozen);
+    if (what.upstairs) {
+        writer.say(find(VictimSample::Kind::Victim, 4, {2.5, 1.5, 3.4}), station_topic::Victims);
+        writer.say(find(VictimSample::Kind::Code, 2, {1.5, 1.0, 3.6}), station_topic::Victims);
+    }
     for (int i = 0; i < what.victims; ++i) {
         const Eigen::Vector3d far(-20.0 + 40.0 * (i % 4) / 3, -20.0 + 20.0 * (i / 4 % 3), 0.3),
             beside(3.0 + 0.15 * i, 2.0 - 0.1 * i, 0.3);

@@ -34,6 +34,21 @@ inline std::vector<ReportScan> roomScans(int count = 3) {
     return scans;
 }
 
+/// roomScans() of the room and as many of one like it, @p up above it, which came later [m].
+inline std::vector<ReportScan> storeyScans(int count, double up = 3.0) {
+    std::vector<ReportScan> scans = roomScans(count);
+    for (int i = 0; i < count; ++i) {
+        ReportScan above = scans[static_cast<std::size_t>(i)];
+        auto later = std::make_shared<Scan>(*above.scan);
+        later->end += std::chrono::seconds(5 * count);
+        above.id += static_cast<std::uint64_t>(count);
+        above.scan = later;
+        above.scanInMap.translation().z() += up;
+        scans.push_back(above);
+    }
+    return scans;
+}
+
 /// Where the robot stood.
 inline std::vector<Eigen::Vector3d> groundOf(const std::vector<ReportScan>& scans) {
     std::vector<Eigen::Vector3d> ground;

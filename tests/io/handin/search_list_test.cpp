@@ -27,6 +27,22 @@ TEST(SearchList, ComesBackAsItWasWritten) {
     EXPECT_NEAR(read->at(1).share, 0.775, 1e-3);
 }
 
+TEST(SearchList, TellsOfStoreysWhereThereAreSeveral) {
+    const TemporaryFolder folder;
+    const std::vector<ListedSearch> rows = {
+        {.sensor = "camera", .what = "seen", .area = 3.0, .share = 0.5},
+        {.sensor = "camera", .what = "seen", .area = 2.0, .share = 0.4, .storey = 1},
+        {.sensor = "camera", .what = "missed", .area = 1.0, .share = 0.2, .x = 1.5, .y = -2.5, .storey = -1}};
+    ASSERT_TRUE(writeSearchList(folder / "s.csv", rows));
+    const auto read = readSearchList(folder / "s.csv");
+    ASSERT_TRUE(read) << read.error().text;
+    ASSERT_EQ(read->size(), 3U);
+    EXPECT_FALSE(read->at(0).storey) << "of all";
+    EXPECT_EQ(read->at(1).storey, 1);
+    EXPECT_EQ(read->at(2).storey, -1);
+    EXPECT_DOUBLE_EQ(read->at(2).y, -2.5);
+}
+
 TEST(SearchList, WhatMakesNoSenseIsNamedWithItsLine) {
     const TemporaryFolder folder;
     const auto problem = [&](const std::string& text) {
@@ -38,10 +54,15 @@ TEST(SearchList, WhatMakesNoSenseIsNamedWithItsLine) {
     EXPECT_EQ(problem(head), "");
     EXPECT_THAT(problem(""), HasSubstr("the columns sensor,what"));
     EXPECT_THAT(problem("a,b\n"), HasSubstr("b.csv:1"));
-    EXPECT_THAT(problem(head + "camera,seen,1\n"), HasSubstr("six fields"));
+    EXPECT_THAT(problem(head + "camera,seen,1\n"), HasSubstr("6 fields"));
     EXPECT_THAT(problem(head + "camera,seen,-1,2,,\n"), HasSubstr("b.csv:2"));
     EXPECT_THAT(problem(head + "camera,seen,nan,2,,\n"), HasSubstr("an area"));
     EXPECT_THAT(problem(head + "camera,missed,1,2,x,3\n"), HasSubstr("a number as x"));
+    const std::string storeys = "sensor,what,m2,percent,x,y,storey\n";
+    EXPECT_EQ(problem(storeys + "camera,seen,1,2,,,\ncamera,seen,1,2,,,-1\n"), "");
+    EXPECT_THAT(problem(storeys + "camera,seen,1,2,,\n"), HasSubstr("7 fields"));
+    EXPECT_THAT(problem(storeys + "camera,seen,1,2,,,1e300\n"), HasSubstr("a number as storey"));
+    EXPECT_THAT(problem("sensor,what,m2,percent,x,y,floor\n"), HasSubstr("the columns"));
     EXPECT_FALSE(readSearchList(folder / "absent.csv"));
     EXPECT_FALSE(writeSearchList(folder / "c.csv", {{.sensor = "camera",
                                                      .what = "seen",

@@ -44,8 +44,8 @@ TEST(FloorTint, CoversWhatWasSeenAndWhatWasMissedOnce) {
 }
 
 TEST(MissedModel, ListsTheLargestPieceFirstWithDistanceAndBearing) {
-    const auto map = searchedFloorOf(searched());
-    const auto nothing = searchedFloorOf(std::make_shared<const CoverageMap>(SearchGround{}));
+    const auto map = searchedFloorOf({{{}, searched()}});
+    const auto nothing = searchedFloorOf({{{}, std::make_shared<const CoverageMap>(SearchGround{})}});
     const auto rows = missedRows(*map, SearchSensor::Camera, poseFrom({-2.0, 0.0, 0.0}, 0, 0, 0));
     ASSERT_GE(rows.size(), 1U);
     EXPECT_EQ(rows[0].number, 1);

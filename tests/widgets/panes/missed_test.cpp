@@ -25,7 +25,7 @@ SearchedFloorPtr searched(bool infrared = false) {
         for (double heading = -3.0; heading < 3.0; heading += 0.3)
             EXPECT_TRUE(book.add(viewFrom({-2.0, 0.0, 0.5}, heading, degrees(25), SearchSensor::Infrared)));
     }
-    return searchedFloorOf(book.coverage(SearchScene::trail()));
+    return searchedFloorOf(book.byStorey(SearchScene::trail()));
 }
 
 class MissedPanes : public testing::TestWithParam<Theme> {

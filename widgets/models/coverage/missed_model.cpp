@@ -2,6 +2,7 @@
 
 #include "widgets/models/coverage/sensor_text.h"
 #include "widgets/models/map/nearest_row.h"
+#include "widgets/models/map/storey_text.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/victims/victim_rows.h"
 
@@ -10,13 +11,15 @@ namespace leitstand {
 std::vector<MissedRow> missedRows(const SearchedFloor& searched, SearchSensor sensor,
                                   const std::optional<Pose>& robotInMap) {
     std::vector<MissedRow> rows;
+    const bool several = searched.storeys.size() > 1;
     for (const MissedRegion& region : searched.by(sensor).missed) {
         MissedRow row;
         row.number = static_cast<int>(rows.size()) + 1;
         row.area = MissedModel::tr("%1 m²").arg(numberText(region.area, 1));
         row.inMap << region.place, region.height;
-        row.place = MissedModel::tr("x %1, y %2")
-                        .arg(numberText(region.place.x(), 1), numberText(region.place.y(), 1));
+        const QString x = numberText(region.place.x(), 1), y = numberText(region.place.y(), 1);
+        row.place = several ? MissedModel::tr("x %1, y %2, storey %3").arg(x, y, storeyText(region.storey))
+                            : MissedModel::tr("x %1, y %2").arg(x, y);
         if (robotInMap) row.where = whereText(*robotInMap, row.inMap);
         rows.push_back(std::move(row));
     }
@@ -35,9 +38,15 @@ QString searchedText(const SearchedFloor& searched, SearchSensor sensor) {
     const double all = searched.reachable;
     const SearchedFloor::Part& part = searched.by(sensor);
     if (!(all > 0.0)) return MissedModel::tr("No floor is known yet");
-    return MissedModel::tr("%1: %2 of %3 m² seen, places missed: %4")
-        .arg(sensorText(sensor), percentText(part.seen / all), numberText(all, 1),
-             QString::number(part.missed.size()));
+    QString text = MissedModel::tr("%1: %2 of %3 m² seen, places missed: %4")
+                       .arg(sensorText(sensor), percentText(part.seen / all), numberText(all, 1),
+                            QString::number(part.missed.size()));
+    for (const SearchedStorey& storey : searched.storeys) {
+        if (searched.storeys.size() < 2 || !(storey.reachable > 0.0)) continue;
+        const double seen = storey.seen[static_cast<std::size_t>(sensor)] / storey.reachable;
+        text += MissedModel::tr("; storey %1: %2").arg(storeyText(storey.number), percentText(seen));
+    }
+    return text;
 }
 
 void MissedModel::setRows(const std::vector<MissedRow>& rows) {

@@ -74,7 +74,7 @@ FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource
     settings.area = areaOf(find.way, find.position);
     settings.title = false;
     settings.mostPixels = 1.5e6;
-    pages.way = paintMap(drawingOf(model, 0, ""), settings);
+    pages.way = paintMap(drawingOf(model, mapAbout(model, find), ""), settings);
     for (const Eigen::Vector3d& point : find.way.points)
         pages.wayPixels.push_back(pages.way.pixelOf(point.head<2>()));
     return pages;

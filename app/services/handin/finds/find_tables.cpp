@@ -1,5 +1,6 @@
 #include "app/services/handin/finds/find_tables.h"
 
+#include <optional>
 #include <string>
 
 #include "app/services/handin/report_words.h"
@@ -71,18 +72,35 @@ FindList listOf(const ReportModel& model, FindList::Kind kind) {
 
 std::vector<ListedSearch> searchListOf(const ReportModel& model) {
     std::vector<ListedSearch> rows;
-    const double all = model.search.reachable;
-    for (const ReportSearch::Sensor& one : model.search.sensors) {
+    const auto tell = [&rows](const ReportSearch& search, const ReportSearch::Sensor& one,
+                              std::optional<int> storey) {
         const std::string sensor(nameOf(one.sensor));
-        rows.push_back({.sensor = sensor, .what = "reachable", .area = all, .share = 1.0});
-        rows.push_back({.sensor = sensor, .what = "seen", .area = one.seen, .share = one.seen / all});
+        rows.push_back({.sensor = sensor,
+                        .what = "reachable",
+                        .area = search.reachable,
+                        .share = search.reachable > 0.0 ? 1.0 : 0.0,
+                        .storey = storey});
+        rows.push_back({.sensor = sensor,
+                        .what = "seen",
+                        .area = one.seen,
+                        .share = search.reachable > 0.0 ? one.seen / search.reachable : 0.0,
+                        .storey = storey});
+    };
+    for (const ReportSearch::Sensor& one : model.search.sensors) {
+        tell(model.search, one, {});
+        for (const ReportStorey& storey : model.storeys) {
+            for (const ReportSearch::Sensor& here : storey.search.sensors) {
+                if (here.sensor == one.sensor) tell(storey.search, here, storey.share.number);
+            }
+        }
         for (const MissedRegion& region : one.missed) {
-            rows.push_back({.sensor = sensor,
+            rows.push_back({.sensor = std::string(nameOf(one.sensor)),
                             .what = "missed",
                             .area = region.area,
-                            .share = region.area / all,
+                            .share = region.area / model.search.reachable,
                             .x = region.place.x(),
-                            .y = region.place.y()});
+                            .y = region.place.y(),
+                            .storey = model.storeys.empty() ? std::nullopt : std::optional(region.storey)});
         }
     }
     return rows;

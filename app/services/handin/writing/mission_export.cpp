@@ -95,6 +95,16 @@ Result<ExportOutcome> exportTrajectories(const fs::path& out, const ReportModel&
     return outcome;
 }
 
+/// Whether @p model has the storey that @p map is to show.
+Result<void> hasMap(const ReportModel& model, const ReportMap& map, const fs::path& out) {
+    std::vector<int> numbers;
+    for (const ReportStorey& storey : model.storeys) numbers.push_back(storey.share.number);
+    if (numbers.empty()) numbers.push_back(0);
+    if (!map.storey || std::find(numbers.begin(), numbers.end(), *map.storey) != numbers.end()) return {};
+    return Error{fmt::format("{}: is not written: expected one of the storeys {}, found {}", out.string(),
+                             fmt::join(numbers, ", "), *map.storey)};
+}
+
 Result<ExportOutcome> exportInto(const fs::path& out, const ReportInput& input, const ExportOptions& options,
                                  const Progress& progress) {
     const auto one = [](Result<ReportFile> file) -> Result<ExportOutcome> {
@@ -113,7 +123,9 @@ Result<ExportOutcome> exportInto(const fs::path& out, const ReportInput& input, 
     if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
     if (ending == ".bt") return one(again(writeOctomap(out, model.evidence), out));
     if (ending == ".tif") {
-        const MapPicture map = paintMap(drawingOf(model, options.upper ? 1 : 0, out.filename().string()));
+        const ReportMap shown{options.upper ? std::size_t{1} : std::size_t{0}, options.storey};
+        if (const auto known = hasMap(model, shown, out); !known) return known.error();
+        const MapPicture map = paintMap(drawingOf(model, shown, out.filename().string()));
         return one(again(writeGeoTiff(out, map), out, contentsOf(map)));
     }
     if (ending == ".tum") return exportTrajectories(out, model, options.robot);

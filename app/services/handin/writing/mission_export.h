@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct ExportOptions {
     double reduce = 0.0;  ///< clouds keep one point in each cube of this edge [m]; 0: all points
     std::string robot;    ///< only its trajectory; empty: each robot's
     bool upper = false;   ///< .tif: the map at 0.90 to 1.10 m above the floor, not at 0.25 to 0.35 m
+    std::optional<int> storey = {};  ///< .tif: number of the only one that is shown; empty: all in one
 };
 
 /// What came of an export.

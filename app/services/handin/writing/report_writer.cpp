@@ -78,10 +78,14 @@ private:
 
 void writeMaps(Writing& writing, const ReportModel& model) {
     if (!model.hasMap()) return;
-    const std::vector<std::string> endings = {".tif", "_upper.tif"};
-    for (std::size_t band = 0; band < endings.size(); ++band) {
-        writing.file(endings[band], [&](const fs::path& file) -> Written {
-            const MapPicture map = paintMap(drawingOf(model, band, file.filename().string()));
+    std::vector<ReportMap> maps = {{0, {}}, {1, {}}};  // the rules ask for one with everything
+    if (!model.storeys.empty()) {
+        for (const ReportMap& one : mapsOf(model)) maps.push_back(one);
+    }
+    for (const ReportMap& one : maps) {
+        const std::string storey = one.storey ? fmt::format("_storey{}", *one.storey) : std::string();
+        writing.file(storey + (one.band == 0 ? ".tif" : "_upper.tif"), [&](const fs::path& file) -> Written {
+            const MapPicture map = paintMap(drawingOf(model, one, file.filename().string()));
             return {writeGeoTiff(file, map), contentsOf(map)};
         });
     }
@@ -130,12 +134,12 @@ ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOpt
     content.created = options.created;
     if (content.created == Time{})
         content.created = Time(std::chrono::system_clock::now().time_since_epoch());
-    for (std::size_t band = 0; model.hasMap() && band < model.grids.size(); ++band) {
+    for (const ReportMap& map : mapsOf(model)) {
         if (progress.cancelled()) break;
         PaintSettings settings;
         settings.title = settings.names = false;  // the page has them, in letters
         settings.mostPixels = PrintedPixels;
-        content.maps.push_back(paintMap(drawingOf(model, band, ""), settings));
+        content.maps.push_back({map, paintMap(drawingOf(model, map, ""), settings)});
     }
     for (const ReportFind& find : model.finds) {
         if (progress.cancelled()) break;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mission/coverage/missed_floor.h"
+#include "core/mission/coverage/searched_floor.h"
 #include "tests/core/mission/coverage/search_scene.h"
 
 namespace leitstand::test {
@@ -211,6 +212,45 @@ TEST(SearchField, CamerasBelowMirrorsSeeARing) {
     EXPECT_FALSE(field->holds({0.1, 0.0, -1.0}));
     EXPECT_GT(field->pixelsPerRadian, 50);
     EXPECT_FALSE(fieldOf({})) << "not calibrated";
+}
+
+TEST(CoverageByStorey, EachIsSearchedFromWhereRobotsWereOnIt) {
+    SearchBook book;
+    constexpr double Up = 3.0;
+    for (std::uint64_t i = 0; i < 12; ++i) {
+        ReportScan scan = SearchScene{}.scan();
+        scan.id = i + 1;
+        if (i >= 6) scan.scanInMap.translation().z() += Up;
+        book.add(scan);
+    }
+    SearchView above = viewFrom({-2.0, 0.0, 0.5}, 0.0);
+    above.scan = 7;  // the camera looked about upstairs only
+    ASSERT_TRUE(book.add(above));
+    std::vector<Eigen::Vector3d> trail = SearchScene::trail();
+    for (const Eigen::Vector3d& place : SearchScene::trail())
+        trail.push_back(place + Eigen::Vector3d(0, 0, Up));
+    const std::vector<StoreyCoverage> storeys = book.byStorey(trail);
+    ASSERT_EQ(storeys.size(), 2U);
+    EXPECT_EQ(storeys[0].storey.number, 0);
+    EXPECT_EQ(storeys[1].storey.number, 1);
+    const auto alone = coverageOf({});
+    for (const StoreyCoverage& one : storeys) {
+        EXPECT_NEAR(one.map->ground().reachableArea(), alone->ground().reachableArea(), 0.2);
+        EXPECT_NEAR(one.map->seenArea(SearchSensor::Scanner), alone->seenArea(SearchSensor::Scanner), 0.2);
+    }
+    EXPECT_EQ(storeys[0].map->seenArea(SearchSensor::Camera), 0.0);
+    EXPECT_GT(storeys[1].map->seenArea(SearchSensor::Camera), 1.0);
+    const auto pieces = missed(storeys, SearchSensor::Camera);
+    ASSERT_FALSE(pieces.empty());
+    EXPECT_EQ(pieces.front().storey, 0) << "all of it was missed";
+    EXPECT_TRUE(std::is_sorted(pieces.begin(), pieces.end(),
+                               [](const MissedRegion& a, const MissedRegion& b) { return a.area > b.area; }));
+    const SearchedFloorPtr told = searchedFloorOf(storeys);
+    ASSERT_EQ(told->storeys.size(), 2U);
+    EXPECT_NEAR(told->reachable, told->storeys[0].reachable + told->storeys[1].reachable, 1e-9);
+    EXPECT_TRUE(std::any_of(told->by(SearchSensor::Camera).tint.patches.begin(),
+                            told->by(SearchSensor::Camera).tint.patches.end(),
+                            [](const FloorPatch& patch) { return patch.seen && patch.height > Up - 0.1; }));
 }
 
 }  // namespace
