@@ -143,7 +143,7 @@ void LiveMapping::lookInOwnPart(const std::string& name, std::uint64_t part) {
     m_solving.submit([this, name, put, part, scan = robot.newest, map = m_map](const std::stop_token& stop) {
         const Progress progress{{}, stop};
         const auto own = std::make_shared<LiveMap>(LiveMap{ofPart(map->scans, part)});
-        const Relocaliser relocaliser(own, m_settings, {}, progress);
+        const Relocaliser relocaliser(own, m_settings, forLostRobots(), progress);
         const auto found = relocaliser.find(*scan->ready, reducedAgain(*scan->ready, m_settings.match),
                                             scan->live.up, progress);
         if (stop.stop_requested()) return;

@@ -50,6 +50,13 @@ bool apart(const Pose& a, const Pose& b, const RasterSearch& search) {
 
 }  // namespace
 
+RelocalisationSettings forLostRobots() {
+    RelocalisationSettings settings;
+    settings.alike = 0.90;
+    settings.sureFilled = 0.05;
+    return settings;
+}
+
 Relocaliser::Relocaliser(LiveMapPtr map, LiveSettings settings, RelocalisationSettings how,
                          const Progress& progress)
     : m_map(std::move(map)), m_settings(std::move(settings)), m_how(std::move(how)) {
@@ -168,7 +175,7 @@ Relocalisation Relocaliser::find(const Scan& scan, const PointCloud& reduced, co
     if (result.places.empty()) return result;
     const AlikePlace& best = result.places.front();
     const bool alone = result.places.size() == 1 || result.places[1].fit() < m_how.alike * best.fit();
-    result.sure = alone && others < m_how.alikeFromAbove * best.score;
+    result.sure = alone && best.filled <= m_how.sureFilled && others < m_how.alikeFromAbove * best.score;
     return result;
 }
 

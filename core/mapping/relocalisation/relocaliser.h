@@ -23,11 +23,16 @@ struct RelocalisationSettings {
     double leastOverlap = 0.65;     ///< IcpResult::overlap of a place
     double mostResidual = 0.06;     ///< IcpResult::rms [m]
     double mostFilled = 0.08;       ///< share of points where the place's nearest scans looked through
+    double sureFilled = 0.08;       ///< ... of one that is sure
     double leastJudged = 0.25;      ///< share of points of which one of them can say that
     double alike = 0.85;  ///< another place that fits and has this share of the best fit is as likely
     double alikeFromAbove = 0.93;  ///< likewise one that was not tried, of the best place's score
     std::vector<double> schedule = {0.8, 0.4, 0.2, 0.1, 0.07};  ///< of pair distances [m]
 };
+
+/// For a robot that the operator says is somewhere in the map: its next scan tells whether it stands where it
+/// was found. What decides by itself whether a place was seen before takes the usual settings.
+[[nodiscard]] RelocalisationSettings forLostRobots();
 
 /// A place of the map that looks as a scan does.
 struct AlikePlace {

@@ -84,7 +84,8 @@ TEST(Relocaliser, IsNotSureWhereTwoPlacesLookAlike) {
         map.scans.push_back(copy);
     }
     const Pose there = poseFrom({0.2, -0.9, 0.9}, 0, 0, degrees(-30));
-    const Relocalisation found = Drop(there).in(Relocaliser(std::make_shared<const LiveMap>(map), {}));
+    const Relocalisation found =
+        Drop(there).in(Relocaliser(std::make_shared<const LiveMap>(map), {}, forLostRobots()));
     EXPECT_FALSE(found.sure);
     ASSERT_THAT(found.places, SizeIs(Ge(2U)));
     const bool firstIsHere = found.places[0].scanInMap.translation().norm() < 8.0;
