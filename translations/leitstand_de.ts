@@ -4783,6 +4783,10 @@ F1 listet alle Tasten</translation>
         <comment>what was taken away</comment>
         <translation>weg</translation>
     </message>
+    <message>
+        <source>moved by hand</source>
+        <translation>von Hand geschoben</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MenuCorner</name>

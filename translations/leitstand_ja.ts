@@ -4783,6 +4783,10 @@ F1 でキー一覧</translation>
         <comment>what was taken away</comment>
         <translation>消失</translation>
     </message>
+    <message>
+        <source>moved by hand</source>
+        <translation>手で動かす部分</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MenuCorner</name>

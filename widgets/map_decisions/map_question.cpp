@@ -10,9 +10,19 @@
 #include <QToolButton>
 
 namespace leitstand {
+namespace {
+
+qsizetype countOver(const QWidget& over) {
+    return over.findChildren<MapQuestion*>(QString(), Qt::FindDirectChildrenOnly).size();
+}
+
+}  // namespace
 
 MapQuestion::MapQuestion(const QString& name, const std::vector<QAction*>& answers, QWidget& over)
-    : QFrame(&over), m_text(new QLabel(this)), m_parts(new QBoxLayout(QBoxLayout::TopToBottom, this)) {
+    : QFrame(&over),
+      m_number(static_cast<int>(countOver(over))),
+      m_text(new QLabel(this)),
+      m_parts(new QBoxLayout(QBoxLayout::TopToBottom, this)) {
     setObjectName(name);
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
@@ -40,18 +50,26 @@ void MapQuestion::ask(const QString& question) {
     m_text->setToolTip(question);
     setAccessibleName(question);
     setVisible(!question.isEmpty());
-    // Those above it make room, or come down.
+    placeAll();  // those above it make room, or come down
+}
+
+void MapQuestion::placeAll() {
     for (MapQuestion* const one : others()) {
         if (!one->isHidden()) one->place();
     }
 }
 
 QList<MapQuestion*> MapQuestion::others() const {
-    return parentWidget()->findChildren<MapQuestion*>(QString(), Qt::FindDirectChildrenOnly);
+    auto all = parentWidget()->findChildren<MapQuestion*>(QString(), Qt::FindDirectChildrenOnly);
+    // What is raised comes last among its parent's children.
+    std::sort(all.begin(), all.end(),
+              [](const MapQuestion* a, const MapQuestion* b) { return a->m_number < b->m_number; });
+    return all;
 }
 
 bool MapQuestion::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == parent() && event->type() == QEvent::Resize && !isHidden()) place();
+    // Each lies on the one before: the first one sees to all.
+    if (watched == parent() && event->type() == QEvent::Resize && others().front() == this) placeAll();
     return QFrame::eventFilter(watched, event);
 }
 

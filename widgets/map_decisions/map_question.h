@@ -27,10 +27,12 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void placeAll();  ///< that are asked over the same map
     void place();
     /// All over the same map, itself too, as they were made.
     [[nodiscard]] QList<MapQuestion*> others() const;
 
+    const int m_number;  ///< rising, of those over the same map
     QString m_question;
     QLabel* m_text;
     QBoxLayout* m_parts;

@@ -115,12 +115,13 @@ void MapScenery::setHighlighted(std::uint64_t id) {
     submit();
 }
 
-void MapScenery::setGhosts(std::map<std::uint64_t, Pose> scansInMap) {
+void MapScenery::setGhosts(std::map<std::uint64_t, Pose> scansInMap, bool dragged) {
     const bool same = std::equal(scansInMap.begin(), scansInMap.end(), m_order.ghosts.begin(),
                                  m_order.ghosts.end(), [](const auto& a, const auto& b) {
                                      return a.first == b.first && a.second.matrix() == b.second.matrix();
                                  });
-    if (same) return;
+    if (same && dragged == m_order.dragged) return;
+    m_order.dragged = dragged;
     m_order.ghosts = std::move(scansInMap);
     submit();
 }

@@ -39,8 +39,9 @@ public:
 
     /// The scan of this id stands out; 0: none.
     void setHighlighted(std::uint64_t id);
-    void setGhosts(std::map<std::uint64_t, Pose> scansInMap);    ///< as of MapView
-    void setChanges(std::shared_ptr<const MapChanges> changes);  ///< likewise
+    /// As of MapView; @p dragged: setDragged().
+    void setGhosts(std::map<std::uint64_t, Pose> scansInMap, bool dragged);
+    void setChanges(std::shared_ptr<const MapChanges> changes);  ///< as of MapView
 
     [[nodiscard]] const MapCamera& camera() const;
     /// The robot that the camera follows is there now.

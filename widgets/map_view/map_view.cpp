@@ -101,7 +101,8 @@ void MapView::setDragged(std::map<std::uint64_t, Pose> scansInMap) {
 }
 
 void MapView::State::showGhosts() {
-    scenery.setGhosts(draggedScans.empty() ? ghosts : draggedScans);
+    const bool drags = !draggedScans.empty();
+    scenery.setGhosts(drags ? draggedScans : ghosts, drags);
 }
 
 void MapView::showScan(std::uint64_t id) {

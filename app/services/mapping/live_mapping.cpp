@@ -376,8 +376,8 @@ void LiveMapping::run(const std::stop_token& stop) {
             std::visit([this](const auto& content) { work(content); }, one);
         }
         registerDone(stationTime());
-        meetMore();
         solveLoops();
+        meetMore();
         seekPlace();
         lookForPassing();
         if (leaveOutPlaced(stationTime())) tellMap();

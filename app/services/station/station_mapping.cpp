@@ -403,13 +403,13 @@ Result<void> StationMapping::propose(std::uint64_t scan, const Pose& scanInMap) 
     return {};
 }
 
-Result<void> StationMapping::moveTo(std::uint64_t scan, SubmapKind kind, const Pose& moved,
+Result<void> StationMapping::moveTo(std::uint64_t scan, SubmapKind kind, const Pose& scanInMap,
                                     std::function<void(Result<std::size_t>)> done) {
     if (auto may = m_state->known(scan); !may) return may;
     m_state->mapping->post(
-        [&state = *m_state, scan, kind, moved, done = std::move(done)](LiveMapper& mapper) {
+        [&state = *m_state, scan, kind, scanInMap, done = std::move(done)](LiveMapper& mapper) {
             if (const auto may = state.granted(); !may) return done(may.error());
-            const auto links = mapper.moveTo(scan, kind, moved, stationTime());
+            const auto links = mapper.moveTo(scan, kind, scanInMap, stationTime());
             if (!links) return done(links.error());
             state.sayOrTell(*links, station_topic::ScanLinks);
             state.loopClosed = true;

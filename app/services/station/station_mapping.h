@@ -71,11 +71,11 @@ public:
     /// Shows that the key scan @p scan was taken at about @p scanInMap, by what an older part of the map has
     /// there: where it fits, openLoop() asks whether it does. The listener is told where it does not.
     Result<void> propose(std::uint64_t scan, const Pose& scanInMap);
-    /// The operator has dragged the submapOf() @p scan by @p moved, to put before the poses of its scans:
-    /// they are linked with what they lie on there, and the map follows. undo() takes that back. @p done is
-    /// told how many links that made, or why none, on the mapping's thread. Errors, in words: another station
-    /// has the map, the map has no such scan.
-    Result<void> moveTo(std::uint64_t scan, SubmapKind kind, const Pose& moved,
+    /// The operator has dragged the submapOf() @p scan, so that this one was taken at @p scanInMap: its scans
+    /// are linked with what they lie on there, and the map follows. undo() takes that back. @p done is told
+    /// how many links that made, or why none, on the mapping's thread. Errors, in words: another station has
+    /// the map, the map has no such scan.
+    Result<void> moveTo(std::uint64_t scan, SubmapKind kind, const Pose& scanInMap,
                         std::function<void(Result<std::size_t>)> done);
     /// Answers @p asked, which is openLoop() of the mission: the two are one place, and the map is brought
     /// together there, or they are not, and it is not asked about again. undo() takes the answer back.

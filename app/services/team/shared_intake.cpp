@@ -75,11 +75,6 @@ void SharedIntake::know(const Event& event) {
         const std::lock_guard lock(m_mutex);
         for (const Link& link : links->links) m_links[link.id] = link.active;
     }
-    if (const auto* poses = std::get_if<ScanPosesSample>(&event.sample);
-        poses != nullptr && poses->station == m_setup.station) {
-        const std::lock_guard lock(m_mutex);
-        m_posesSaid = std::max(m_posesSaid, poses->stamp);
-    }
     const auto* scan = std::get_if<KeyScanSample>(&event.sample);
     if (scan == nullptr || !scan->scan) return;
     const std::lock_guard lock(m_mutex);
@@ -252,10 +247,8 @@ void SharedIntake::decide(SteadyTime now) {
     }
     if (ours) return;  // what is due then is left out
     for (Undecided& one : due) {
-        const auto decoded = decodeStationEvent(one.event);
-        const auto* poses = decoded ? std::get_if<ScanPosesSample>(&decoded->sample) : nullptr;
-        if (poses != nullptr && poses->stamp < m_posesSaid) continue;
-        one.event.received = {};  // it enters now
+        if (m_maker && one.from != *m_maker) continue;  // it was wrong, too
+        one.event.received = {};                        // it enters now
         hear(std::move(one.event), one.from, now);
     }
 }

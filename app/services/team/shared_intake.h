@@ -107,8 +107,7 @@ private:
     void hear(RawEvent event, const Sender& from, SteadyTime now);
     void hearGrant(const RawEvent& event, const Sender& from);
     void keepUndecided(RawEvent event, const Sender& from, SteadyTime now);
-    /// Takes what was undecided, if another station makes the map: not poses that are older than the newest
-    /// of this station.
+    /// Takes what was undecided, if another station makes the map: what that one said, where it is known.
     void decide(SteadyTime now);
     void tellOtherMap(std::uint64_t scan) const;
     [[nodiscard]] bool knows(const std::vector<std::uint64_t>& scans) const;

@@ -88,8 +88,12 @@ std::vector<PathPose> joinedPath(std::span<const PathAnchor> anchors, std::span<
     }
     for (const PathPose& anchor : anchored) {
         if (anchor.time <= odometry.back().time + Beyond) continue;
+        const PathPose& before = path.back();
+        const bool gap =
+            before.time <= odometry.back().time ||
+            isGap(distanceBetween(before.baseInMap, anchor.baseInMap), anchor.time - before.time);
         path.push_back(anchor);
-        path.back().afterGap = true;
+        path.back().afterGap = gap;
     }
     return thinned(path, apart);
 }

@@ -34,7 +34,7 @@ struct RobotPath {
 /// The way that odometry tells between @p anchors: each of its poses is put where the anchors before and
 /// after have the odometry then, weighted by time; before the first anchor and after the last that one alone
 /// counts. Without odometry it is the anchors. Poses nearer than @p apart [m] (and 10 degrees) to the one
-/// before are left out; anchors after the end of odometry follow, each after a gap. isGap() tells where the
+/// before are left out; anchors after the end of odometry follow, after a gap. isGap() tells where the
 /// way is not known. Both are sorted by time; odometry: base_link in odom, robot's clock.
 [[nodiscard]] std::vector<PathPose> joinedPath(std::span<const PathAnchor> anchors,
                                                std::span<const PathPose> odometry, double apart = 0.02);

@@ -68,7 +68,9 @@ void ScanGraph::setUnheld(std::set<std::uint64_t> ids) {
 
 void ScanGraph::forget(std::uint64_t id) {
     for (const Link& link : m_links) {
-        if (link.from == id || link.to == id) disconnect(link);
+        if (link.from != id && link.to != id) continue;
+        disconnect(link);
+        m_unheld.erase(link.id);
     }
     std::erase_if(m_links, [id](const Link& link) { return link.from == id || link.to == id; });
 }

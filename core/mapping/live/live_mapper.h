@@ -164,10 +164,10 @@ public:
     [[nodiscard]] std::optional<ScanLinksSample> meetMore(Time now);
     void meetNoMore();  ///< the map is another station's now
 
-    /// The operator has moved the submapOf() @p scan by @p moved (to put before the poses of its scans):
-    /// links of them to all others that they fit there, for the log; poses follow by problem(). Errors, in
-    /// words: none fits.
-    [[nodiscard]] Result<ScanLinksSample> moveTo(std::uint64_t scan, SubmapKind kind, const Pose& moved,
+    /// The operator has moved the submapOf() @p scan, so that this one was taken at @p scanInMap: links of
+    /// its scans to all others that they fit there, as far as they agree, for the log; poses follow by
+    /// problem(). Errors, in words: too few do.
+    [[nodiscard]] Result<ScanLinksSample> moveTo(std::uint64_t scan, SubmapKind kind, const Pose& scanInMap,
                                                  Time now);
 
     /// It is known that scans of one part of the map were taken at about @p scansInMap in another one: their

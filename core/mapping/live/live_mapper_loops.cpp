@@ -12,10 +12,11 @@
 namespace leitstand {
 namespace {
 
-/// Makes those of @p links inactive that nothing follows.
-void leaveUnheld(std::vector<Link>& links, std::span<const ScanInPart> scans) {
-    const std::set<std::uint64_t> unheld = unheldLoops(links, scans);
+/// Makes those of @p links inactive that nothing follows; their ids.
+std::set<std::uint64_t> leaveUnheld(std::vector<Link>& links, std::span<const ScanInPart> scans) {
+    std::set<std::uint64_t> unheld = unheldLoops(links, scans);
     for (Link& link : links) link.active = link.active && !unheld.contains(link.id);
+    return unheld;
 }
 
 }  // namespace
@@ -32,8 +33,9 @@ void LiveMapper::State::findParts() {
     std::vector<ScanInPart> scans = scansInParts();
     std::set<std::uint64_t> before, joined;  // parts that were there, and those that are others' now
     for (const ScanInPart& scan : scans) before.insert(scan.part);
-    loops.setUnheld(unheldLoops(loops.graph().links(), scans));
-    leitstand::findParts(scans, MapParts(linksNow(scans)));
+    std::vector<Link> links = loops.graph().links();
+    loops.setUnheld(leaveUnheld(links, scans));
+    leitstand::findParts(scans, MapParts(links));
     bool changed = false;
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const std::uint64_t was = map.scans[i].part;
@@ -44,7 +46,7 @@ void LiveMapper::State::findParts() {
     if (!changed) return;
     // What came apart does not meet any more; what came together may have seen the same elsewhere, too.
     meeting.clear();
-    loops.forgetMet();
+    (void)loops.forgetMet();
     for (std::size_t i = 0; i < scans.size(); ++i) {
         LiveKeyScan& scan = map.scans[i];
         if (scan.counts() && joined.contains(scan.part) && !joined.contains(scans[i].part))
@@ -54,12 +56,6 @@ void LiveMapper::State::findParts() {
         cropped.fit(scan, clouds);
     }
     localStale = true;
-}
-
-std::vector<Link> LiveMapper::State::linksNow(std::span<const ScanInPart> scans) const {
-    std::vector<Link> links = loops.graph().links();
-    leaveUnheld(links, scans);
-    return links;
 }
 
 bool LiveMapper::State::isAlone(const RobotTrack& robot) {
@@ -214,11 +210,14 @@ std::optional<ScanLinksSample> LiveMapper::meetMore(Time now) {
 
 void LiveMapper::meetNoMore() {
     m_state->meeting.clear();
-    m_state->loops.forgetMet();
+    (void)m_state->loops.forgetMet();
 }
 
-Result<ScanLinksSample> LiveMapper::moveTo(std::uint64_t scan, SubmapKind kind, const Pose& moved, Time now) {
+Result<ScanLinksSample> LiveMapper::moveTo(std::uint64_t scan, SubmapKind kind, const Pose& scanInMap,
+                                           Time now) {
     State& state = *m_state;
+    const LiveKeyScan* const chosen = state.find(scan);
+    const Pose moved = chosen != nullptr ? scanInMap * chosen->pose.scanInMap.inverse() : Pose::Identity();
     // Of the map as it is: what entered while it was moved comes along.
     const std::set<std::uint64_t> submap = submapOf(state.map, scan, kind);
     std::map<std::uint64_t, Pose> scansInMap;
@@ -256,7 +255,7 @@ MapProblem LiveMapper::State::problem(std::span<const Link> instead) const {
         else
             *known = link;
     }
-    leaveUnheld(links, scansInParts());
+    (void)leaveUnheld(links, scansInParts());
     for (Link& link : links) {
         // A decision may have taken away what a scan was matched with; then odometry tells where it is, as
         // before.
@@ -314,6 +313,9 @@ Settled LiveMapper::settle(const MapSolution& solution, Time now) {
     state.findParts();
     if (moved.empty()) return settled;
     state.loops.moved();
+    // What was seen of others in the map as it was, is looked at once more.
+    const std::vector<std::uint64_t> again = state.loops.forgetMet();
+    state.meeting.insert(state.meeting.begin(), again.begin(), again.end());
     for (auto& [name, track] : state.robots) {
         const LiveKeyScan* const key = track.key == 0 ? nullptr : state.find(track.key);
         if (key == nullptr) continue;

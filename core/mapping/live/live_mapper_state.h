@@ -88,8 +88,6 @@ struct LiveMapper::State {
     /// Where a scan that looks upwards by @p up begins a part of its own.
     [[nodiscard]] Pose aside(const Eigen::Vector3d& up) const;
     [[nodiscard]] std::vector<ScanInPart> scansInParts() const;
-    /// All links; those that nothing follows (unheldLoops()) are not active.
-    [[nodiscard]] std::vector<Link> linksNow(std::span<const ScanInPart> scans) const;
     void findParts();  ///< which part each scan is of, by the links as they are
     /// Whether nothing counts of the part that @p robot, which nobody has put anywhere, is in.
     [[nodiscard]] bool isAlone(const RobotTrack& robot);

@@ -70,8 +70,7 @@ TEST_F(SubmapsOnScreen, ARunIsDraggedTurnedSnappedLeftThereAndTakenBack) {
         << seam().toStdString() << ", dragged " << dragged.toStdString();
     trigger("submap.leave");
     EXPECT_TRUE(soon([&] { return movedByHand() == 1; })) << m_window->newest().toStdString();
-    EXPECT_FALSE(bar().isVisible());
-    EXPECT_FALSE(map().drawing());
+    EXPECT_TRUE(soon([&] { return !bar().isVisible() && !map().drawing(); }));
     EXPECT_TRUE(soon([&] { return countViolet(map()) == 0; }));
     const auto off = [&] {
         const auto now = station().mapping().scans()->scans;

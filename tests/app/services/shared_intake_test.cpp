@@ -146,14 +146,14 @@ TEST_F(SharedIntakeTest, WhatIsSaidOfTheMapWhileTwoMeanToMakeItIsTakenByTheOneTh
     EXPECT_THAT(entered(), ElementsAre("scan 1001", "poses of 2", "poses of 2"));
     EXPECT_EQ(placeOf(1001), 4.0);
     m_holdsMap = true;
-    hear(poses({1, 1001}, 5.0));  // by one that was wrong about who makes the map ...
-    ScanPosesSample ours = poses({1, 1001}, 6.0);
-    ours.station = "us";
-    ours.stamp += 1s;
-    Event event;
-    event.sample = ours;
-    m_intake->know(event);  // ... before this station, which did, said so
-    m_holdsMap = false;     // it has handed it over since
+    hear(keyScan(7), Third);  // by one that was wrong about who makes the map ...
+    hear(poses({1, 1001}, 5.0), Third);
+    GrantSample hold;
+    hold.station = "other";
+    hold.kind = GrantSample::Kind::Map;
+    hold.action = GrantSample::Action::Hold;
+    hear(hold, station_topic::Grants);  // ... as this one was: Other does
+    m_holdsMap = false;
     heartbeat(1s);
     EXPECT_THAT(entered(), IsEmpty());
     m_holdsMap = true;

@@ -106,6 +106,9 @@ TEST(ReportStoreys, WhereOdometryEndedScansTellWhereTheRobotWas) {
     EXPECT_EQ(model.finds[1].storey, 1);
     EXPECT_NEAR(model.finds[1].aboveFloor, 0.6, 0.05);
     EXPECT_GT(model.storeys[1].search.reachable, 15.0);
+    const MapDrawing above = drawingOf(model, {0, 1}, "");
+    ASSERT_FALSE(above.paths.empty());
+    EXPECT_EQ(above.paths.back().size(), std::size_t{Scans}) << "a way, as far as scans tell it";
 }
 
 TEST(ReportStoreys, AFindWithoutAPlaceIsOnNone) {

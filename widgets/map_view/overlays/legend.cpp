@@ -122,8 +122,10 @@ std::vector<Entry> entriesFor(const SceneContent& content) {
     }
     if (content.moves)
         entries.push_back({mapColours(content.settings.theme).scanInQuestion,
-                           QCoreApplication::translate("leitstand::MapView", "if it is one place",
-                                                       "where scans would come to stand")});
+                           content.dragged
+                               ? QCoreApplication::translate("leitstand::MapView", "moved by hand")
+                               : QCoreApplication::translate("leitstand::MapView", "if it is one place",
+                                                             "where scans would come to stand")});
     if (content.settings.colouring == MapColouring::Robot) {
         for (std::size_t i = 0; i < content.robots.size(); ++i) {
             const SceneRobot& robot = content.robots[i];

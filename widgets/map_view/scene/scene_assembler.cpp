@@ -169,6 +169,7 @@ SceneContentPtr SceneAssembler::assemble(const SceneOrder& order, const std::fun
     }
     addGhosts(content, order);
     content.moves = !content.ghosts.empty();
+    content.dragged = content.moves && order.dragged;
     addChanges(content, order);
     finish(content.scans.size());
     if (order.settings.look == MapLook::Voxels && !addVoxels(content, interrupted)) return nullptr;

@@ -21,7 +21,8 @@ struct SceneOrder {
     MapPtr map;                                 ///< null: nothing
     std::vector<bool> scanIsVisible;            ///< scans beyond the end are visible
     std::uint64_t highlighted = 0;              ///< MapScan::id of the scan that stands out; 0: none
-    std::map<std::uint64_t, Pose> ghosts;       ///< MapView::setGhosts()
+    std::map<std::uint64_t, Pose> ghosts;       ///< MapView::setGhosts() ...
+    bool dragged = false;                       ///< ... or MapView::setDragged()
     std::shared_ptr<const MapChanges> changes;  ///< MapView::setChanges(); null: none are shown
     MapViewSettings settings;
     std::vector<SceneRobot> robots;  ///< of the team

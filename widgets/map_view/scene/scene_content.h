@@ -63,7 +63,8 @@ struct SceneContent {
     std::vector<SceneScan> scans;  ///< as in Map::scans
     /// Drawn beside the map: scans where they might come to stand, what came and what went.
     std::vector<SceneScan> ghosts;
-    bool moves = false;                       ///< some of them are scans that might move
+    bool moves = false;                       ///< some of them are scans that might move ...
+    bool dragged = false;                     ///< ... as the operator drags them
     bool changes = false;                     ///< what changed is shown: all else is dimmed()
     std::shared_ptr<const VoxelMesh> voxels;  ///< only in that look
     std::vector<SceneRobot> robots;           ///< that took the scans, and others of the team

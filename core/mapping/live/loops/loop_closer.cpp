@@ -301,6 +301,12 @@ std::vector<Link> LoopCloser::takeMet() {
     return links;
 }
 
+std::vector<std::uint64_t> LoopCloser::forgetMet() {
+    std::vector<std::uint64_t> scans;
+    for (const Found& one : std::exchange(m_met, {})) scans.push_back(one.link.to);
+    return scans;
+}
+
 std::vector<Link> LoopCloser::join(const std::map<std::uint64_t, Pose>& scansInMap, const LiveMap& map) {
     std::vector<Link> links;
     for (const LiveKeyScan& scan : map.scans) {
@@ -330,19 +336,50 @@ std::vector<Link> LoopCloser::moveTo(const std::map<std::uint64_t, Pose>& scansI
         if (const LiveKeyScan* const other = nearestTo(there->second, map, moves))
             candidates.push_back({&scan, other, there->second});
     }
-    // Matching takes what a scan that enters does, and holds these up.
+    // Matching takes what a scan that enters does, and holds these up. First every other one, then those
+    // between.
     const std::size_t tries = std::min(candidates.size(), 2 * m_settings.mostByHand);
-    std::vector<Link> links;
-    for (std::size_t i = 0; i < tries && links.size() < m_settings.mostByHand; ++i) {
-        const Candidate& one = candidates[i * candidates.size() / tries];
-        std::optional<Found> found = lookAt(*one.scan, *one.other, one.there, map, moves);
-        if (!found) continue;
-        links.push_back(std::move(found->link));
-        links.back().kind = LinkKind::Operator;
+    std::vector<Found> fits;
+    std::vector<Pose> off;  // by what each lies from where it was left, to put before poses in the map
+    for (const std::size_t begin : {std::size_t{0}, std::size_t{1}}) {
+        for (std::size_t i = begin; i < tries && fits.size() < m_settings.mostByHand; i += 2) {
+            const Candidate& one = candidates[i * candidates.size() / tries];
+            std::optional<Found> found = lookAt(*one.scan, *one.other, one.there, map, moves);
+            if (!found) continue;
+            off.push_back(found->correction * (one.there * one.scan->pose.scanInMap.inverse()).inverse());
+            fits.push_back(std::move(*found));
+        }
     }
-    for (Link& link : links) link = m_graph.add(std::move(link));
-    if (!links.empty()) m_pending.clear();
+    const std::vector<std::size_t> agreeing = largestAgreeing(fits, off);
+    if (agreeing.size() < std::min(m_settings.partsAgree, candidates.size())) return {};
+    std::vector<Link> links;
+    for (const std::size_t index : agreeing) {
+        Link link = std::move(fits[index].link);
+        link.kind = LinkKind::Operator;
+        links.push_back(m_graph.add(std::move(link)));
+    }
+    m_pending.clear();
     return links;
+}
+
+std::vector<std::size_t> LoopCloser::largestAgreeing(const std::vector<Found>& fits,
+                                                     const std::vector<Pose>& off) const {
+    std::vector<std::size_t> most;
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+        std::vector<std::size_t> agreeing;
+        for (std::size_t j = 0; j < fits.size(); ++j) {
+            const Eigen::Vector3d at = fits[j].correction * fits[j].at;
+            const Pose difference = off[i].inverse() * off[j];
+            // What was dragged bends along its length.
+            const double within =
+                m_settings.agreeWithin + m_settings.drift * (fits[i].at - fits[j].at).norm();
+            if ((off[i] * at - off[j] * at).norm() <= within &&
+                Eigen::AngleAxisd(difference.linear()).angle() <= m_settings.agreeWithinAngle)
+                agreeing.push_back(j);
+        }
+        if (agreeing.size() > most.size()) most = std::move(agreeing);
+    }
+    return most;
 }
 
 Result<Link> LoopCloser::propose(const LiveKeyScan& scan, Pose guess, const LiveMap& map) {

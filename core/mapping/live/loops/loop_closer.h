@@ -64,7 +64,8 @@ public:
     /// Links of the scans that meetAt() was asked about since: of those that agree with the nearest one
     /// before or after along the same robot's way, which are taken into the graph.
     [[nodiscard]] std::vector<Link> takeMet();
-    void forgetMet() { m_met.clear(); }
+    /// Forgets these; their scans, for meetAt() anew.
+    std::vector<std::uint64_t> forgetMet();
 
     /// It is known that scans of one part of the map were taken at about @p scansInMap in another one: the
     /// links of those that fit there, active, which are taken into the graph. None where fewer than
@@ -113,6 +114,9 @@ private:
                                             bool samePart) const;
     /// The links of @p found where others agree with it; else it is kept for those to come. Far ones ask.
     [[nodiscard]] std::vector<Link> meet(Found found, bool verified);
+    /// Which of @p fits lie about alike by @p off, to put before poses in the map: most of them.
+    [[nodiscard]] std::vector<std::size_t> largestAgreeing(const std::vector<Found>& fits,
+                                                           const std::vector<Pose>& off) const;
     /// Whether the map cannot have erred by so much.
     [[nodiscard]] bool tooFar(const Found& found) const;
     [[nodiscard]] bool agree(const Found& a, const Found& b) const;

@@ -72,7 +72,8 @@ std::set<std::uint64_t> submapOf(const LiveMap& map, std::uint64_t id, SubmapKin
     if (kind == SubmapKind::Storey) {
         std::vector<ReportScan> scans;
         for (const LiveKeyScan& scan : map.scans) {
-            if (scan.counts()) scans.push_back({.scan = scan.scan, .scanInMap = scan.pose.scanInMap});
+            if (scan.counts() && scan.part == chosen->part)
+                scans.push_back({.scan = scan.scan, .scanInMap = scan.pose.scanInMap});
         }
         storeys = sharesOf(storeysOf(scans));
     }
@@ -80,6 +81,7 @@ std::set<std::uint64_t> submapOf(const LiveMap& map, std::uint64_t id, SubmapKin
         const Pose base = scan.pose.scanInMap * scan.sensorInBase.inverse();
         return shareAt(storeys, base.translation().z());
     };
+    const std::size_t chosenStorey = kind == SubmapKind::Storey ? storeyOf(*chosen) : 0;
     std::set<std::uint64_t> submap;
     std::size_t counting = 0;
     for (const LiveKeyScan& scan : map.scans) {
@@ -89,7 +91,7 @@ std::set<std::uint64_t> submapOf(const LiveMap& map, std::uint64_t id, SubmapKin
         const bool moves = kind == SubmapKind::FromHere
                                ? samePart && sameRobot && scan.entered >= chosen->entered
                            : kind == SubmapKind::Robot  ? samePart && sameRobot
-                           : kind == SubmapKind::Storey ? storeyOf(scan) == storeyOf(*chosen)
+                           : kind == SubmapKind::Storey ? samePart && storeyOf(scan) == chosenStorey
                                                         : samePart;
         if (moves) submap.insert(scan.id);
     }

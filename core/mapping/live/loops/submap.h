@@ -22,8 +22,8 @@ enum class SubmapKind : std::uint8_t {
     Part,      ///< a part of the map that has not met the first one, or the first one
 };
 
-/// The key scans of @p map that are moved with @p scan, by id; they hang together: of one part of the map,
-/// but for a storey's. Empty: the map has no such scan that counts, or nothing of the map would be left.
+/// The key scans of @p map that are moved with @p scan, by id; all of one part of the
+/// map. Empty: the map has no such scan that counts, or nothing of the map would be left.
 [[nodiscard]] std::set<std::uint64_t> submapOf(const LiveMap& map, std::uint64_t scan, SubmapKind kind);
 
 /// How a submap lies on the rest of the map.

@@ -130,7 +130,7 @@ void SubmapFeature::take() {
     m_submap = submapOf(*m_map, m_scan, m_kind);
     m_fits.begin(m_map, m_submap);
     m_fits.want(m_moved);
-    m_snapping = m_leaving = false;
+    m_snapping = false;
     m_grabbed = m_moved;
     show();
 }
@@ -191,20 +191,23 @@ void SubmapFeature::snap() {
 
 void SubmapFeature::leave() {
     if (!m_moving || m_leaving || m_snapping || !m_fits.submap()) return;
-    const auto answered = [guard = QPointer<SubmapFeature>(this)](Result<std::size_t> links) {
-        QMetaObject::invokeMethod(qApp, [guard, links = std::move(links)] {
-            if (guard) guard->left(links);
+    const LiveKeyScan* const scan = scanOf(*m_map, m_scan);
+    if (scan == nullptr) return;
+    const auto answered = [guard = QPointer<SubmapFeature>(this),
+                           asked = ++m_asked](Result<std::size_t> links) {
+        QMetaObject::invokeMethod(qApp, [guard, asked, links = std::move(links)] {
+            if (guard && guard->m_leaving && guard->m_asked == asked) guard->left(links);
         });
     };
-    const auto asked = m_context.bridge.station().mapping().moveTo(m_scan, m_kind, m_moved, answered);
-    if (!asked) return left(asked.error());
     m_leaving = true;
+    const auto asked =
+        m_context.bridge.station().mapping().moveTo(m_scan, m_kind, m_moved * scan->pose.scanInMap, answered);
+    if (!asked) return left(asked.error());
     show();
 }
 
 void SubmapFeature::left(const Result<std::size_t>& links) {
     if (!links) emit told(QString::fromStdString(links.error().text));
-    if (!m_leaving && links) return;
     m_leaving = false;
     if (links) {
         emit told(tr("Left there; links to the rest of the map: %1").arg(*links));
@@ -222,6 +225,7 @@ void SubmapFeature::follow() {
         else
             emit told(tr("Too little of it lies on the rest of the map there: drag it nearer first"));
     }
+    if (m_leaving) return;  // the map moves by that, maybe before the answer is here
     const LiveMapPtr now = m_context.bridge.station().mapping().scans();
     if (now != m_map && scansMoved(m_map, *now)) {
         m_map = now;

@@ -63,6 +63,7 @@ private:
     SubmapFits m_fits;
     bool m_moving = false;
     bool m_snapping = false, m_leaving = false;
+    std::uint64_t m_asked = 0;  ///< times that it was left somewhere: answers to earlier ones are late
     SubmapKind m_kind = SubmapKind::FromHere;
     std::uint64_t m_scan = 0;           ///< by which it is chosen
     LiveMapPtr m_map;                   ///< in which it is moved
