@@ -52,7 +52,7 @@ bool apart(const Pose& a, const Pose& b, const RasterSearch& search) {
 
 RelocalisationSettings forLostRobots() {
     RelocalisationSettings settings;
-    settings.alike = 0.90;
+    settings.alike = 0.88;
     settings.sureFilled = 0.05;
     return settings;
 }
