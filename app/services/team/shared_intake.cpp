@@ -171,11 +171,13 @@ bool SharedIntake::sharesMap() const {
                                           [](const auto& other) { return other.second.map == Map::Same; });
 }
 
-void SharedIntake::hearGrant(const RawEvent& event, const Sender& from) {
+void SharedIntake::hearGrant(const RawEvent& event, const Sender& from, SteadyTime now) {
     const auto decoded = decodeStationEvent(event);
     const auto* grant = decoded ? std::get_if<GrantSample>(&decoded->sample) : nullptr;
     if (grant == nullptr || grant->kind != GrantSample::Kind::Map) return;
-    if (grant->action == GrantSample::Action::Hold) m_maker = from;
+    if (grant->action != GrantSample::Action::Hold) return;
+    m_maker = from;
+    m_makerHeard = now;
 }
 
 bool SharedIntake::waits(const Sample& sample, const Sender& from, const Other& other) const {
@@ -196,7 +198,7 @@ void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
     const bool ours = from == m_me;
     if (ours && event.topic != station_topic::Grants) return;
     if (event.topic == station_topic::Grants) {
-        if (!ours) hearGrant(event, from);
+        if (!ours) hearGrant(event, from, now);
         m_setup.enter(std::move(event));
     } else {
         decide(now);  // what was said before comes before
@@ -247,8 +249,10 @@ void SharedIntake::decide(SteadyTime now) {
     }
     if (ours) return;  // what is due then is left out
     for (Undecided& one : due) {
-        if (m_maker && one.from != *m_maker) continue;  // it was wrong, too
-        one.event.received = {};                        // it enters now
+        // Another one that meant to make the map was wrong, too. One that made it before this one says
+        // nothing.
+        if (m_maker && m_makerHeard >= one.since && one.from != *m_maker) continue;
+        one.event.received = {};  // it enters now
         hear(std::move(one.event), one.from, now);
     }
 }

@@ -45,7 +45,8 @@ struct SharedIntakeSetup {
 ///   way;
 /// - the station that makes the map hears nobody else's. It may be wrong about that for a moment: one that
 ///   was restarted makes the map as before until it hears that another one does by now. What it hears of a
-///   map meanwhile is kept for UntilDecided, and taken if the map turns out to be another one's;
+///   map meanwhile is kept for UntilDecided; if the map turns out to be another one's, what that one said of
+///   it is taken;
 /// - a map that has no scan in common with this mission's, which is not empty, is another one: that is told
 ///   once, and nothing that lies in it is taken from that station. (Who meets a station tells it all scans
 ///   from the first on.)
@@ -105,7 +106,7 @@ private:
     [[nodiscard]] bool wants(const ClockSample& clock) const;
     [[nodiscard]] bool waits(const Sample& sample, const Sender& from, const Other& other) const;
     void hear(RawEvent event, const Sender& from, SteadyTime now);
-    void hearGrant(const RawEvent& event, const Sender& from);
+    void hearGrant(const RawEvent& event, const Sender& from, SteadyTime now);
     void keepUndecided(RawEvent event, const Sender& from, SteadyTime now);
     /// Takes what was undecided, if another station makes the map: what that one said, where it is known.
     void decide(SteadyTime now);
@@ -128,8 +129,8 @@ private:
     std::map<Sender, Other> m_others;
     std::deque<Undecided> m_undecided;  ///< as it came
     std::size_t m_undecidedBytes = 0;
-    Time m_posesSaid{};             ///< stamp of the newest poses that this station said itself
     std::optional<Sender> m_maker;  ///< of the map, as it says itself
+    SteadyTime m_makerHeard{};      ///< when that said so last
 };
 
 }  // namespace leitstand

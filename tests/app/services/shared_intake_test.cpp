@@ -164,6 +164,24 @@ TEST_F(SharedIntakeTest, WhatIsSaidOfTheMapWhileTwoMeanToMakeItIsTakenByTheOneTh
     EXPECT_THAT(entered(), IsEmpty()) << "who makes the map was clear for long";
 }
 
+TEST_F(SharedIntakeTest, WhoMadeTheMapBeforeThisStationDoesNotDecideForWhoMakesItNow) {
+    begin();
+    hear(keyScan(1));
+    GrantSample hold;
+    hold.station = "other";
+    hold.kind = GrantSample::Kind::Map;
+    hold.action = GrantSample::Action::Hold;
+    hear(hold, station_topic::Grants);
+    (void)entered();
+    m_holdsMap = true;  // it was handed over to this one ...
+    m_now += 5s;
+    hear(keyScan(1), Third);  // ... until a third one takes it, whose grant comes last
+    hear(poses({1}, 3.0), Third);
+    m_holdsMap = false;
+    hear(poses({1}, 4.0), Third);
+    EXPECT_THAT(entered(), ElementsAre("poses of 1", "poses of 1"));
+}
+
 TEST_F(SharedIntakeTest, AScanThatComesBeforeAnyTellsWhoseMapItIsWaits) {
     begin();
     hear(keyScan(1));
