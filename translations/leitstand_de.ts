@@ -7462,6 +7462,42 @@ F1 listet alle Tasten</translation>
         <source>back</source>
         <translation>hinten</translation>
     </message>
+    <message>
+        <source>%1 farther ahead</source>
+        <translation>%1 weiter vorn</translation>
+    </message>
+    <message>
+        <source>%1 farther back</source>
+        <translation>%1 weiter hinten</translation>
+    </message>
+    <message>
+        <source>%1 farther left</source>
+        <translation>%1 weiter links</translation>
+    </message>
+    <message>
+        <source>%1 farther right</source>
+        <translation>%1 weiter rechts</translation>
+    </message>
+    <message>
+        <source>turned %1 to the left</source>
+        <translation>um %1 nach links gedreht</translation>
+    </message>
+    <message>
+        <source>turned %1 to the right</source>
+        <translation>um %1 nach rechts gedreht</translation>
+    </message>
+    <message>
+        <source>%1: the clock of its 3D scanner is %2 ahead of its odometry&apos;s. Correct that?</source>
+        <translation>%1: die Uhr des 3D-Scanners geht gegenüber der Odometrie um %2 vor. Berichtigen?</translation>
+    </message>
+    <message>
+        <source>%1: the clock of its 3D scanner is %2 behind its odometry&apos;s. Correct that?</source>
+        <translation>%1: die Uhr des 3D-Scanners geht gegenüber der Odometrie um %2 nach. Berichtigen?</translation>
+    </message>
+    <message>
+        <source>%1: its 3D scanner is not mounted as described, but %2. Correct that?</source>
+        <translation>%1: sein 3D-Scanner sitzt nicht wie angegeben, sondern %2. Berichtigen?</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ScansPanel</name>

@@ -7462,6 +7462,42 @@ F1 でキー一覧</translation>
         <source>back</source>
         <translation>後ろ</translation>
     </message>
+    <message>
+        <source>%1 farther ahead</source>
+        <translation>%1 前方</translation>
+    </message>
+    <message>
+        <source>%1 farther back</source>
+        <translation>%1 後方</translation>
+    </message>
+    <message>
+        <source>%1 farther left</source>
+        <translation>%1 左</translation>
+    </message>
+    <message>
+        <source>%1 farther right</source>
+        <translation>%1 右</translation>
+    </message>
+    <message>
+        <source>turned %1 to the left</source>
+        <translation>左に %1 回転</translation>
+    </message>
+    <message>
+        <source>turned %1 to the right</source>
+        <translation>右に %1 回転</translation>
+    </message>
+    <message>
+        <source>%1: the clock of its 3D scanner is %2 ahead of its odometry&apos;s. Correct that?</source>
+        <translation>%1: 3Dスキャナーの時計がオドメトリより %2 進んでいます。補正しますか？</translation>
+    </message>
+    <message>
+        <source>%1: the clock of its 3D scanner is %2 behind its odometry&apos;s. Correct that?</source>
+        <translation>%1: 3Dスキャナーの時計がオドメトリより %2 遅れています。補正しますか？</translation>
+    </message>
+    <message>
+        <source>%1: its 3D scanner is not mounted as described, but %2. Correct that?</source>
+        <translation>%1: 3Dスキャナーの取り付けが記述と異なります（%2）。補正しますか？</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::ScansPanel</name>

@@ -53,17 +53,6 @@ MapPtr shownMap(const LiveMap& live, const MapPtr& before) {
     return map;
 }
 
-namespace {
-
-/// Whether an operator would be asked the same.
-bool alike(const ScannerCorrection& a, const ScannerCorrection& b) {
-    constexpr double Range = 0.002, Lean = degrees(0.05);
-    return (a.range == 0.0) == (b.range == 0.0) && std::abs(a.range - b.range) < Range &&
-           std::abs(a.roll - b.roll) < Lean && std::abs(a.pitch - b.pitch) < Lean;
-}
-
-}  // namespace
-
 LiveSettings settingsOf(const std::vector<RobotDescription>& robots, LiveSettings settings) {
     for (const RobotDescription& robot : robots) {
         if (robot.refineTurns) settings.refined.insert(robot.name);
@@ -237,7 +226,7 @@ void LiveMapping::registerDone(Time now) {
 void LiveMapping::tellScanner(const std::string& name, Robot& robot) {
     if (robot.scanner.empty() || !m_listener.onScanner) return;
     const auto more = m_mapper.calibration(name).advised(robot.advised.has_value());
-    if (more.has_value() == robot.advised.has_value() && (!more || alike(*more, *robot.advised))) return;
+    if (more.has_value() == robot.advised.has_value() && (!more || asksAlike(*more, *robot.advised))) return;
     robot.advised = more;
     m_listener.onScanner(name, more);
 }

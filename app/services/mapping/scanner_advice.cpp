@@ -74,20 +74,20 @@ bool ScannerAdvice::follow(const std::string& robot, const std::optional<Scanner
         sensor == described->sensors.end() ? ScannerCorrection{} : sensor->second.correction;
     if (now.with(*more) == now) return false;  // no scanner is off by more
     m_advised.emplace(robot, *more);
-    return !m_left.contains({robot, kindOf(*more)}) && m_told.emplace(robot, kindOf(*more)).second;
+    return !m_left.contains({robot, faultOf(*more)}) && m_told.emplace(robot, faultOf(*more)).second;
 }
 
 std::optional<ScannerQuestion> ScannerAdvice::question() const {
     const std::lock_guard lock(m_mutex);
     for (const auto& [robot, more] : m_advised) {
-        if (!m_left.contains({robot, kindOf(more)})) return ScannerQuestion{robot, more};
+        if (!m_left.contains({robot, faultOf(more)})) return ScannerQuestion{robot, more};
     }
     return std::nullopt;
 }
 
 void ScannerAdvice::leave(const ScannerQuestion& question) {
     const std::lock_guard lock(m_mutex);
-    m_left.emplace(question.robot, kindOf(question.more));
+    m_left.emplace(question.robot, faultOf(question.more));
 }
 
 ScannerAdvice::Used ScannerAdvice::use(const ScannerQuestion& question) {
@@ -97,7 +97,7 @@ ScannerAdvice::Used ScannerAdvice::use(const ScannerQuestion& question) {
     {
         const std::lock_guard lock(m_mutex);
         m_advised.erase(question.robot);
-        m_told.erase({question.robot, kindOf(question.more)});
+        m_told.erase({question.robot, faultOf(question.more)});
         const auto robot = find(question.robot);
         if (robot == m_robots.end()) return used;
         sensor = onlyScanner(*robot);

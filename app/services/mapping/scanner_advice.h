@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/mapping/calibration/scanner_calibration.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
@@ -19,7 +20,7 @@ struct ScannerQuestion {
     ScannerCorrection more;  ///< beyond what its file says
     /// Whether both ask about the same error of the same scanner, perhaps by other figures.
     [[nodiscard]] bool asksAs(const ScannerQuestion& other) const {
-        return robot == other.robot && (more.range != 0.0) == (other.more.range != 0.0);
+        return robot == other.robot && faultOf(more) == faultOf(other.more);
     }
     friend bool operator==(const ScannerQuestion&, const ScannerQuestion&) = default;
 };
@@ -49,16 +50,11 @@ public:
     [[nodiscard]] Used use(const ScannerQuestion& question);
 
 private:
-    enum class Kind : std::uint8_t { Range, Lean };
-    [[nodiscard]] static Kind kindOf(const ScannerCorrection& more) {
-        return more.range != 0.0 ? Kind::Range : Kind::Lean;
-    }
-
     mutable std::mutex m_mutex;
     std::vector<RobotDescription> m_robots;
     const std::filesystem::path m_mission;
     std::map<std::string, ScannerCorrection> m_advised;  ///< by robot
-    std::set<std::pair<std::string, Kind>> m_left, m_told;
+    std::set<std::pair<std::string, ScannerFault>> m_left, m_told;
     [[nodiscard]] std::vector<RobotDescription>::iterator find(const std::string& robot);
 };
 

@@ -43,8 +43,17 @@ std::string withLine(std::string text, const YAML::Node& of, const std::string& 
 }  // namespace
 
 std::string correctionLine(const ScannerCorrection& correction) {
-    return fmt::format("correction: {{range: {:.4f}, roll: {:.3f}, pitch: {:.3f}}}", correction.range,
-                       inDegrees(correction.roll), inDegrees(correction.pitch));
+    std::string line = fmt::format("correction: {{range: {:.4f}, roll: {:.3f}, pitch: {:.3f}",
+                                   correction.range, inDegrees(correction.roll), inDegrees(correction.pitch));
+    const auto add = [&line](const char* key, const std::string& value) {
+        if (std::any_of(value.begin(), value.end(), [](char c) { return c >= '1' && c <= '9'; }))
+            line += fmt::format(", {}: {}", key, value);
+    };
+    add("x", fmt::format("{:.4f}", correction.x));
+    add("y", fmt::format("{:.4f}", correction.y));
+    add("yaw", fmt::format("{:.3f}", inDegrees(correction.yaw)));
+    add("clock", fmt::format("{:.4f}", correction.clock));
+    return line + "}";
 }
 
 Result<std::string> withCorrection(const std::string& text, const std::string& name,

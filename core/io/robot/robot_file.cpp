@@ -140,13 +140,17 @@ ScannerCorrection correctionOf(const YamlPlace& place, YamlErrors& errors) {
     const YamlFields fields(place, detail::CorrectionKeys, errors);
     Correction correction;
     fields.number("range", correction.range, -Correction::MostRange, Correction::MostRange, " m");
-    const double most = inDegrees(Correction::MostLean);
-    const auto angle = [&](const char* key, double& radians) {
+    const auto angle = [&](const char* key, double most, double& radians) {
         double value = 0.0;
-        if (fields.has(key) && fields.number(key, value, -most, most, " degrees")) radians = degrees(value);
+        if (fields.has(key) && fields.number(key, value, -inDegrees(most), inDegrees(most), " degrees"))
+            radians = degrees(value);
     };
-    angle("roll", correction.roll);
-    angle("pitch", correction.pitch);
+    angle("roll", Correction::MostLean, correction.roll);
+    angle("pitch", Correction::MostLean, correction.pitch);
+    fields.number("x", correction.x, -Correction::MostShift, Correction::MostShift, " m");
+    fields.number("y", correction.y, -Correction::MostShift, Correction::MostShift, " m");
+    angle("yaw", Correction::MostTurn, correction.yaw);
+    fields.number("clock", correction.clock, -Correction::MostClock, Correction::MostClock, " s");
     return correction;
 }
 

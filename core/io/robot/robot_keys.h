@@ -14,7 +14,7 @@ inline constexpr std::string_view FrameKeys[] = {"base", "odom", "prefix"};
 inline constexpr std::string_view LimitKeys[] = {"roll", "pitch", "speed", "turn_rate", "climb", "step"};
 inline constexpr std::string_view SensorKeys[] = {"frame",  "position", "rotation",
                                                   "motion", "pan_tilt", "correction"};
-inline constexpr std::string_view CorrectionKeys[] = {"range", "roll", "pitch"};
+inline constexpr std::string_view CorrectionKeys[] = {"range", "roll", "pitch", "x", "y", "yaw", "clock"};
 inline constexpr std::string_view PanTiltKeys[] = {"unit", "pan", "up", "down"};
 inline constexpr std::string_view StreamKeys[] = {"role",  "sensor",  "topic",       "type",  "qos",
                                                   "stamp", "thermal", "hardware_id", "record"};

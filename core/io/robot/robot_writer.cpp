@@ -51,9 +51,14 @@ void writeSensor(YAML::Emitter& out, const std::string& name, const SensorDescri
     }
     if (!sensor.correction.isNone()) {
         out << YAML::Key << "correction" << YAML::Value << YAML::Flow << YAML::BeginMap;
-        entry(out, "range", number(sensor.correction.range));
-        entry(out, "roll", angle(sensor.correction.roll));
-        entry(out, "pitch", angle(sensor.correction.pitch));
+        const ScannerCorrection& correction = sensor.correction;
+        entry(out, "range", number(correction.range));
+        entry(out, "roll", angle(correction.roll));
+        entry(out, "pitch", angle(correction.pitch));
+        if (correction.x != 0.0) entry(out, "x", number(correction.x));
+        if (correction.y != 0.0) entry(out, "y", number(correction.y));
+        if (correction.yaw != 0.0) entry(out, "yaw", angle(correction.yaw));
+        if (correction.clock != 0.0) entry(out, "clock", number(correction.clock));
         out << YAML::EndMap;
     }
     out << YAML::EndMap;

@@ -7,6 +7,9 @@ namespace {
 
 constexpr double NoticedRange = 0.01;         ///< what is less may come of how turns are bent [m]
 constexpr double NoticedLean = degrees(0.2);  ///< [rad]
+constexpr double NoticedShift = 0.01;         ///< [m]
+constexpr double NoticedTurn = degrees(0.3);  ///< of its heading [rad]
+constexpr double NoticedClock = 0.02;         ///< [s]
 constexpr double Sigmas = 3.0;                ///< what is told is certain by so many deviations
 constexpr double Stands = 0.7;                ///< of that, for what was told
 constexpr double SureRange = 0.003;           ///< an estimate that scatters more is none [m]
@@ -15,12 +18,47 @@ constexpr double SureRange = 0.003;           ///< an estimate that scatters mor
 
 std::optional<ScannerCorrection> ScannerCalibration::advised(bool standing) const {
     const double share = standing ? Stands : 1.0;
-    if (!range || range->deviation > SureRange) return std::nullopt;
-    if (std::abs(range->value) >= share * NoticedRange) return ScannerCorrection{-range->value, 0.0, 0.0};
+    const bool sureRange = range && range->deviation <= SureRange;
+    ScannerCorrection more;
+    if (sureRange && std::abs(range->value) >= share * NoticedRange) {
+        more.range = -range->value;
+        return more;
+    }
     const double leans = lean.norm();
-    if (!lean.allFinite() || leans < share * NoticedLean || leans < share * Sigmas * leanDeviation.norm())
-        return std::nullopt;
-    return ScannerCorrection{0.0, lean.x(), lean.y()};
+    if (sureRange && lean.allFinite() && leans >= share * NoticedLean &&
+        leans >= share * Sigmas * leanDeviation.norm()) {
+        more.roll = lean.x();
+        more.pitch = lean.y();
+        return more;
+    }
+    if (!mount) return std::nullopt;
+    const auto noticed = [&](int i, double least) {
+        const double off = std::abs(mount->value[i]);
+        return off >= share * least && off >= share * Sigmas * mount->deviation[i];
+    };
+    if (noticed(3, NoticedClock)) {
+        more.clock = -mount->value[3];
+        return more;
+    }
+    // What is not sure of a scanner that is off stays as it is said.
+    if (noticed(0, NoticedShift)) more.x = mount->value[0];
+    if (noticed(1, NoticedShift)) more.y = mount->value[1];
+    if (noticed(2, NoticedTurn)) more.yaw = mount->value[2];
+    return more.isNone() ? std::nullopt : std::optional(more);
+}
+
+ScannerFault faultOf(const ScannerCorrection& more) {
+    if (more.range != 0.0) return ScannerFault::Range;
+    if (more.roll != 0.0 || more.pitch != 0.0) return ScannerFault::Lean;
+    return more.clock != 0.0 ? ScannerFault::Clock : ScannerFault::Mount;
+}
+
+bool asksAlike(const ScannerCorrection& a, const ScannerCorrection& b) {
+    constexpr double Range = 0.002, Angle = degrees(0.05), Shift = 0.002, Clock = 0.005;
+    return faultOf(a) == faultOf(b) && std::abs(a.range - b.range) < Range &&
+           std::abs(a.roll - b.roll) < Angle && std::abs(a.pitch - b.pitch) < Angle &&
+           std::abs(a.x - b.x) < Shift && std::abs(a.y - b.y) < Shift && std::abs(a.yaw - b.yaw) < Angle &&
+           std::abs(a.clock - b.clock) < Clock;
 }
 
 }  // namespace leitstand

@@ -1,13 +1,22 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <Eigen/Core>
 
 #include "core/mapping/calibration/range_bias.h"
+#include "core/mapping/calibration/scanner_mount.h"
 #include "core/robot/scanner_correction.h"
 
 namespace leitstand {
+
+/// What an advice is about: each is asked for itself.
+enum class ScannerFault : std::uint8_t { Range, Lean, Clock, Mount };
+/// The first one that @p more corrects.
+[[nodiscard]] ScannerFault faultOf(const ScannerCorrection& more);
+/// Whether an operator would be asked the same.
+[[nodiscard]] bool asksAlike(const ScannerCorrection& a, const ScannerCorrection& b);
 
 /// What the map tells of a scanner against what is said of it.
 struct ScannerCalibration {
@@ -15,8 +24,10 @@ struct ScannerCalibration {
     Eigen::Vector2d lean = Eigen::Vector2d::Zero();           ///< roll and pitch in the base, beyond [rad]
     Eigen::Vector2d leanDeviation = Eigen::Vector2d::Zero();  ///< one deviation of each [rad]
 
+    std::optional<MountError> mount = {};
+
     /// What is worth to be corrected and certain. Ranges come first: what is too long bends the floor, which
-    /// looks like a lean.
+    /// looks like a lean; then the lean, the clock, and where it sits and looks.
     /// @p standing: it was advised before, and is while it is not much less.
     [[nodiscard]] std::optional<ScannerCorrection> advised(bool standing = false) const;
 };

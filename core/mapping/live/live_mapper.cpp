@@ -117,6 +117,14 @@ void LiveMapper::State::lean(RobotTrack& robot, const LiveScan& live, const Matc
     robot.leanAt = match.scanInMap;
 }
 
+void LiveMapper::State::tellMount(RobotTrack& robot, const LiveScan& live, const Pose& scanInMap, bool fits) {
+    // Scans that moved took the robot along.
+    if (!fits || !robot.mountAt.isApprox(robot.sensorInMap, 1e-9)) robot.mount.breakOff();
+    if (fits)
+        robot.mount.add({scanInMap, live.scan->sensorInOdom, live.sensorInBase, live.velocity, live.yawRate});
+    robot.mountAt = scanInMap;
+}
+
 void LiveMapper::State::calibrate(RobotTrack& robot, const LiveKeyScan& entered, const PointCloud& cloud) {
     if (has(entered.pose.doubts, ScanDoubt::Guessed)) return;
     // Some milliseconds each: what is known well enough is looked at now and then.
@@ -142,7 +150,8 @@ void LiveMapper::State::calibrate(RobotTrack& robot, const LiveKeyScan& entered,
 ScannerCalibration LiveMapper::calibration(const std::string& name) const {
     const auto robot = m_state->robots.find(name);
     if (robot == m_state->robots.end()) return {};
-    return {robot->second.rangeBias.estimate(), robot->second.lean.lean(), robot->second.lean.deviation()};
+    const RobotTrack& track = robot->second;
+    return {track.rangeBias.estimate(), track.lean.lean(), track.lean.deviation(), track.mount.estimate()};
 }
 
 void LiveMapper::recalibrate(const std::string& name) {
@@ -150,6 +159,7 @@ void LiveMapper::recalibrate(const std::string& name) {
     if (robot == m_state->robots.end()) return;
     robot->second.rangeBias = {};
     robot->second.lean = {};
+    robot->second.mount = {};
     robot->second.calibrated = m_state->nextId;  // the next one may be of a turn that was half over
     robot->second.comparisons = 0;
 }
@@ -343,6 +353,9 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     } else {
         robot.wheels.forget();
     }
+    const bool comesByOdometry = step.trusted && !pushed && !match.spun && !robot.placedInMap;
+    State::tellMount(robot, live, match.scanInMap,
+                     comesByOdometry && match.doubts == 0 && match.icp.open == 0);
     robot.known = true;
     robot.beginsPart = false;
     robot.placedInMap.reset();

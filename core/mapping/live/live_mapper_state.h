@@ -11,6 +11,7 @@
 
 #include "core/mapping/calibration/range_bias.h"
 #include "core/mapping/calibration/scanner_lean.h"
+#include "core/mapping/calibration/scanner_mount.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/loops/loop_closer.h"
 #include "core/mapping/live/map/cropped_scans.h"
@@ -42,6 +43,8 @@ struct RobotTrack {
     SpinningWheels wheels;
     RangeBias rangeBias;
     ScannerLean lean;
+    ScannerMount mount;
+    Pose mountAt = Pose::Identity();   ///< the scan that told of the mount last, as it was then in the map
     std::uint64_t calibrated = 0;      ///< the scanner is as it is now from the scan after this id on
     std::size_t comparisons = 0;       ///< of key scans since, for RangeBias, whether they told or not
     std::uint64_t compared = 0;        ///< id of the scan that key scans were compared with last ...
@@ -84,6 +87,9 @@ struct LiveMapper::State {
     [[nodiscard]] bool canWait(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
     /// @p live, which fits as @p match says, tells how its scanner leans.
     void lean(RobotTrack& robot, const LiveScan& live, const Match& match, double way) const;
+    /// @p live, which came to lie at @p scanInMap, tells how its scanner sits, where @p fits: odometry and
+    /// surfaces tell how the robot came there.
+    static void tellMount(RobotTrack& robot, const LiveScan& live, const Pose& scanInMap, bool fits);
     [[nodiscard]] bool empty() const;  ///< nothing counts
     /// Where a scan that looks upwards by @p up begins a part of its own.
     [[nodiscard]] Pose aside(const Eigen::Vector3d& up) const;

@@ -1,14 +1,17 @@
 #include "core/mapping/motion/scan_cutter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::milliseconds Seam(60);     ///< between slices that follow each other, at most
-constexpr std::chrono::seconds LateEnds(1);       ///< late slices pause so long: theirs is complete
-constexpr std::chrono::seconds Remembered(150);   ///< stamps of slices, to tell doubled ones
+constexpr std::chrono::milliseconds Seam(60);    ///< between slices that follow each other, at most
+constexpr std::chrono::seconds LateEnds(1);      ///< late slices pause so long: theirs is complete
+constexpr std::chrono::seconds Remembered(150);  ///< stamps of slices, to tell doubled ones
+constexpr std::chrono::milliseconds ShortestScan(
+    100);                                         ///< how fast a robot moves is told over that, at least
 constexpr std::chrono::seconds LatestSlice(120);  ///< what is older is of a clock that jumped
 
 bool seesAnything(const Scan& scan) {
@@ -149,6 +152,7 @@ void ScanCutter::keep(std::optional<Scan> scan, const Row& row, const Parts& par
         live.up = scan->sensorInOdom.linear().transpose() * Eigen::Vector3d::UnitZ();
         live.levelKnown = !m_motion.hasUnit();
     }
+    tellMotion(live, scan->start, scan->end);
     if (m_lastEnd) {
         const Travel travel = m_motion.travelled(*m_lastEnd, scan->end);
         live.way = travel.way;
@@ -157,6 +161,18 @@ void ScanCutter::keep(std::optional<Scan> scan, const Row& row, const Parts& par
     m_lastEnd = m_lastEnd ? std::max(*m_lastEnd, scan->end) : scan->end;
     live.scan = std::make_shared<const Scan>(std::move(*scan));
     m_done.push_back(std::move(live));
+}
+
+void ScanCutter::tellMotion(LiveScan& live, Time start, Time end) const {
+    const Time since = std::min(start, end - ShortestScan);
+    const auto before = m_motion.at(since), after = m_motion.at(end);
+    if (!before || !after || m_motion.frameAt(since) != m_motion.frameAt(end)) return;
+    const double time = std::chrono::duration<double>(end - since).count();
+    const Eigen::Vector3d moved = (before->baseInOdom.inverse() * after->baseInOdom).translation();
+    const Eigen::Matrix3d turned = before->baseInOdom.linear().transpose() * after->baseInOdom.linear();
+    const double turn = std::atan2(turned(1, 0), turned(0, 0));
+    live.velocity = Eigen::Rotation2Dd(-0.5 * turn) * Eigen::Vector2d(moved.head<2>()) / time;
+    live.yawRate = turn / time;
 }
 
 void ScanCutter::startAnew() {

@@ -75,6 +75,7 @@ private:
     void put(Waiting waiting, Row& row);
     void close(Row& row);
     void keep(std::optional<Scan> scan, const Row& row, const Parts& parts);
+    void tellMotion(LiveScan& live, Time start, Time end) const;
     void startAnew();
 
     std::string m_robot;

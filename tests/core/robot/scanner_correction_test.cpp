@@ -27,6 +27,25 @@ TEST(ScannerCorrection, TurnsTheMountInTheRobotsBase) {
     EXPECT_NEAR((is.linear() * Eigen::Vector3d(0, -1, 0)).z(), -std::sin(degrees(2)), 1e-12);
 }
 
+TEST(ScannerCorrection, MovesAndTurnsTheMountAndSetsTheClock) {
+    ScannerCorrection correction;
+    correction.x = 0.02;
+    correction.y = -0.01;
+    correction.yaw = degrees(90);
+    correction.clock = -0.06;
+    const Pose is = correction.corrected(poseFrom({0.1, 0.2, 0.5}, 0, 0, 0));
+    EXPECT_TRUE(is.isApprox(poseFrom({0.12, 0.19, 0.5}, 0, 0, degrees(90)), 1e-12)) << "about itself";
+    CloudSample cloud;
+    cloud.header.stamp = Time{} + std::chrono::seconds(10);
+    correction.correct(cloud);
+    EXPECT_EQ(cloud.header.stamp, Time{} + std::chrono::milliseconds(9940));
+    CloudSample unstamped;
+    correction.correct(unstamped);
+    EXPECT_EQ(unstamped.header.stamp, Time{}) << "counts as taken when it came";
+    EXPECT_EQ(correction.with(correction).yaw, ScannerCorrection::MostTurn);
+    EXPECT_NEAR(correction.with(correction).clock, -0.12, 1e-12);
+}
+
 TEST(ScannerCorrection, AddsUpWithinWhatAScannerCanBeOff) {
     const ScannerCorrection sum =
         ScannerCorrection{-0.02, degrees(0.3), 0.0}.with({0.005, degrees(0.1), 0.0});

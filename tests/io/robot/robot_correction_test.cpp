@@ -44,6 +44,25 @@ TEST(RobotCorrection, IsWrittenIntoASensorOfOneLine) {
     EXPECT_NEAR(parseRobot(*bare, "k.yaml")->sensors.at("scanner").correction.range, -0.0173, 1e-12);
 }
 
+TEST(RobotCorrection, TellsWhereTheScannerSitsAndHowLateItIsWhereThatIsOff) {
+    ScannerCorrection correction = Correction;
+    correction.x = 0.0213;
+    correction.y = 1e-6;
+    correction.yaw = degrees(-0.75);
+    correction.clock = -0.06;
+    EXPECT_EQ(
+        correctionLine(correction),
+        "correction: {range: -0.0173, roll: 0.250, pitch: -0.100, x: 0.0213, yaw: -0.750, clock: -0.0600}");
+    const auto changed =
+        withCorrection(Head + "sensors: {scanner: {}}\n" + Tail, "k.yaml", "scanner", correction);
+    ASSERT_TRUE(changed.ok()) << changed.error().text;
+    const ScannerCorrection read = parseRobot(*changed, "k.yaml")->sensors.at("scanner").correction;
+    EXPECT_EQ(read.x, 0.0213);
+    EXPECT_EQ(read.y, 0.0);
+    EXPECT_NEAR(read.yaw, degrees(-0.75), 1e-12);
+    EXPECT_EQ(read.clock, -0.06);
+}
+
 TEST(RobotCorrection, OfAFileThatIsWrittenOtherwiseIsLeftToItsWriter) {
     for (const std::string& sensors :
          {std::string("sensors:\n  other:\n    frame: laser\n"), std::string("sensors:\n  scanner:\n"),

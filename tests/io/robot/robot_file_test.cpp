@@ -42,6 +42,10 @@ void expectSame(const RobotDescription& a, const RobotDescription& b) {
         EXPECT_EQ(sensor.correction.range, b.sensors.at(name).correction.range) << name;
         EXPECT_NEAR(sensor.correction.roll, b.sensors.at(name).correction.roll, 1e-12) << name;
         EXPECT_NEAR(sensor.correction.pitch, b.sensors.at(name).correction.pitch, 1e-12) << name;
+        EXPECT_EQ(sensor.correction.x, b.sensors.at(name).correction.x) << name;
+        EXPECT_EQ(sensor.correction.y, b.sensors.at(name).correction.y) << name;
+        EXPECT_NEAR(sensor.correction.yaw, b.sensors.at(name).correction.yaw, 1e-12) << name;
+        EXPECT_EQ(sensor.correction.clock, b.sensors.at(name).correction.clock) << name;
         const auto& turned = b.sensors.at(name).panTilt;
         ASSERT_EQ(sensor.panTilt.has_value(), turned.has_value()) << name;
         if (!turned) continue;
@@ -183,8 +187,9 @@ public:
                                                       number(-3, 3), number(-1.5, 1.5), number(-3, 3))};
         }
         if (below(2) == 0)
-            robot.sensors.begin()->second.correction = {number(-0.2, 0.2), degrees(number(-9, 9)),
-                                                        degrees(number(-9, 9))};
+            robot.sensors.begin()->second.correction = {
+                number(-0.2, 0.2), degrees(number(-9, 9)),   degrees(number(-9, 9)), number(-0.2, 0.2),
+                number(-0.2, 0.2), degrees(number(-19, 19)), number(-0.5, 0.5)};
         robot.sensors.begin()->second.panTilt = {word(), degrees(number(0, 179)), degrees(number(0, 179)),
                                                  degrees(number(0, 179))};
         addStreams(robot);

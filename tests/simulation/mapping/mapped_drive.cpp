@@ -113,6 +113,7 @@ MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, cons
                   scans.begin() + static_cast<std::ptrdiff_t>(next) + 1);
     }
     result.map = mapper.map();
+    result.calibration = mapper.calibration(drive.robot.name);
     result.scans = std::move(scans);
     return result;
 }

@@ -23,13 +23,14 @@ struct MappedDrive {
     double longest = 0.0;      ///< time for a scan [s]
     std::vector<double> busy;  ///< processor time of each scan, whatever else the computer does [s]
     std::vector<double> solving,
-        settling;                  ///< of each time that the map met itself: apart, and on its thread [s]
-    std::vector<double> seeking;   ///< of each scan that was looked for in the whole map [s]
-    int moves = 0;                 ///< how often scans moved then
-    int contradicted = 0;          ///< links of loops that others spoke against
-    ScannerCorrection correction;  ///< of the scanner, in the end
-    int corrections = 0;           ///< how often it was corrected
-    ScanGraph graph;               ///< what the key scans were registered against, as it was said last
+        settling;                    ///< of each time that the map met itself: apart, and on its thread [s]
+    std::vector<double> seeking;     ///< of each scan that was looked for in the whole map [s]
+    int moves = 0;                   ///< how often scans moved then
+    int contradicted = 0;            ///< links of loops that others spoke against
+    ScannerCorrection correction;    ///< of the scanner, in the end
+    int corrections = 0;             ///< how often it was corrected
+    ScannerCalibration calibration;  ///< what the map tells in the end
+    ScanGraph graph;                 ///< what the key scans were registered against, as it was said last
 };
 
 /// Processor time that this thread took [s].

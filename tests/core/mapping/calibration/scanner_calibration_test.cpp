@@ -32,5 +32,37 @@ TEST(ScannerCalibration, AdvisesWhatIsCertainAndMatters) {
     EXPECT_EQ(untold.advised(), std::nullopt) << "a lean is told once ranges are known to be right";
 }
 
+/// What is told of a scanner whose ranges and lean are right.
+ScannerCalibration mounted(const Eigen::Vector4d& off, double share) {
+    ScannerCalibration told = calibration(0.0, 0.0);
+    told.mount = MountError{off, share * off.cwiseAbs()};
+    return told;
+}
+
+TEST(ScannerCalibration, AdvisesTheClockAndThenWhereTheScannerSits) {
+    const Eigen::Vector4d off(0.02, -0.005, degrees(0.8), 0.06);
+    ScannerCorrection clock, mount;
+    clock.clock = -0.06;
+    mount.x = 0.02;
+    mount.yaw = degrees(0.8);
+    EXPECT_EQ(mounted(off, 0.1).advised(), clock) << "how it sits shows once it is on time";
+    EXPECT_EQ(mounted({0.02, -0.005, degrees(0.8), 0.01}, 0.1).advised(), mount)
+        << "what is too little to be noticed stays";
+    EXPECT_EQ(mounted(off, 0.5).advised(), std::nullopt) << "not sure yet";
+    ScannerCalibration leaning = mounted(off, 0.1);
+    leaning.lean.x() = degrees(1);
+    EXPECT_EQ(faultOf(leaning.advised().value()), ScannerFault::Lean);
+    leaning = mounted(off, 0.1);
+    leaning.range.reset();
+    EXPECT_EQ(leaning.advised(), clock) << "ranges say nothing about it";
+    EXPECT_EQ(faultOf(clock), ScannerFault::Clock);
+    EXPECT_EQ(faultOf(mount), ScannerFault::Mount);
+    EXPECT_TRUE(asksAlike(clock, clock));
+    EXPECT_FALSE(asksAlike(clock, mount));
+    ScannerCorrection other = mount;
+    other.yaw += degrees(0.2);
+    EXPECT_FALSE(asksAlike(mount, other));
+}
+
 }  // namespace
 }  // namespace leitstand::test

@@ -1,7 +1,5 @@
 #include "app/window/live/map/decisions/scanner_feature.h"
 
-#include <cmath>
-
 #include <QAction>
 
 #include "app/services/station/station.h"
@@ -13,7 +11,7 @@
 #include "core/mission/loops/open_loops.h"
 #include "widgets/map_decisions/map_question.h"
 #include "widgets/map_view/map_view.h"
-#include "widgets/models/numbers.h"
+#include "widgets/models/map/scanner_text.h"
 
 namespace leitstand {
 
@@ -62,21 +60,8 @@ void ScannerFeature::follow(const LiveMoment& moment) {
 
 QString ScannerFeature::question() const {
     if (!m_asked) return {};
-    const ScannerCorrection& more = m_asked->more;
-    const QString robot = titleOfRobot(m_context.bridge.station().robots(), m_asked->robot);
-    if (more.range != 0.0) {
-        const QString off = numberText(100.0 * std::abs(more.range), 1) + QStringLiteral(" cm");
-        return (more.range < 0.0 ? tr("%1: its 3D scanner measures %2 too far. Correct that?")
-                                 : tr("%1: its 3D scanner measures %2 too short. Correct that?"))
-            .arg(robot, off);
-    }
-    const auto angle = [](double radians) {
-        return numberText(std::abs(inDegrees(radians)), 1) + QStringLiteral("°");
-    };
-    return tr("%1: its 3D scanner leans, %2 to the %3 and %4 %5, against where it is said to sit. Correct "
-              "that?")
-        .arg(robot, angle(more.roll), more.roll > 0.0 ? tr("right") : tr("left"), angle(more.pitch),
-             more.pitch > 0.0 ? tr("ahead") : tr("back"));
+    return scannerQuestionText(titleOfRobot(m_context.bridge.station().robots(), m_asked->robot),
+                               m_asked->more);
 }
 
 }  // namespace leitstand
