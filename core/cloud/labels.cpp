@@ -41,8 +41,10 @@ private:
     float m_level;  ///< cosine of the steepest slope
 };
 
-std::vector<Label> labelGrid(const Scan& scan, const Labeller& label) {
-    const GridTangents tangents = gridTangents(scan);
+}  // namespace
+
+std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents, const LabelSettings& settings) {
+    const Labeller label(settings);
     const auto& vertical = scan.sweep == Sweep::Tilting ? tangents.alongColumns : tangents.alongRows;
     std::vector<Label> labels(scan.points.size());
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -53,10 +55,8 @@ std::vector<Label> labelGrid(const Scan& scan, const Labeller& label) {
     return labels;
 }
 
-}  // namespace
-
 std::vector<Label> labelScan(const Scan& scan, const LabelSettings& settings) {
-    if (scan.organised()) return labelGrid(scan, Labeller(settings));
+    if (scan.organised()) return labelScan(scan, gridTangents(scan), settings);
     return labelNormals(knnNormals(scan.points), settings);
 }
 

@@ -7,6 +7,8 @@
 
 namespace leitstand {
 
+struct GridTangents;
+
 /// Settings of the semantic labels (paper, section 2.2).
 struct LabelSettings {
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< against gravity, in the scan's frame
@@ -19,6 +21,10 @@ struct LabelSettings {
 /// robot's raw scans nor a tilting scanner's outer ones are vertical. Others: by the normals of their nearest
 /// neighbours.
 [[nodiscard]] std::vector<Label> labelScan(const Scan& scan, const LabelSettings& settings = {});
+
+/// The same of an organised @p scan whose @p tangents are known.
+[[nodiscard]] std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents,
+                                           const LabelSettings& settings = {});
 
 /// Labels of points by their @p normals, which are towards the sensor; Unlabelled where zero.
 [[nodiscard]] std::vector<Label> labelNormals(std::span<const Eigen::Vector3f> normals,

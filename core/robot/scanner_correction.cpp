@@ -17,7 +17,9 @@ ScannerCorrection ScannerCorrection::with(const ScannerCorrection& more) const {
 Pose ScannerCorrection::corrected(const Pose& sensorInBase) const {
     Pose pose = sensorInBase;
     pose.translation() += Eigen::Vector3d(x, y, 0.0);
-    pose.linear() = poseFrom(Eigen::Vector3d::Zero(), roll, pitch, yaw).linear() * sensorInBase.linear();
+    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+    pose.linear() = poseFrom(none, roll, pitch, 0.0).linear() * poseFrom(none, 0.0, 0.0, yaw).linear() *
+                    sensorInBase.linear();
     return pose;
 }
 

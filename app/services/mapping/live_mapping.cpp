@@ -177,6 +177,7 @@ void LiveMapping::work(const Event& event) {
         const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
         if (!robot.poses.isOfScanner(cloud->header.frame)) robot.scanner.clear();
         CloudSample corrected = *cloud;
+        if (corrected.header.stamp == Time{}) corrected.header.stamp = event.received;
         robot.poses.correctionOf(event.sensor, cloud->header.frame).correct(corrected);
         cutterOf(robot, event).add(std::move(corrected), sensor, event.received);
     } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
@@ -205,7 +206,8 @@ void LiveMapping::registerDone(Time now) {
                 const LiveMapPtr before = m_map;
                 const MapUpdate update = m_mapper.add(scan, now, bodiesIn(*scan.scan));
                 if (update.ready) matched(name, now);
-                if (update.ready)
+                // What has too few points, as what a break left of a turn, tells of no place.
+                if (update.ready && !has(update.localisation.doubts, ScanDoubt::Points))
                     robot.newest = std::make_shared<const SeenScan>(SeenScan{scan, update.ready});
                 followFixes();
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
@@ -225,7 +227,7 @@ void LiveMapping::registerDone(Time now) {
 
 void LiveMapping::tellScanner(const std::string& name, Robot& robot) {
     if (robot.scanner.empty() || !m_listener.onScanner) return;
-    const auto more = m_mapper.calibration(name).advised(robot.advised.has_value());
+    const auto more = m_mapper.calibration(name).advised(robot.advised, robot.leftAsIs);
     if (more.has_value() == robot.advised.has_value() && (!more || asksAlike(*more, *robot.advised))) return;
     robot.advised = more;
     m_listener.onScanner(name, more);
@@ -234,10 +236,22 @@ void LiveMapping::tellScanner(const std::string& name, Robot& robot) {
 void LiveMapping::correct(const std::string& name, const ScannerCorrection& correction) {
     post([this, name, correction](LiveMapper& mapper) {
         Robot& robot = m_robots.at(name);
+        // What a turn has gathered by the clock of before does not go on by the new one.
+        if (robot.poses.correctionOf(robot.scanner, robot.scanner).clock != correction.clock) {
+            for (auto& [topic, cutter] : robot.cutters) cutter.startAnew();
+        }
         robot.poses.setCorrection(robot.scanner, robot.scanner, correction);
         robot.advised.reset();
         mapper.recalibrate(name);
         if (m_listener.onScanner) m_listener.onScanner(name, std::nullopt);
+    });
+}
+
+void LiveMapping::leaveAsIs(const std::string& name, ScannerFault fault) {
+    post([this, name, fault](LiveMapper&) {
+        Robot& robot = m_robots.at(name);
+        robot.leftAsIs.insert(fault);
+        tellScanner(name, robot);
     });
 }
 

@@ -104,6 +104,8 @@ public:
     void lookFor(const std::string& robot);
     /// Scans of @p robot, by name one of ours, are corrected so from the next one on.
     void correct(const std::string& robot, const ScannerCorrection& correction);
+    /// What the map finds to be off of @p robot's scanner is not told any more, and what comes after it is.
+    void leaveAsIs(const std::string& robot, ScannerFault fault);
     /// Where the robots are; never null.
     [[nodiscard]] RobotsInMapPtr robots() const;
 
@@ -122,11 +124,12 @@ private:
         std::chrono::nanoseconds ahead{};          ///< its clock, of the station's
         std::optional<Time> matched;               ///< RobotInMap::matched
         std::optional<RobotFix> followed;          ///< that the tracker was corrected by last
-        std::shared_ptr<const SeenScan> newest;    ///< its newest scan
+        std::shared_ptr<const SeenScan> newest;    ///< its newest scan that has enough points
         std::uint64_t put = 0;                     ///< how often somebody said where it stands
         int unplaced = 0;                          ///< its 3D scans while nobody knew where it is
         std::string scanner;                       ///< its only one; empty: it has several, or none
         std::optional<ScannerCorrection> advised;  ///< that was told about it
+        std::set<ScannerFault> leftAsIs;           ///< of it, by the operator
         bool certain = false;                      ///< its place is
         std::optional<Time> wasSure;               ///< when it was last, station's clock; empty: never
         std::optional<Pose> wasSureBy;             ///< where its odometry lay in the map then

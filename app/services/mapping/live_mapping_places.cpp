@@ -171,6 +171,10 @@ void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const
     const MotionBuffer& motion = robot.tracker.motion();
     const auto before = motion.at(end), here = motion.at(newest);
     const bool goesOn = before && here && motion.frameAt(end) == motion.frameAt(newest);
+    if (newest != end && !goesOn) {  // nobody knows where it went since that scan
+        if (m_listener.onLookedFor) m_listener.onLookedFor(name, found.places.size());
+        return;
+    }
     m_mapper.place(name, goesOn ? then * before->baseInOdom.inverse() * here->baseInOdom : then);
     tellPlace(robot.laser.foundByScan(then, end, place.overlap, stationTime()));
 }

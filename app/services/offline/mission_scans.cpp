@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <utility>
@@ -129,7 +130,10 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
             return robot.poses.sensorInOdom(event, cloud->header, at + lane.late);
         };
         CloudSample corrected = *cloud;
-        robot.poses.correctionOf(event.sensor, cloud->header.frame).correct(corrected);
+        const ScannerCorrection correction = robot.poses.correctionOf(event.sensor, cloud->header.frame);
+        correction.correct(corrected);
+        if (cloud->header.stamp == Time{})
+            lane.late += std::chrono::nanoseconds(std::llround(1e9 * correction.clock));
         keep(lane.assembler.add(std::move(corrected), track), event.robot, lane);
     });
     for (auto& [name, robot] : m_robots) {

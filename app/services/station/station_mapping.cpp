@@ -526,6 +526,7 @@ Result<void> StationMapping::answerScanner(const ScannerQuestion& asked, bool co
         return Error{translate("leitstand::Station", "nothing is asked about the scanner any more")};
     if (!correct) {
         m_state->scanners.leave(asked);
+        m_state->mapping->leaveAsIs(asked.robot, faultOf(asked.more));
         return {};
     }
     const ScannerAdvice::Used used = m_state->scanners.use(asked);

@@ -38,8 +38,11 @@ Eigen::Vector3f planeNormal(std::span<const Eigen::Vector3f> points, const std::
 }  // namespace
 
 std::vector<Eigen::Vector3f> gridNormals(const Scan& scan, int threads) {
+    return gridNormals(scan, gridTangents(scan, threads), threads);
+}
+
+std::vector<Eigen::Vector3f> gridNormals(const Scan& scan, const GridTangents& tangents, int threads) {
     constexpr std::size_t Grain = 8192;
-    const GridTangents tangents = gridTangents(scan, threads);
     std::vector<Eigen::Vector3f> normals(scan.points.size());
     parallelFor(normals.size(), Grain, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) normals[i] = tangents.normal(i, scan.points[i]);

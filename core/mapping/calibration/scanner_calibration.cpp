@@ -16,34 +16,43 @@ constexpr double SureRange = 0.003;           ///< an estimate that scatters mor
 
 }  // namespace
 
-std::optional<ScannerCorrection> ScannerCalibration::advised(bool standing) const {
-    const double share = standing ? Stands : 1.0;
+std::optional<ScannerCorrection> ScannerCalibration::advised(const std::optional<ScannerCorrection>& standing,
+                                                             const std::set<ScannerFault>& left) const {
+    const auto shareFor = [&](ScannerFault fault) {
+        return standing && faultOf(*standing) == fault ? Stands : 1.0;
+    };
     const bool sureRange = range && range->deviation <= SureRange;
     ScannerCorrection more;
-    if (sureRange && std::abs(range->value) >= share * NoticedRange) {
+    double share = shareFor(ScannerFault::Range);
+    if (sureRange && !left.contains(ScannerFault::Range) && std::abs(range->value) >= share * NoticedRange) {
         more.range = -range->value;
         return more;
     }
+    share = shareFor(ScannerFault::Lean);
     const double leans = lean.norm();
-    if (sureRange && lean.allFinite() && leans >= share * NoticedLean &&
+    if (sureRange && !left.contains(ScannerFault::Lean) && lean.allFinite() && leans >= share * NoticedLean &&
         leans >= share * Sigmas * leanDeviation.norm()) {
         more.roll = lean.x();
         more.pitch = lean.y();
         return more;
     }
     if (!mount) return std::nullopt;
-    const auto noticed = [&](int i, double least) {
+    const auto noticed = [&](int i, double least, double of) {
         const double off = std::abs(mount->value[i]);
-        return off >= share * least && off >= share * Sigmas * mount->deviation[i];
+        return off >= of * least && off >= of * Sigmas * mount->deviation[i];
     };
-    if (noticed(3, NoticedClock)) {
+    if (!left.contains(ScannerFault::Clock) && noticed(3, NoticedClock, shareFor(ScannerFault::Clock))) {
         more.clock = -mount->value[3];
         return more;
     }
+    if (left.contains(ScannerFault::Mount)) return std::nullopt;
     // What is not sure of a scanner that is off stays as it is said.
-    if (noticed(0, NoticedShift)) more.x = mount->value[0];
-    if (noticed(1, NoticedShift)) more.y = mount->value[1];
-    if (noticed(2, NoticedTurn)) more.yaw = mount->value[2];
+    const auto stands = [&](double ScannerCorrection::*of) {
+        return standing && (*standing).*of != 0.0 ? Stands : 1.0;
+    };
+    if (noticed(0, NoticedShift, stands(&ScannerCorrection::x))) more.x = mount->value[0];
+    if (noticed(1, NoticedShift, stands(&ScannerCorrection::y))) more.y = mount->value[1];
+    if (noticed(2, NoticedTurn, stands(&ScannerCorrection::yaw))) more.yaw = mount->value[2];
     return more.isNone() ? std::nullopt : std::optional(more);
 }
 

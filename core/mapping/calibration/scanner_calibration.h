@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 
 #include <Eigen/Core>
 
@@ -28,8 +29,10 @@ struct ScannerCalibration {
 
     /// What is worth to be corrected and certain. Ranges come first: what is too long bends the floor, which
     /// looks like a lean; then the lean, the clock, and where it sits and looks.
-    /// @p standing: it was advised before, and is while it is not much less.
-    [[nodiscard]] std::optional<ScannerCorrection> advised(bool standing = false) const;
+    /// @p standing: was advised before, and is while it is not much less. @p left: what is not to be
+    /// corrected.
+    [[nodiscard]] std::optional<ScannerCorrection> advised(
+        const std::optional<ScannerCorrection>& standing = {}, const std::set<ScannerFault>& left = {}) const;
 };
 
 }  // namespace leitstand

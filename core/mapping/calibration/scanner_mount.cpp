@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -12,16 +13,17 @@ namespace leitstand {
 namespace {
 
 // A pair ends where the robot has gone or turned so far.
-constexpr double PairWay = 0.35;          // [m]
-constexpr double PairTurn = degrees(12);  // [rad]
-constexpr std::size_t LeastPairs = 100;   // some 35 m of way
-constexpr std::size_t MostPairs = 400;    // the newest
-constexpr double Place = 0.003;           // deviation of a scan's place in the map [m] ...
-constexpr double Heading = degrees(0.1);  // ... and of its heading [rad]
-constexpr double OfWay = 0.02;            // wheels slip by that share of the way ...
-constexpr double OfTurn = 0.04;           // ... and of the turn,
-constexpr double SlipInTurn = 0.02;       // and aside by so much in a turn [m/rad]
-constexpr double Outlier = 2.0;           // deviations; what is farther off weighs less (Huber)
+constexpr double PairWay = 0.35;             // [m]
+constexpr double PairTurn = degrees(12);     // [rad]
+constexpr double MostTurned = degrees(120);  // [rad]
+constexpr std::size_t LeastPairs = 100;      // some 35 m of way
+constexpr std::size_t MostPairs = 400;       // the newest
+constexpr double Place = 0.003;              // deviation of a scan's place in the map [m] ...
+constexpr double Heading = degrees(0.1);     // ... and of its heading [rad]
+constexpr double OfWay = 0.02;               // wheels slip by that share of the way ...
+constexpr double OfTurn = 0.04;              // ... and of the turn,
+constexpr double SlipInTurn = 0.02;          // and aside by so much in a turn [m/rad]
+constexpr double Outlier = 2.0;              // deviations; what is farther off weighs less (Huber)
 constexpr int Rounds = 8;
 
 /// What is expected beforehand: deviations of the unknowns.
@@ -43,16 +45,16 @@ ScannerMount::Pair ScannerMount::pairOf(const ScanMotion& from, const ScanMotion
         mount * (from.sensorInOdom.inverse() * to.sensorInOdom) * to.sensorInBase.inverse();
     const Pose byScans = from.sensorInMap.inverse() * to.sensorInMap;
     const double turn = yawOf(mount.linear() * byScans.linear() * mount.linear().transpose());
-    const double told = yawOf(byOdometry.linear());
+    const double tooFar = std::remainder(yawOf(byOdometry.linear()) - turn, 2.0 * std::numbers::pi);
     const Eigen::Matrix2d turned = Eigen::Rotation2Dd(turn).toRotationMatrix();
     const Eigen::Matrix2d lever = Eigen::Matrix2d::Identity() - turned;
     const Eigen::Vector2d way = (mount.linear() * byScans.translation()).head<2>();
     const Eigen::Vector2d base = lever * mount.translation().head<2>() + way;
     // By how much odometry turned too far it did so all along: half of it shows in the direction of the way.
     const Eigen::Vector2d went =
-        Eigen::Rotation2Dd(0.5 * (turn - told)) * Eigen::Vector2d(byOdometry.translation().head<2>());
+        Eigen::Rotation2Dd(-0.5 * tooFar) * Eigen::Vector2d(byOdometry.translation().head<2>());
     Pair pair;
-    pair.seen << went - base, told - turn;
+    pair.seen << went - base, tooFar;
     pair.rows.setZero();
     pair.rows.topLeftCorner<2, 2>() = lever;
     pair.rows.block<2, 1>(0, 2) = turnedLeft(way);
@@ -75,8 +77,10 @@ void ScannerMount::add(const ScanMotion& now) {
         return;
     }
     const Pose moved = m_from->sensorInMap.inverse() * now.sensorInMap;
-    if (moved.translation().norm() < PairWay && Eigen::AngleAxisd(moved.linear()).angle() < PairTurn) return;
-    m_pairs.push_back(pairOf(*m_from, now));
+    const double turned = Eigen::AngleAxisd(moved.linear()).angle();
+    if (moved.translation().norm() < PairWay && turned < PairTurn) return;
+    // The way of one that turned about between two scans says little.
+    if (turned < MostTurned) m_pairs.push_back(pairOf(*m_from, now));
     if (m_pairs.size() > MostPairs) m_pairs.pop_front();
     m_from = now;
 }

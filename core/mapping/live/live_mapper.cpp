@@ -353,7 +353,8 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     } else {
         robot.wheels.forget();
     }
-    const bool comesByOdometry = step.trusted && !pushed && !match.spun && !robot.placedInMap;
+    const bool comesByOdometry =
+        step.trusted && live.motionKnown && !pushed && !match.spun && !robot.placedInMap;
     State::tellMount(robot, live, match.scanInMap,
                      comesByOdometry && match.doubts == 0 && match.icp.open == 0);
     robot.known = true;

@@ -16,7 +16,7 @@ namespace leitstand {
 
 /// How a scan is matched.
 struct MatchSettings {
-    double reduce = 0.07;                                ///< edge of the voxel grid of what is matched [m]
+    double reduce = 0.12;                                ///< edge of the voxel grid of what is matched [m]
     double minRange = 0.4, maxRange = 15.0;              ///< nearer and farther points are left out [m]
     std::vector<double> near = {0.5, 0.25, 0.15, 0.07};  ///< schedule of pair distances, with odometry [m]
     std::vector<double> tight = {0.25, 0.15, 0.07};  ///< ... where that does not fit: much of the scan is new

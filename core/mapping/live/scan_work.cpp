@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/cloud/filters/cell_table.h"
+#include "core/cloud/filters/grid_tangents.h"
 #include "core/cloud/filters/normals.h"
 #include "core/cloud/filters/outliers.h"
 #include "core/cloud/filters/range_filter.h"
@@ -94,11 +95,14 @@ ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& sca
     Scan scan = withoutMixedPixels(cleaned(live, body, scanInMap, settings, others));
     LabelSettings labels;
     labels.up = live.up;
-    scan.labels = labelScan(scan, labels);
     std::vector<Eigen::Vector3f> normals;
     if (scan.organised()) {
-        normals = gridNormals(scan);
+        const GridTangents tangents = gridTangents(scan);
+        scan.labels = labelScan(scan, tangents, labels);
+        normals = gridNormals(scan, tangents);
         if (live.end != TurnEnd::Sweep) faceSensor(normals, scan, live.began);
+    } else {
+        scan.labels = labelScan(scan, labels);
     }
     const MatchSettings& match = settings.match;
     ReadyScan ready;

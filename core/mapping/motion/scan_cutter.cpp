@@ -173,6 +173,7 @@ void ScanCutter::tellMotion(LiveScan& live, Time start, Time end) const {
     const double turn = std::atan2(turned(1, 0), turned(0, 0));
     live.velocity = Eigen::Rotation2Dd(-0.5 * turn) * Eigen::Vector2d(moved.head<2>()) / time;
     live.yawRate = turn / time;
+    live.motionKnown = true;
 }
 
 void ScanCutter::startAnew() {

@@ -43,6 +43,8 @@ public:
     [[nodiscard]] std::vector<LiveScan> take(Time now);
     /// When take() has something to do at the latest, without another sample; empty: nothing waits.
     [[nodiscard]] std::optional<Time> due() const;
+    /// The stamps of slices to come are of another clock: what is gathered of a turn ends.
+    void startAnew();
     /// All that is gathered, as scans, whole turns or not: the scanner was switched off, or the mission ends.
     [[nodiscard]] std::vector<LiveScan> finish();
 
@@ -76,7 +78,6 @@ private:
     void close(Row& row);
     void keep(std::optional<Scan> scan, const Row& row, const Parts& parts);
     void tellMotion(LiveScan& live, Time start, Time end) const;
-    void startAnew();
 
     std::string m_robot;
     ScanCutterSettings m_settings;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -15,7 +16,7 @@ namespace {
 constexpr float Upright = 0.5F;       ///< of a normal's z: a wall has less
 constexpr double StoreyWithin = 0.8;  ///< heights of scanners that see the same walls [m]
 constexpr double Thinned = 0.15;      ///< walls of a view are so far from each other [m]
-constexpr std::size_t FewestWalls = 40;
+constexpr std::size_t FewestWalls = 40, WellWalled = 60;
 
 /// What stands up of @p cloud between @p low and @p high over the origin once it is turned by @p level.
 std::vector<Eigen::Vector2f> wallsOf(const PointCloud& cloud, const Eigen::Matrix3f& level, double low,
@@ -44,6 +45,20 @@ std::vector<Eigen::Vector2f> thinned(const std::vector<Eigen::Vector2f>& points)
     return kept;
 }
 
+/// The best score of places about @p pose.
+double besideOf(const WallRaster& walls, const std::vector<Eigen::Vector2f>& view, const FlatPose& pose) {
+    constexpr double Beside = 0.6;  // [m]
+    constexpr int Directions = 16;
+    double best = 0.0;
+    for (int i = 0; i < Directions; ++i) {
+        const double direction = 2.0 * std::numbers::pi * i / Directions;
+        FlatPose shifted = pose;
+        shifted.place += Beside * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+        best = std::max(best, walls.scoreAt(view, shifted));
+    }
+    return best;
+}
+
 bool apart(const Pose& a, const Pose& b, const RasterSearch& search) {
     return distanceBetween(a, b) > 0.5 * search.apart || angleBetween(a, b) > 0.5 * search.turnedApart;
 }
@@ -54,6 +69,7 @@ RelocalisationSettings forLostRobots() {
     RelocalisationSettings settings;
     settings.alike = 0.88;
     settings.sureFilled = 0.05;
+    settings.sureFit = 0.72;
     return settings;
 }
 
@@ -127,17 +143,24 @@ std::optional<AlikePlace> Relocaliser::verified(const Sought& sought, const Rast
     const auto filled = filledAt(sought.scan, found.scanInMap);
     if (!filled || *filled > m_how.mostFilled) return std::nullopt;
     const FlatPose flat = FlatPose::of(found.scanInMap * sought.level.inverse());
-    return AlikePlace{found.scanInMap, storey.walls.scoreAt(sought.view, flat), found.icp.overlap,
-                      found.icp.rms, *filled};
+    return AlikePlace{found.scanInMap,
+                      storey.walls.scoreAt(sought.view, flat),
+                      besideOf(storey.walls, sought.view, flat),
+                      found.icp.overlap,
+                      found.icp.rms,
+                      *filled};
 }
 
 Relocalisation Relocaliser::find(const Scan& scan, const PointCloud& reduced, const Eigen::Vector3d& up,
                                  const Progress& progress) const {
     Relocalisation result;
     const Pose level = levelled(Pose::Identity(), up, 1.0);
-    const Sought sought{
-        scan, reduced, up, level,
-        thinned(wallsOf(reduced, level.linear().cast<float>(), m_how.low, m_how.high, m_how.reach))};
+    const auto wallsWithin = [&](double reach) {
+        return thinned(wallsOf(reduced, level.linear().cast<float>(), m_how.low, m_how.high, reach));
+    };
+    Sought sought{scan, reduced, up, level, wallsWithin(m_how.reach)};
+    // In a hall walls are far, and few.
+    if (sought.view.size() < WellWalled) sought.view = wallsWithin(m_how.farReach);
     if (sought.view.size() < FewestWalls) return result;
     struct Candidate {
         RasterPlace place;
@@ -175,7 +198,11 @@ Relocalisation Relocaliser::find(const Scan& scan, const PointCloud& reduced, co
     if (result.places.empty()) return result;
     const AlikePlace& best = result.places.front();
     const bool alone = result.places.size() == 1 || result.places[1].fit() < m_how.alike * best.fit();
-    result.sure = alone && best.filled <= m_how.sureFilled && others < m_how.alikeFromAbove * best.score;
+    const bool agreed = std::all_of(result.places.begin(), result.places.end(), [&](const AlikePlace& one) {
+        return one.score <= best.score + m_how.betterFromAbove;
+    });
+    result.sure = alone && agreed && best.fit() >= m_how.sureFit && best.filled <= m_how.sureFilled &&
+                  std::max(others, best.beside) < m_how.alikeFromAbove * best.score;
     return result;
 }
 

@@ -18,15 +18,19 @@ namespace leitstand {
 /// How a robot is looked for in a whole map.
 struct RelocalisationSettings {
     RasterSearch search;
-    double reach = 8.0;             ///< of walls that are compared from above [m]
+    double reach = 8.0;             ///< of walls that are compared from above [m] ...
+    double farReach = 15.0;         ///< ... where there are few
     double low = -0.6, high = 1.0;  ///< they are between these heights over the scanner [m]
     double leastOverlap = 0.65;     ///< IcpResult::overlap of a place
     double mostResidual = 0.06;     ///< IcpResult::rms [m]
     double mostFilled = 0.08;       ///< share of points where the place's nearest scans looked through
+    double sureFit = 0.0;           ///< AlikePlace::fit() of one that is sure
     double sureFilled = 0.08;       ///< ... of one that is sure
     double leastJudged = 0.25;      ///< share of points of which one of them can say that
     double alike = 0.85;  ///< another place that fits and has this share of the best fit is as likely
-    double alikeFromAbove = 0.93;  ///< likewise one that was not tried, of the best place's score
+    double betterFromAbove = 0.02;  ///< nor may another place that fits have a better score by that
+    /// Likewise one that was not tried, or that lies beside the best place, of its score.
+    double alikeFromAbove = 0.93;
     std::vector<double> schedule = {0.8, 0.4, 0.2, 0.1, 0.07};  ///< of pair distances [m]
 };
 
@@ -38,6 +42,7 @@ struct RelocalisationSettings {
 struct AlikePlace {
     Pose scanInMap = Pose::Identity();
     double score = 0.0;    ///< WallRaster::scoreAt() there
+    double beside = 0.0;   ///< the best score 0.6 m from there: along a bare corridor nothing holds a scan
     double overlap = 0.0;  ///< 0 to 1
     double rms = 0.0;      ///< [m]
     double filled = 0.0;   ///< share of points where one of the nearest scans looked through, 0 to 1

@@ -19,7 +19,7 @@ struct SensorErrors {
     double axisLean = 0.0;     ///< of the turning axis, to the left and ahead [rad]
     Eigen::Vector3d mountShift = Eigen::Vector3d::Zero();  ///< scanner from where its file says it is [m]
     Eigen::Vector3d mountTurn = Eigen::Vector3d::Zero();   ///< likewise: roll, pitch, yaw [rad]
-    double clockLate = 0.0;  ///< its stamps are behind the odometry's by that [s]
+    double clockLate = 0.0;  ///< its stamps are later than the odometry's by that [s]
     /// Distortion: from its first to its last shot a turn is bent as if the robot had gone so much farther
     /// ahead and to the left than its odometry says.
     double bendAhead = 0.0;  ///< [m]

@@ -23,6 +23,7 @@ struct LiveScan {
     double guessed = 0.0;       ///< share of its motion that is extrapolated, 0 to 1
     int odometryFrame = 0;      ///< sensorInOdom of scans of another number has another origin
     double way = 0.0, turn = 0.0;  ///< of the robot since the end of the scan before, to and fro [m, rad]
+    bool motionKnown = false;      ///< whether the following is
     /// Of the base, by odometry, in the base: the mean over the scan [m/s, rad/s].
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
     double yawRate = 0.0;

@@ -22,7 +22,7 @@ struct LocalMap {
 /// How much of the map is taken.
 struct LocalMapSettings {
     int scans = 12;       ///< the nearest, of those that count
-    double voxel = 0.05;  ///< the cloud is thinned to this [m]
+    double voxel = 0.08;  ///< the cloud is thinned to this [m]
 };
 
 /// How far two poses are from each other for the map: heights count four times, since nobody sees through a

@@ -22,8 +22,9 @@ TEST(ScannerCalibration, AdvisesWhatIsCertainAndMatters) {
     EXPECT_EQ(calibration(0.002, degrees(0.5)).advised(), (ScannerCorrection{0.0, degrees(0.5), 0.0}));
     EXPECT_EQ(calibration(0.002, degrees(0.5), degrees(0.3)).advised(), std::nullopt) << "not sure yet";
     EXPECT_EQ(calibration(0.008, 0.0).advised(), std::nullopt);
-    EXPECT_TRUE(calibration(0.008, 0.0).advised(true).has_value()) << "what was told does not come and go";
-    EXPECT_EQ(calibration(0.005, 0.0).advised(true), std::nullopt);
+    EXPECT_TRUE(calibration(0.008, 0.0).advised(ScannerCorrection{-0.01}).has_value())
+        << "what was told does not come and go";
+    EXPECT_EQ(calibration(0.005, 0.0).advised(ScannerCorrection{-0.01}), std::nullopt);
     ScannerCalibration scattered = calibration(0.02, degrees(0.5));
     scattered.range->deviation = 0.01;
     EXPECT_EQ(scattered.advised(), std::nullopt);
@@ -52,6 +53,12 @@ TEST(ScannerCalibration, AdvisesTheClockAndThenWhereTheScannerSits) {
     ScannerCalibration leaning = mounted(off, 0.1);
     leaning.lean.x() = degrees(1);
     EXPECT_EQ(faultOf(leaning.advised().value()), ScannerFault::Lean);
+    EXPECT_EQ(leaning.advised({}, {ScannerFault::Lean}), clock) << "what is left as it is hides nothing";
+    EXPECT_EQ(faultOf(leaning.advised({}, {ScannerFault::Lean, ScannerFault::Clock}).value()),
+              ScannerFault::Mount);
+    EXPECT_EQ(mounted({0.008, 0.0, 0.0, 0.016}, 0.1).advised(ScannerCorrection{-0.01}), std::nullopt)
+        << "that ranges were asked about makes nothing else surer";
+    EXPECT_EQ(mounted({0.008, 0.0, 0.0, 0.016}, 0.1).advised(clock)->clock, -0.016) << "it still stands";
     leaning = mounted(off, 0.1);
     leaning.range.reset();
     EXPECT_EQ(leaning.advised(), clock) << "ranges say nothing about it";

@@ -168,8 +168,8 @@ TEST(LiveMapperEntry, SurfacesFaceWhereTheyWereSeenFromAlsoOfARobotThatPassedThe
         EXPECT_TRUE(y > 0.85F || x > 0.9F) << y;
         EXPECT_TRUE(y < 1.15F || x < -0.9F) << y;
     }
-    EXPECT_GT(before, 100U);
-    EXPECT_GT(after, 100U);
+    EXPECT_GT(before, 50U);
+    EXPECT_GT(after, 50U);
 }
 
 TEST(LiveMapperEntry, AScanFarFromTheLastOneEntersAlsoOfARobotThatWasPushed) {

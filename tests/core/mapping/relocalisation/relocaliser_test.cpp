@@ -93,6 +93,45 @@ TEST(Relocaliser, IsNotSureWhereTwoPlacesLookAlike) {
     expectAt(twin.inverse() * found.places[firstIsHere ? 1 : 0].scanInMap, there);
 }
 
+/// A scan of a corridor with an end at x = 6 and none that is seen the other way.
+LiveScan corridorScan(double x, unsigned seed) {
+    RoomSettings corridor;
+    corridor.length = 40.0;
+    corridor.width = 2.2;
+    corridor.furnished = false;
+    corridor.sweep = Sweep::Yawing;
+    corridor.rows = 181;
+    corridor.columns = 81;
+    corridor.seed = seed;
+    corridor.sensorInRoom = poseFrom({x + 14.0, 0, 0.9}, 0, 0, 0);
+    Scan scan = scanRoom(corridor).scan;
+    scan.robot = "kurt3d";
+    scan.end = Time(std::chrono::seconds(1000 + seed));
+    LiveScan live;
+    live.levelKnown = true;
+    live.scan = std::make_shared<const Scan>(std::move(scan));
+    return live;
+}
+
+TEST(Relocaliser, IsNotSureAlongABareCorridor) {
+    MappedRoom corridor;
+    unsigned seed = 0;
+    for (double x = -12.0; x < 5.0; x += 0.8) (void)corridor.add(corridorScan(x, ++seed));
+    const Relocaliser relocaliser(corridor.mapper.map(), {}, forLostRobots());
+    const auto sought = [&](double x) {
+        const LiveScan live = corridorScan(x, 77);
+        const ReadyScan ready = readyScan(live, {}, Pose::Identity(), {});
+        return relocaliser.find(*ready.scan, ready.reduced, live.up);
+    };
+    const Relocalisation middle = sought(-2.6);  // its end, far away, holds the scan weakly
+    EXPECT_FALSE(middle.sure) << "from above any place along it looks like that";
+    ASSERT_FALSE(middle.places.empty());
+    EXPECT_GT(middle.places.front().beside, 0.97 * middle.places.front().score);
+    const Relocalisation end = sought(4.1);
+    ASSERT_FALSE(end.places.empty());
+    EXPECT_LT(end.places.front().beside, 0.95 * end.places.front().score) << "its end holds a scan";
+}
+
 TEST(Relocaliser, FindsNothingInAnotherRoomOrInNone) {
     const Relocaliser relocaliser(std::make_shared<const LiveMap>(mappedRoom()), {});
     RoomSettings other;
