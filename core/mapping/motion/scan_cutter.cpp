@@ -7,12 +7,13 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::milliseconds Seam(60);    ///< between slices that follow each other, at most
-constexpr std::chrono::seconds LateEnds(1);      ///< late slices pause so long: theirs is complete
-constexpr std::chrono::seconds Remembered(150);  ///< stamps of slices, to tell doubled ones
-constexpr std::chrono::milliseconds ShortestScan(
-    100);                                         ///< how fast a robot moves is told over that, at least
+constexpr std::chrono::milliseconds Seam(60);     ///< between slices that follow each other, at most
+constexpr std::chrono::seconds LateEnds(1);       ///< late slices pause so long: theirs is complete
+constexpr std::chrono::seconds Remembered(150);   ///< stamps of slices, to tell doubled ones
 constexpr std::chrono::seconds LatestSlice(120);  ///< what is older is of a clock that jumped
+
+/// How fast a robot moves is told over that, at least.
+constexpr std::chrono::milliseconds ShortestScan(100);
 
 bool seesAnything(const Scan& scan) {
     return std::any_of(scan.points.begin(), scan.points.end(),
