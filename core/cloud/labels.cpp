@@ -43,12 +43,13 @@ private:
 
 }  // namespace
 
-std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents, const LabelSettings& settings) {
+std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents,
+                             std::span<const Eigen::Vector3f> normals, const LabelSettings& settings) {
     const Labeller label(settings);
     const auto& vertical = scan.sweep == Sweep::Tilting ? tangents.alongColumns : tangents.alongRows;
     std::vector<Label> labels(scan.points.size());
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        labels[i] = label(tangents.normal(i, scan.points[i]));
+        labels[i] = label(normals[i]);
         if (labels[i] == Label::Unlabelled)
             labels[i] = label(label.profileNormal(vertical[i], scan.points[i]));
     }
@@ -56,7 +57,10 @@ std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents, con
 }
 
 std::vector<Label> labelScan(const Scan& scan, const LabelSettings& settings) {
-    if (scan.organised()) return labelScan(scan, gridTangents(scan), settings);
+    if (scan.organised()) {
+        const GridTangents tangents = gridTangents(scan);
+        return labelScan(scan, tangents, gridNormals(scan, tangents), settings);
+    }
     return labelNormals(knnNormals(scan.points), settings);
 }
 

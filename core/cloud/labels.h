@@ -22,8 +22,9 @@ struct LabelSettings {
 /// neighbours.
 [[nodiscard]] std::vector<Label> labelScan(const Scan& scan, const LabelSettings& settings = {});
 
-/// The same of an organised @p scan whose @p tangents are known.
+/// The same of an organised @p scan whose @p tangents and their @p normals (gridNormals()) are known.
 [[nodiscard]] std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents,
+                                           std::span<const Eigen::Vector3f> normals,
                                            const LabelSettings& settings = {});
 
 /// Labels of points by their @p normals, which are towards the sensor; Unlabelled where zero.

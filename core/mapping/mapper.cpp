@@ -33,7 +33,9 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 struct Mapper::State {
     explicit State(RegistrationSettings chosen)
-        : settings(std::move(chosen)), metascan(settings.reduce > 0.0 ? settings.reduce : FinestMetascan) {}
+        : settings(std::move(chosen)),
+          metascan({settings.reduce > 0.0 ? settings.reduce : FinestMetascan, settings.search,
+                    settings.epsilon}) {}
 
     /// Whether @p scan's guess is by odometry, from the scan before.
     [[nodiscard]] bool followsOdometry(const Scan& scan) const {
@@ -69,26 +71,32 @@ struct Mapper::State {
     /// Makes @p cloud what the next scan is matched against; an empty one is passed over.
     void setTarget(PointCloud cloud, const Pose& cloudInMap) {
         if (cloud.points.empty()) return;
-        search.reset();
         if (settings.reference == Reference::Map) {
             metascan.add(cloud, cloudInMap);
-        } else {
-            previousCloud = std::move(cloud);
-            targetInMap = cloudInMap;
+            return;
         }
-        search = makeSearch(target(), settings.search, settings.epsilon);
+        previousSearch.reset();
+        previousCloud = std::move(cloud);
+        targetInMap = cloudInMap;
+        previousSearch = makeSearch(previousCloud, settings.search, settings.epsilon);
     }
 
     [[nodiscard]] const PointCloud& target() const {
         return settings.reference == Reference::Map ? metascan.cloud() : previousCloud;
     }
 
+    /// Over target(); null before the first scan with points.
+    [[nodiscard]] const Search* search() const {
+        if (settings.reference != Reference::Map) return previousSearch.get();
+        return metascan.cloud().points.empty() ? nullptr : &metascan.search();
+    }
+
     RegistrationSettings settings;
     Map map;
     PointCloud previousCloud;  // unless against the map
-    Metascan metascan;         // in the map's frame
+    std::unique_ptr<Search> previousSearch;
+    Metascan metascan;  // in the map's frame
     Pose targetInMap = Pose::Identity();
-    std::unique_ptr<Search> search;  // over target(); none before the first scan with points
 };
 
 Mapper::Mapper(RegistrationSettings settings) : m_state(std::make_unique<State>(std::move(settings))) {}
@@ -109,14 +117,14 @@ bool Mapper::add(const ScanPtr& scan, const Progress& progress) {
     progress.done(PreparedFraction);
     if (!m_state->map.scans.empty()) {
         entry.registered = true;
-        if (m_state->search) {
+        if (const Search* const search = m_state->search()) {
             const Progress aligning{[&](double fraction) {
                                         progress.done(PreparedFraction + (1.0 - PreparedFraction) * fraction);
                                     },
                                     progress.stop};
             IcpSettings icp = icpSettings(m_state->settings);
             icp.prior = m_state->priorOf(*scan, entry.guessInMap);
-            entry.icp = align(m_state->target(), *m_state->search, cloud,
+            entry.icp = align(m_state->target(), *search, cloud,
                               m_state->targetInMap.inverse() * entry.guessInMap, icp, aligning);
             if (entry.icp.stop == IcpStop::Cancelled) return false;
             if (entry.icp.stop != IcpStop::Degenerate)

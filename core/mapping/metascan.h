@@ -1,23 +1,48 @@
 #pragma once
 
+#include <memory>
+
 #include "core/base/pose.h"
+#include "core/cloud/filters/cell_table.h"
 #include "core/cloud/scan.h"
+#include "core/cloud/search/search.h"
 
 namespace leitstand {
 
+/// How points of a metascan are looked for.
+struct MetascanSettings {
+    double voxel = 0.1;  ///< edge of the grid [m]
+    SearchMethod search = SearchMethod::KdTree;
+    double epsilon = 0.0;  ///< makeSearch()
+};
+
 /// All scans so far as one cloud in the map's frame, thinned to one point a voxel, so that ground seen twice
-/// is not held twice.
+/// is not held twice: the first one stays, since later scans were put where the earlier ones are. Only grows,
+/// and so does its search: what came lately is indexed anew with each scan, the rest now and then.
 class Metascan {
 public:
-    /// @p voxel: edge of the grid [m].
-    explicit Metascan(double voxel) : m_voxel(voxel) {}
+    explicit Metascan(const MetascanSettings& settings);
+    ~Metascan();
 
     void add(const PointCloud& cloud, const Pose& cloudInMap);
     [[nodiscard]] const PointCloud& cloud() const { return m_cloud; }
+    /// Over cloud(), until add() is called again.
+    [[nodiscard]] const Search& search() const;
 
 private:
-    double m_voxel;
+    class Parts;
+
+    MetascanSettings m_settings;
+    /// What is gathered of a voxel's points.
+    struct Sum {
+        Eigen::Vector3d points = Eigen::Vector3d::Zero();
+        Eigen::Vector3f normals = Eigen::Vector3f::Zero();
+        double count = 0.0;
+    };
+    detail::CellTable m_cells;
+    std::vector<Sum> m_sums;
     PointCloud m_cloud;
+    std::unique_ptr<Parts> m_parts;
 };
 
 }  // namespace leitstand

@@ -2,6 +2,7 @@
 
 #include "core/cloud/filters/median_filter.h"
 #include "core/cloud/filters/normals.h"
+#include "core/cloud/filters/outliers.h"
 #include "core/cloud/filters/range_filter.h"
 #include "core/cloud/filters/voxel_grid.h"
 #include "core/cloud/labels.h"
@@ -10,6 +11,9 @@ namespace leitstand {
 namespace {
 
 constexpr int NormalNeighbours = 20;
+/// Mixed pixels of which voxels are made hang so far off surfaces; scans that start far off come back from
+/// fewer places without those that hang nearer [m].
+constexpr double HangsBy = 0.15;
 
 PointCloud filtered(const Scan& scan, std::span<const Eigen::Vector3f> normals,
                     const RegistrationSettings& settings) {
@@ -31,13 +35,17 @@ ScanPtr labelled(const ScanPtr& scan) {
     return copy;
 }
 
-PointCloud prepared(const Scan& scan, const RegistrationSettings& settings) {
+PointCloud prepared(const Scan& whole, const RegistrationSettings& settings) {
+    const bool asInPaper = settings.filter != ScanFilter::None;
+    const Scan scan =
+        asInPaper || settings.reduce <= 0.0 ? whole : withoutMixedPixels(whole, {.leastStep = HangsBy});
     const std::vector<Eigen::Vector3f> normals =
         scan.organised() ? gridNormals(scan, settings.threads) : std::vector<Eigen::Vector3f>();
     PointCloud cloud = filtered(scan, normals, settings);
     if (settings.reduce > 0.0)
-        cloud = voxelGrid(cloud, settings.reduce,
-                          settings.filter == ScanFilter::None ? settings.kept : VoxelPoint::Nearest);
+        cloud = asInPaper ? voxelGrid(cloud, settings.reduce)
+                          : voxelGrid(cloud, settings.reduce, settings.kept,
+                                      ownGridOrigin(cloud.points, settings.reduce));
     if (cloud.normals.empty()) {
         cloud.normals = knnNormals(cloud.points, NormalNeighbours, Eigen::Vector3f::Zero(), settings.threads);
     }

@@ -8,9 +8,11 @@ namespace leitstand {
 /// @p scan with labels: itself where it has them, else a copy labelled by labelScan().
 [[nodiscard]] ScanPtr labelled(const ScanPtr& scan);
 
-/// The points of a labelled @p scan that take part in registration: within the range, filtered and reduced as
+/// The points of a labelled scan @p whole that take part in registration: within the range, filtered and
+/// reduced as
 /// @p settings say, each with its label and normal. Normals of organised scans come from the whole grid,
-/// before anything is left out; those of other scans from the neighbours among the points that are left.
-[[nodiscard]] PointCloud prepared(const Scan& scan, const RegistrationSettings& settings);
+/// before anything is left out but mixed pixels; those of other scans from the neighbours among the points
+/// that are left.
+[[nodiscard]] PointCloud prepared(const Scan& whole, const RegistrationSettings& settings);
 
 }  // namespace leitstand

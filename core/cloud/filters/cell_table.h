@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,13 +16,18 @@ class CellTable {
 public:
     static constexpr std::uint32_t Outside = 0xffffffff;
 
-    /// A grid of cubes of edge @p edge [m].
-    explicit CellTable(double edge) : m_perMetre(1.0 / edge), m_slots(InitialSlots) {}
+    /// A grid of cubes of edge @p edge [m] from @p origin on; has room for @p expected ones, and grows.
+    explicit CellTable(double edge, std::size_t expected = 0,
+                       const Eigen::Vector3d& origin = Eigen::Vector3d::Zero())
+        : m_perMetre(1.0 / edge),
+          m_from(Eigen::Vector3d::Constant(Half) - origin * m_perMetre),
+          m_slots(std::max(InitialSlots, std::bit_ceil(2 * expected))),
+          m_shift(64 - std::countr_zero(m_slots.size())) {}
 
     /// The number of the cube with @p point; Outside for points beyond 2^20 edges or not finite.
     [[nodiscard]] std::uint32_t cellOf(const Eigen::Vector3f& point) {
-        const double x = point.x() * m_perMetre + Half, y = point.y() * m_perMetre + Half,
-                     z = point.z() * m_perMetre + Half;
+        const double x = point.x() * m_perMetre + m_from.x(), y = point.y() * m_perMetre + m_from.y(),
+                     z = point.z() * m_perMetre + m_from.z();
         if (!(x >= 0.0 && x < 2 * Half && y >= 0.0 && y < 2 * Half && z >= 0.0 && z < 2 * Half)) {
             return Outside;
         }
@@ -73,8 +80,9 @@ private:
     }
 
     double m_perMetre;
+    Eigen::Vector3d m_from;  ///< what is added [edges]
     std::vector<Slot> m_slots;
-    int m_shift = 64 - 12;
+    int m_shift;
     std::uint32_t m_count = 0;
     std::uint64_t m_lastKey = NoKey;  ///< neighbours in a scan often share a cube
     std::uint32_t m_lastCell = Outside;

@@ -17,21 +17,27 @@ namespace {
 /// A row or column of the grid as the ranges along it.
 class RangeLine {
 public:
-    RangeLine(const std::vector<Eigen::Vector3f>& points, std::size_t begin, std::size_t count,
-              std::size_t stride, const MixedPixelSettings& settings)
-        : m_ranges(count), m_steep(count), m_leastStep(static_cast<float>(settings.leastStep)) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const float range = points[begin + i * stride].norm();
-            m_ranges[i] = range > 0.0F ? range : std::numeric_limits<float>::quiet_NaN();
-        }
+    /// @p count points from @p begin on, @p stride apart; @p ranges: of all points.
+    void take(const std::vector<Eigen::Vector3f>& points, const std::vector<float>& ranges, std::size_t begin,
+              std::size_t count, std::size_t stride, const MixedPixelSettings& settings) {
+        m_leastStep = static_cast<float>(settings.leastStep);
+        m_ranges.resize(count);
+        m_steep.resize(count);
+        for (std::size_t i = 0; i < count; ++i) m_ranges[i] = ranges[begin + i * stride];
         for (std::size_t i = 0; i + 1 < count; ++i) {
             const float step = m_ranges[i + 1] - m_ranges[i];
+            m_steep[i] = 0;
+            // Most steps are small; without an echo no comparison holds.
+            if (!(std::abs(step) > m_leastStep)) continue;
             const Eigen::Vector3f edge = points[begin + (i + 1) * stride] - points[begin + i * stride];
             const float across = std::sqrt(std::max(edge.squaredNorm() - step * step, 0.0F));
-            m_steep[i] =
-                std::abs(step) > std::max(m_leastStep, static_cast<float>(settings.steepness) * across);
+            m_steep[i] = std::abs(step) > static_cast<float>(settings.steepness) * across ? 1 : 0;
         }
+        if (count > 0) m_steep[count - 1] = 0;
     }
+
+    /// Whether the range changes steeply from the place @p i to the next one.
+    [[nodiscard]] bool isSteep(std::size_t i) const { return m_steep[i] != 0; }
 
     /// Whether the @p width points behind the place @p left all hang between it and the one behind them.
     [[nodiscard]] bool hang(std::size_t left, std::size_t width) const {
@@ -40,7 +46,7 @@ public:
         // The range has to rise, or fall, steeply all the way: two points side by side are a face.
         for (std::size_t i = left; i < right; ++i) {
             const bool rises = m_ranges[i + 1] > m_ranges[i];
-            if (!m_steep[i] || rises != (m_ranges[right] > m_ranges[left])) return false;
+            if (m_steep[i] == 0 || rises != (m_ranges[right] > m_ranges[left])) return false;
         }
         return leaves(left, left + 1, left > 0 ? left - 1 : left) &&
                leaves(right, right - 1, right + 1 < m_ranges.size() ? right + 1 : right);
@@ -57,16 +63,16 @@ private:
         return std::abs(m_ranges[next] - expected) > m_leastStep + SlopeError * std::abs(expected - range);
     }
 
-    std::vector<float> m_ranges;  ///< NaN: no echo [m]
-    std::vector<bool> m_steep;    ///< the step from each point to the next one; false without echo
-    float m_leastStep;
+    std::vector<float> m_ranges;        ///< NaN: no echo [m]
+    std::vector<std::uint8_t> m_steep;  ///< the step from each point to the next one; 0 without echo
+    float m_leastStep = 0.0F;
 };
 
-/// Marks the mixed pixels along a line of the grid: @p count points from @p begin on, @p stride apart.
-void markLine(const std::vector<Eigen::Vector3f>& points, std::size_t begin, std::size_t count,
-              std::size_t stride, const MixedPixelSettings& settings, std::vector<bool>& mixed) {
-    const RangeLine line(points, begin, count, stride, settings);
+/// Marks the mixed pixels along @p line of the grid, which begins at the point @p begin.
+void markLine(const RangeLine& line, std::size_t begin, std::size_t count, std::size_t stride,
+              const MixedPixelSettings& settings, std::vector<bool>& mixed) {
     for (std::size_t left = 0; left + 2 < count; ++left) {
+        if (!line.isSteep(left)) continue;
         for (std::size_t width = 1; width <= static_cast<std::size_t>(std::max(settings.widest, 0));
              ++width) {
             if (!line.hang(left, width)) continue;
@@ -109,12 +115,18 @@ std::vector<bool> mixedPixels(const Scan& scan, const MixedPixelSettings& settin
     if (!scan.organised()) return mixed;
     const auto rows = static_cast<std::size_t>(scan.rows), columns = static_cast<std::size_t>(scan.columns);
     assert(scan.points.size() == rows * columns);
-    for (std::size_t row = 0; row < rows; ++row) {
-        markLine(scan.points, row * columns, columns, 1, settings, mixed);
-    }
-    for (std::size_t column = 0; column < columns; ++column) {
-        markLine(scan.points, column, rows, columns, settings, mixed);
-    }
+    std::vector<float> ranges(scan.points.size());  // NaN: no echo [m]
+    std::transform(scan.points.begin(), scan.points.end(), ranges.begin(), [](const Eigen::Vector3f& point) {
+        const float range = point.norm();
+        return range > 0.0F ? range : std::numeric_limits<float>::quiet_NaN();
+    });
+    RangeLine line;
+    const auto mark = [&](std::size_t begin, std::size_t count, std::size_t stride) {
+        line.take(scan.points, ranges, begin, count, stride, settings);
+        markLine(line, begin, count, stride, settings, mixed);
+    };
+    for (std::size_t row = 0; row < rows; ++row) mark(row * columns, columns, 1);
+    for (std::size_t column = 0; column < columns; ++column) mark(column, rows, columns);
     return mixed;
 }
 

@@ -1,6 +1,9 @@
 #include "core/cloud/filters/voxel_grid.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -12,10 +15,21 @@ namespace {
 
 using detail::CellTable;
 
+constexpr std::size_t PointsACell = 4;  ///< or more, of most clouds: room for the others is made
+
+/// One step of SplitMix64 (Steele, Lea & Flood 2014): well-mixed bits from any number.
+std::uint64_t mixed(std::uint64_t bits) {
+    bits += 0x9e3779b97f4a7c15U;
+    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9U;
+    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebU;
+    return bits ^ (bits >> 31);
+}
+
 /// What is gathered of a cube's points.
 struct Sum {
     Eigen::Vector3d points = Eigen::Vector3d::Zero();
     double count = 0.0;
+    Eigen::Vector3f normals = Eigen::Vector3f::Zero();
 
     [[nodiscard]] Eigen::Vector3f centroid() const { return (points / count).cast<float>(); }
 };
@@ -25,10 +39,12 @@ struct Cells {
     std::vector<Sum> sums;
 };
 
-Cells gathered(const std::vector<Eigen::Vector3f>& points, double edge) {
+Cells gathered(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& normals,
+               double edge, const Eigen::Vector3d& origin) {
     Cells cells;
     cells.ofPoints.resize(points.size());
-    CellTable table(edge);
+    cells.sums.reserve(points.size() / PointsACell);
+    CellTable table(edge, points.size() / PointsACell, origin);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::uint32_t cell = table.cellOf(points[i]);
         cells.ofPoints[i] = cell;
@@ -37,6 +53,7 @@ Cells gathered(const std::vector<Eigen::Vector3f>& points, double edge) {
         Sum& sum = cells.sums[cell];
         sum.points += points[i].cast<double>();
         sum.count += 1.0;
+        if (!normals.empty()) sum.normals += normals[i];
     }
     return cells;
 }
@@ -70,15 +87,6 @@ PointCloud nearestPoints(const PointCloud& cloud, const Cells& cells) {
     return result;
 }
 
-std::vector<Eigen::Vector3f> meanNormals(const PointCloud& cloud, const Cells& cells) {
-    std::vector<Eigen::Vector3f> means(cells.sums.size(), Eigen::Vector3f::Zero());
-    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-        if (cells.ofPoints[i] != CellTable::Outside) means[cells.ofPoints[i]] += cloud.normals[i];
-    }
-    for (Eigen::Vector3f& mean : means) mean.normalize();  // leaves a zero as it is
-    return means;
-}
-
 std::vector<Label> commonestLabels(const PointCloud& cloud, const Cells& cells) {
     std::vector<LabelVotes> votes(cells.sums.size());
     for (std::size_t i = 0; i < cloud.points.size(); ++i) {
@@ -92,17 +100,41 @@ std::vector<Label> commonestLabels(const PointCloud& cloud, const Cells& cells) 
 
 }  // namespace
 
-PointCloud voxelGrid(const PointCloud& cloud, double edge, VoxelPoint kept) {
+PointCloud voxelGrid(const PointCloud& cloud, double edge, VoxelPoint kept, const Eigen::Vector3d& origin) {
     if (!(edge > 0.0)) throw std::invalid_argument("voxelGrid: the edge of a voxel must be above 0");
-    const Cells cells = gathered(cloud.points, edge);
-    if (kept == VoxelPoint::Nearest) return nearestPoints(cloud, cells);
+    const bool centroids = kept == VoxelPoint::Centroid;
+    const std::vector<Eigen::Vector3f> none;
+    const Cells cells = gathered(cloud.points, centroids ? cloud.normals : none, edge, origin);
+    if (!centroids) return nearestPoints(cloud, cells);
     PointCloud result;
     result.points.resize(cells.sums.size());
     std::transform(cells.sums.begin(), cells.sums.end(), result.points.begin(),
                    [](const Sum& sum) { return sum.centroid(); });
-    if (!cloud.normals.empty()) result.normals = meanNormals(cloud, cells);
+    if (!cloud.normals.empty()) {
+        result.normals.resize(cells.sums.size());
+        std::transform(cells.sums.begin(), cells.sums.end(), result.normals.begin(), [](const Sum& sum) {
+            return sum.normals.normalized();  // leaves a zero as it is
+        });
+    }
     if (!cloud.labels.empty()) result.labels = commonestLabels(cloud, cells);
     return result;
+}
+
+Eigen::Vector3d ownGridOrigin(std::span<const Eigen::Vector3f> points, double edge) {
+    constexpr std::size_t Enough = 16;  // points: noise makes each scan's differ
+    std::uint64_t bits = 0;
+    std::size_t taken = 0;
+    for (const Eigen::Vector3f& point : points) {
+        if (!point.allFinite()) continue;
+        for (const float coordinate : point) bits = mixed(bits ^ std::bit_cast<std::uint32_t>(coordinate));
+        if (++taken == Enough) break;
+    }
+    Eigen::Vector3d origin;
+    for (double& coordinate : origin) {
+        bits = mixed(bits);
+        coordinate = edge * std::ldexp(static_cast<double>(bits >> 11), -53);
+    }
+    return origin;
 }
 
 }  // namespace leitstand

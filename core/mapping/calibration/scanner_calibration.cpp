@@ -13,6 +13,7 @@ constexpr double NoticedClock = 0.02;         ///< [s]
 constexpr double Sigmas = 3.0;                ///< what is told is certain by so many deviations
 constexpr double Stands = 0.7;                ///< of that, for what was told
 constexpr double SureRange = 0.003;           ///< an estimate that scatters more is none [m]
+constexpr double SureClock = 0.005;           ///< likewise [s]
 
 }  // namespace
 
@@ -41,7 +42,8 @@ std::optional<ScannerCorrection> ScannerCalibration::advised(const std::optional
         const double off = std::abs(mount->value[i]);
         return off >= of * least && off >= of * Sigmas * mount->deviation[i];
     };
-    if (!left.contains(ScannerFault::Clock) && noticed(3, NoticedClock, shareFor(ScannerFault::Clock))) {
+    if (!left.contains(ScannerFault::Clock) && mount->deviation[3] <= SureClock &&
+        noticed(3, NoticedClock, shareFor(ScannerFault::Clock))) {
         more.clock = -mount->value[3];
         return more;
     }

@@ -38,13 +38,21 @@ Scan headOf(const Scan& scan) {
 /// of it.
 Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
     std::vector<std::size_t> kept;
-    detail::CellTable cells(edge);
+    detail::CellTable cells(edge, scan.points.size() / 2);
     for (std::size_t i = 0; i < scan.points.size(); ++i) {
         const double range = scan.points[i].cast<double>().norm();
         if (!(range >= settings.minRange && range <= settings.maxRange)) continue;
         if (cells.cellOf(scan.points[i]) == kept.size()) kept.push_back(i);
     }
     return selected(scan, kept);
+}
+
+/// What is matched of @p scan, on a grid of @p edge [m]: nothing asks for its labels.
+PointCloud reducedOf(const Scan& scan, std::span<const Eigen::Vector3f> normals,
+                     const MatchSettings& settings, double edge) {
+    PointCloud inRange = pointsInRange(scan, normals, settings.minRange, settings.maxRange);
+    inRange.labels.clear();
+    return voxelGrid(inRange, edge, VoxelPoint::Centroid, ownGridOrigin(inRange.points, edge));
 }
 
 /// Turns @p normals of the organised @p scan to where each point was seen from: its rows follow each other in
@@ -98,16 +106,15 @@ ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& sca
     std::vector<Eigen::Vector3f> normals;
     if (scan.organised()) {
         const GridTangents tangents = gridTangents(scan);
-        scan.labels = labelScan(scan, tangents, labels);
         normals = gridNormals(scan, tangents);
+        scan.labels = labelScan(scan, tangents, normals, labels);
         if (live.end != TurnEnd::Sweep) faceSensor(normals, scan, live.began);
     } else {
         scan.labels = labelScan(scan, labels);
     }
     const MatchSettings& match = settings.match;
     ReadyScan ready;
-    ready.reduced = voxelGrid(pointsInRange(scan, normals, match.minRange, match.maxRange), match.reduce,
-                              VoxelPoint::Centroid);
+    ready.reduced = reducedOf(scan, normals, match, match.reduce);
     if (ready.reduced.normals.empty()) ready.reduced.normals = knnNormals(ready.reduced.points);
     ready.scan = std::make_shared<const Scan>(thinned(scan, match, settings.kept));
     return ready;
@@ -155,10 +162,9 @@ std::size_t memoryOf(const LiveKeyScan& scan) {
 
 PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings) {
     constexpr double Finer = 0.5;  // of the grid: normals of all points would take many times as long
-    PointCloud all = pointsInRange(scan, {}, settings.minRange, settings.maxRange);
-    all = voxelGrid(all, Finer * settings.reduce, VoxelPoint::Centroid);
+    PointCloud all = reducedOf(scan, {}, settings, Finer * settings.reduce);
     all.normals = knnNormals(all.points, 12);
-    return voxelGrid(all, settings.reduce, VoxelPoint::Centroid);
+    return voxelGrid(all, settings.reduce, VoxelPoint::Centroid, ownGridOrigin(all.points, settings.reduce));
 }
 
 bool canBegin(const LiveScan& live, const PointCloud& reduced, const FitSettings& fit) {

@@ -37,6 +37,33 @@ PointCloud room() {
     return test::moved(poseFrom({0.531, 0.217, 0.023}, 0.1, 0.2, 0.3), test::roomCloud(30'000, 3));
 }
 
+TEST(VoxelGrid, BeginsWhereItIsSaidTo) {
+    PointCloud cloud;
+    cloud.points = {{0.02F, 0, 0}, {0.08F, 0, 0}, {0.13F, 0, 0}};
+    EXPECT_EQ(voxelGrid(cloud, 0.1).size(), 2U);
+    const PointCloud shifted = voxelGrid(cloud, 0.1, VoxelPoint::Centroid, {0.05, 0, 0});
+    ASSERT_EQ(shifted.size(), 2U);
+    EXPECT_FLOAT_EQ(shifted.points[0].x(), 0.02F);
+    EXPECT_FLOAT_EQ(shifted.points[1].x(), 0.105F);
+}
+
+TEST(VoxelGrid, EachScanHasAnOriginOfItsOwn) {
+    constexpr double Edge = 0.1;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    constexpr int Count = 200;
+    for (int i = 0; i < Count; ++i) {
+        std::vector<Eigen::Vector3f> points = {{1.0F + 0.01F * static_cast<float>(i), 2, 3}};
+        points.insert(points.begin(), Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+        const Eigen::Vector3d origin = ownGridOrigin(points, Edge);
+        EXPECT_GE(origin.minCoeff(), 0.0);
+        EXPECT_LT(origin.maxCoeff(), Edge);
+        EXPECT_EQ(origin, ownGridOrigin(points, Edge)) << "the same for the same scan";
+        sum += origin;
+    }
+    EXPECT_TRUE((sum / Count).isApprox(Eigen::Vector3d::Constant(0.5 * Edge), 0.15)) << sum / Count;
+    EXPECT_TRUE(ownGridOrigin({}, Edge).allFinite());
+}
+
 TEST(VoxelGrid, KeepsTheRealPointNearestToEachCentroid) {
     constexpr double Edge = 0.25;
     const PointCloud cloud = room();

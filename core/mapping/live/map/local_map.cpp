@@ -60,6 +60,10 @@ LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place, const L
     candidates.resize(most);
     LocalMap local;
     PointCloud all;
+    std::size_t points = 0;
+    for (const Candidate& candidate : candidates) points += candidate.scan->reduced->size();
+    all.points.reserve(points);
+    all.normals.reserve(points);
     for (const Candidate& candidate : candidates) {
         local.scans.push_back(candidate.scan->id);
         append(all, candidate.scan->reduced->unpacked(), candidate.scan->pose.scanInMap);

@@ -41,15 +41,19 @@ ScannerCalibration mounted(const Eigen::Vector4d& off, double share) {
 }
 
 TEST(ScannerCalibration, AdvisesTheClockAndThenWhereTheScannerSits) {
-    const Eigen::Vector4d off(0.02, -0.005, degrees(0.8), 0.06);
+    const Eigen::Vector4d off(0.02, -0.005, degrees(0.8), 0.04);
     ScannerCorrection clock, mount;
-    clock.clock = -0.06;
+    clock.clock = -0.04;
     mount.x = 0.02;
     mount.yaw = degrees(0.8);
     EXPECT_EQ(mounted(off, 0.1).advised(), clock) << "how it sits shows once it is on time";
     EXPECT_EQ(mounted({0.02, -0.005, degrees(0.8), 0.01}, 0.1).advised(), mount)
         << "what is too little to be noticed stays";
     EXPECT_EQ(mounted(off, 0.5).advised(), std::nullopt) << "not sure yet";
+    ScannerCalibration scattered = mounted({0.0, 0.0, 0.0, 0.06}, 0.1);
+    EXPECT_EQ(scattered.advised(), std::nullopt) << "what is left would be told again";
+    scattered.mount->deviation[3] = 0.004;
+    EXPECT_EQ(scattered.advised()->clock, -0.06);
     ScannerCalibration leaning = mounted(off, 0.1);
     leaning.lean.x() = degrees(1);
     EXPECT_EQ(faultOf(leaning.advised().value()), ScannerFault::Lean);
