@@ -18,10 +18,10 @@ Information heldBy(const IcpResult& icp, const MatchSettings& match) {
     const Eigen::SelfAdjointEigenSolver<Information> solver(icp.information);
     Information held = Information::Zero();
     for (Eigen::Index i = 0; i < 6; ++i) {
-        const double certainty = 3.0 * solver.eigenvalues()[i];
-        if (certainty < IcpResult::UncertainBelow) continue;
-        held += std::clamp(certainty / match.openBelow, 0.0, 1.0) * solver.eigenvectors().col(i) *
-                solver.eigenvectors().col(i).transpose();
+        // From where odometry has all of the say to where it has none.
+        const double certainty = 3.0 * solver.eigenvalues()[i] - IcpResult::UncertainBelow;
+        const double share = std::clamp(certainty / (match.openBelow - IcpResult::UncertainBelow), 0.0, 1.0);
+        held += share * solver.eigenvectors().col(i) * solver.eigenvectors().col(i).transpose();
     }
     return held;
 }
