@@ -6,6 +6,7 @@
 
 #include "app/report/report_numbers.h"
 #include "app/report/report_times.h"
+#include "core/base/rotation/heading.h"
 
 namespace leitstand {
 namespace {
@@ -42,9 +43,8 @@ QString lineOf(const FrozenScan& scan) {
 QString lineOf(const FrozenPose& pose) {
     const QString robot = QString::fromStdString(pose.robot), at = reportClock(pose.at);
     const Pose& shown = pose.inMap ? *pose.inMap : pose.inOdom;
-    const Eigen::Matrix3d turn = shown.linear();
     const QString x = reportNumber(shown.translation().x(), 2), y = reportNumber(shown.translation().y(), 2),
-                  heading = reportNumber(inDegrees(std::atan2(turn(1, 0), turn(0, 0))), 0);
+                  heading = reportNumber(inDegrees(headingOf(shown)), 0);
     return pose.inMap ? EvidenceText::tr("%1 stood at x %2, y %3 m, heading %4° in the map, at %5")
                             .arg(robot, x, y, heading, at)
                       : EvidenceText::tr(

@@ -1,5 +1,6 @@
 #include "core/cloud/labels.h"
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -45,6 +46,7 @@ private:
 
 std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents,
                              std::span<const Eigen::Vector3f> normals, const LabelSettings& settings) {
+    assert(normals.size() == scan.points.size());
     const Labeller label(settings);
     const auto& vertical = scan.sweep == Sweep::Tilting ? tangents.alongColumns : tangents.alongRows;
     std::vector<Label> labels(scan.points.size());

@@ -1,4 +1,5 @@
 #include "core/handin/report_model.h"
+#include "core/base/rotation/heading.h"
 #include "core/mission/finds/find_book.h"
 
 #include <algorithm>
@@ -281,7 +282,7 @@ MapDrawing drawingOf(const ReportModel& model, const ReportMap& map, std::string
         }
         if (robot.path.poses.empty() || !isShown(robot.path.poses.front())) continue;
         const Pose& first = robot.path.poses.front().baseInMap;
-        drawing.starts.push_back({first.translation().head<2>(), std::atan2(first(1, 0), first(0, 0))});
+        drawing.starts.push_back({first.translation().head<2>(), headingOf(first)});
     }
     drawing.marks = marksOf(model, map.storey);
     return drawing;

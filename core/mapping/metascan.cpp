@@ -1,5 +1,6 @@
 #include "core/mapping/metascan.h"
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -27,9 +28,11 @@ public:
 
     /// @p cloud has grown.
     void follow(const PointCloud& cloud) {
-        if (cloud.size() - m_old.cloud.size() > MostFresh) m_old = partOf(cloud);
-        m_fresh = partOf(from(cloud, m_old.cloud.size()));
+        if (cloud.size() - settled() > MostFresh) index(m_old, cloud);
+        index(m_fresh, from(cloud, settled()));
     }
+    /// Points that are not indexed again unless more are, the first ones.
+    [[nodiscard]] std::size_t settled() const { return m_old.cloud.size(); }
     [[nodiscard]] Neighbour nearest(const Eigen::Vector3f& query, Label label,
                                     float maxSquaredDistance) const override {
         Neighbour found;
@@ -38,11 +41,16 @@ public:
         Neighbour newer =
             m_fresh.search->nearest(query, label, found.found() ? found.squaredDistance : maxSquaredDistance);
         if (!newer.found()) return found;
-        newer.index += static_cast<std::int32_t>(m_old.cloud.size());
+        newer.index += static_cast<std::int32_t>(settled());
         return newer;
     }
     [[nodiscard]] std::size_t memory() const override {
-        return (m_old.search ? m_old.search->memory() : 0) + (m_fresh.search ? m_fresh.search->memory() : 0);
+        std::size_t bytes = 0;
+        for (const Part* part : {&m_old, &m_fresh}) {
+            bytes += part->cloud.size() * (2 * sizeof(Eigen::Vector3f) + sizeof(Label));
+            if (part->search) bytes += part->search->memory();
+        }
+        return bytes;
     }
 
 private:
@@ -50,11 +58,11 @@ private:
         PointCloud cloud;  // a search may refer to it
         std::unique_ptr<Search> search;
     };
-    [[nodiscard]] Part partOf(PointCloud cloud) const {
-        Part part{std::move(cloud), nullptr};
-        if (part.cloud.points.empty()) return part;
-        part.search = makeSearch(part.cloud, m_settings.search, m_settings.epsilon);
-        return part;
+    void index(Part& part, PointCloud cloud) const {
+        part.search.reset();
+        part.cloud = std::move(cloud);
+        if (!part.cloud.points.empty())
+            part.search = makeSearch(part.cloud, m_settings.search, m_settings.epsilon);
     }
 
     MetascanSettings m_settings;
@@ -68,6 +76,8 @@ Metascan::~Metascan() = default;
 void Metascan::add(const PointCloud& cloud, const Pose& cloudInMap) {
     const Eigen::Isometry3f motion = cloudInMap.cast<float>();
     const bool normals = !cloud.normals.empty(), labels = !cloud.labels.empty();
+    assert(m_cloud.points.empty() || cloud.points.empty() ||
+           (normals == !m_cloud.normals.empty() && labels == !m_cloud.labels.empty()));
     for (std::size_t i = 0; i < cloud.size(); ++i) {
         const Eigen::Vector3f point = motion * cloud.points[i];
         Eigen::Vector3f normal = Eigen::Vector3f::Zero();
@@ -80,6 +90,7 @@ void Metascan::add(const PointCloud& cloud, const Pose& cloudInMap) {
             if (normals) m_cloud.normals.push_back(normal);
             if (labels) m_cloud.labels.push_back(cloud.labels[i]);
         }
+        if (cell < m_parts->settled()) continue;
         Sum& sum = m_sums[cell];
         sum.points += point.cast<double>();
         sum.normals += normal;

@@ -17,13 +17,14 @@ struct MetascanSettings {
 };
 
 /// All scans so far as one cloud in the map's frame, thinned to one point a voxel, so that ground seen twice
-/// is not held twice: the first one stays, since later scans were put where the earlier ones are. Only grows,
-/// and so does its search: what came lately is indexed anew with each scan, the rest now and then.
+/// is not held twice. What came lately is indexed anew with each scan, and a voxel keeps the mean of its
+/// points so long; the rest stays as it is, since later scans were put where it lies.
 class Metascan {
 public:
     explicit Metascan(const MetascanSettings& settings);
     ~Metascan();
 
+    /// All clouds have normals and labels, or none has.
     void add(const PointCloud& cloud, const Pose& cloudInMap);
     [[nodiscard]] const PointCloud& cloud() const { return m_cloud; }
     /// Over cloud(), until add() is called again.

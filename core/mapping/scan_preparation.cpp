@@ -1,5 +1,7 @@
 #include "core/mapping/scan_preparation.h"
 
+#include <optional>
+
 #include "core/cloud/filters/median_filter.h"
 #include "core/cloud/filters/normals.h"
 #include "core/cloud/filters/outliers.h"
@@ -11,8 +13,8 @@ namespace leitstand {
 namespace {
 
 constexpr int NormalNeighbours = 20;
-/// Mixed pixels of which voxels are made hang so far off surfaces; scans that start far off come back from
-/// fewer places without those that hang nearer [m].
+/// Points that hang farther off surfaces are left out before voxels are made [m]. With less, scans that start
+/// far off are registered from fewer places.
 constexpr double HangsBy = 0.15;
 
 PointCloud filtered(const Scan& scan, std::span<const Eigen::Vector3f> normals,
@@ -37,8 +39,10 @@ ScanPtr labelled(const ScanPtr& scan) {
 
 PointCloud prepared(const Scan& whole, const RegistrationSettings& settings) {
     const bool asInPaper = settings.filter != ScanFilter::None;
-    const Scan scan =
-        asInPaper || settings.reduce <= 0.0 ? whole : withoutMixedPixels(whole, {.leastStep = HangsBy});
+    std::optional<Scan> solid;
+    if (!asInPaper && settings.reduce > 0.0 && whole.organised())
+        solid = withoutMixedPixels(whole, {.leastStep = HangsBy});
+    const Scan& scan = solid ? *solid : whole;
     const std::vector<Eigen::Vector3f> normals =
         scan.organised() ? gridNormals(scan, settings.threads) : std::vector<Eigen::Vector3f>();
     PointCloud cloud = filtered(scan, normals, settings);

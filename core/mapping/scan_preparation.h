@@ -9,10 +9,9 @@ namespace leitstand {
 [[nodiscard]] ScanPtr labelled(const ScanPtr& scan);
 
 /// The points of a labelled scan @p whole that take part in registration: within the range, filtered and
-/// reduced as
-/// @p settings say, each with its label and normal. Normals of organised scans come from the whole grid,
-/// before anything is left out but mixed pixels; those of other scans from the neighbours among the points
-/// that are left.
+/// reduced as @p settings say, each with its label and normal. Before voxels are made, mixed pixels of
+/// organised scans are left out, but for the paper's filter. Normals of organised scans come from the whole
+/// grid, those of other scans from the neighbours among the points that are left.
 [[nodiscard]] PointCloud prepared(const Scan& whole, const RegistrationSettings& settings);
 
 }  // namespace leitstand

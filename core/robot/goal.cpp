@@ -1,14 +1,13 @@
 #include "core/robot/goal.h"
 
-#include <cmath>
+#include "core/base/rotation/heading.h"
 
 namespace leitstand {
 namespace {
 
 /// Position and heading of @p pose.
 Pose levelled(const Pose& pose) {
-    const Eigen::Vector3d ahead = pose.linear().col(0);
-    return poseFrom(pose.translation(), 0, 0, std::atan2(ahead.y(), ahead.x()));
+    return poseFrom(pose.translation(), 0, 0, headingOf(pose));
 }
 
 }  // namespace

@@ -74,20 +74,20 @@ bool ScannerAdvice::follow(const std::string& robot, const std::optional<Scanner
         sensor == described->sensors.end() ? ScannerCorrection{} : sensor->second.correction;
     if (now.with(*more) == now) return false;  // no scanner is off by more
     m_advised.emplace(robot, *more);
-    return !m_left.contains({robot, faultOf(*more)}) && m_told.emplace(robot, faultOf(*more)).second;
+    return m_told.emplace(robot, faultOf(*more)).second;
 }
 
 std::optional<ScannerQuestion> ScannerAdvice::question() const {
     const std::lock_guard lock(m_mutex);
-    for (const auto& [robot, more] : m_advised) {
-        if (!m_left.contains({robot, faultOf(more)})) return ScannerQuestion{robot, more};
-    }
-    return std::nullopt;
+    if (m_advised.empty()) return std::nullopt;
+    const auto& [robot, more] = *m_advised.begin();
+    return ScannerQuestion{robot, more};
 }
 
 void ScannerAdvice::leave(const ScannerQuestion& question) {
     const std::lock_guard lock(m_mutex);
-    m_left.emplace(question.robot, faultOf(question.more));
+    const auto asked = m_advised.find(question.robot);
+    if (asked != m_advised.end() && faultOf(asked->second) == faultOf(question.more)) m_advised.erase(asked);
 }
 
 ScannerAdvice::Used ScannerAdvice::use(const ScannerQuestion& question) {

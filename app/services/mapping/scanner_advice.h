@@ -36,7 +36,7 @@ public:
     bool follow(const std::string& robot, const std::optional<ScannerCorrection>& more);
     /// The first one that is not answered.
     [[nodiscard]] std::optional<ScannerQuestion> question() const;
-    /// The scanner stays as it is: what is asked now is not asked again.
+    /// Takes the question back. LiveMapping remembers what was left, and does not advise it again.
     void leave(const ScannerQuestion& question);
 
     /// What became of a correction that is used.
@@ -54,7 +54,7 @@ private:
     std::vector<RobotDescription> m_robots;
     const std::filesystem::path m_mission;
     std::map<std::string, ScannerCorrection> m_advised;  ///< by robot
-    std::set<std::pair<std::string, ScannerFault>> m_left, m_told;
+    std::set<std::pair<std::string, ScannerFault>> m_told;
     [[nodiscard]] std::vector<RobotDescription>::iterator find(const std::string& robot);
 };
 

@@ -44,8 +44,7 @@ Progress part(const Progress& progress, double begin, double end) {
 struct CloudLane {
     TurnAssembler assembler;
     std::string sensor, frame;
-    std::chrono::nanoseconds late{};  ///< the clouds' stamps count so much later
-    ScanArrival newest;               ///< of its clouds
+    ScanArrival newest;  ///< of its clouds
 };
 
 /// What is gathered of one robot.
@@ -105,7 +104,7 @@ void Reading::keep(std::optional<Scan> scan, const std::string& robot, const Clo
     RobotScans& of = m_robots.at(robot);
     // As the odometry has both: that is true of sensors that turn, and of clouds told in the odometry's
     // frame.
-    const auto base = scan->hasOdometry ? of.poses.baseInOdom(scan->end + lane.late) : std::nullopt;
+    const auto base = scan->hasOdometry ? of.poses.baseInOdom(scan->end) : std::nullopt;
     const Pose sensorInBase =
         base ? base->inverse() * scan->sensorInOdom : of.poses.inBase(lane.sensor, lane.frame);
     scan->robot = robot;
@@ -119,21 +118,15 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
         const auto* cloud = std::get_if<CloudSample>(&event.sample);
         if (cloud == nullptr) return;
         RobotScans& robot = m_robots.at(event.robot);
-        const Time stamp = cloud->header.stamp == Time{} ? event.received : cloud->header.stamp;
         CloudLane& lane = robot.lanes[event.topic];
         lane.sensor = event.sensor;
         lane.frame = cloud->header.frame;
         lane.newest = {event.sequence, event.received};
-        // A robot that does not stamp its clouds: they count as taken when they came.
-        lane.late = stamp - cloud->header.stamp;
-        const auto track = [&](Time at) {
-            return robot.poses.sensorInOdom(event, cloud->header, at + lane.late);
-        };
         CloudSample corrected = *cloud;
-        const ScannerCorrection correction = robot.poses.correctionOf(event.sensor, cloud->header.frame);
-        correction.correct(corrected);
-        if (cloud->header.stamp == Time{})
-            lane.late += std::chrono::nanoseconds(std::llround(1e9 * correction.clock));
+        // A robot that does not stamp its clouds: they count as taken when they came.
+        if (corrected.header.stamp == Time{}) corrected.header.stamp = event.received;
+        robot.poses.correctionOf(event.sensor, cloud->header.frame).correct(corrected);
+        const auto track = [&](Time at) { return robot.poses.sensorInOdom(event, cloud->header, at); };
         keep(lane.assembler.add(std::move(corrected), track), event.robot, lane);
     });
     for (auto& [name, robot] : m_robots) {

@@ -1,5 +1,6 @@
 #include "core/mapping/calibration/scanner_calibration.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace leitstand {
@@ -13,7 +14,8 @@ constexpr double NoticedClock = 0.02;         ///< [s]
 constexpr double Sigmas = 3.0;                ///< what is told is certain by so many deviations
 constexpr double Stands = 0.7;                ///< of that, for what was told
 constexpr double SureRange = 0.003;           ///< an estimate that scatters more is none [m]
-constexpr double SureClock = 0.005;           ///< likewise [s]
+constexpr double SureClock = 0.005;           ///< likewise [s] ...
+constexpr double SureShare = 0.1;             ///< ... or by so much of it
 
 }  // namespace
 
@@ -42,9 +44,13 @@ std::optional<ScannerCorrection> ScannerCalibration::advised(const std::optional
         const double off = std::abs(mount->value[i]);
         return off >= of * least && off >= of * Sigmas * mount->deviation[i];
     };
-    if (!left.contains(ScannerFault::Clock) && mount->deviation[3] <= SureClock &&
-        noticed(3, NoticedClock, shareFor(ScannerFault::Clock))) {
-        more.clock = -mount->value[3];
+    share = shareFor(ScannerFault::Clock);
+    if (!left.contains(ScannerFault::Clock) && noticed(3, NoticedClock, share)) {
+        // Where it sits waits meanwhile.
+        const double late = mount->value[3];
+        if (share * mount->deviation[3] > std::max(SureClock, SureShare * std::abs(late)))
+            return std::nullopt;
+        more.clock = -late;
         return more;
     }
     if (left.contains(ScannerFault::Mount)) return std::nullopt;

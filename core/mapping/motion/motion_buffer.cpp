@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/rotation/heading.h"
+
 namespace leitstand {
 namespace {
 
@@ -30,11 +32,6 @@ Pose continued(const Pose& a, const Pose& b, double share, const std::optional<d
     Eigen::Matrix<double, 6, 1> twist;
     twist << share * step.translation(), rotation;
     return b * poseFromTwist(twist);
-}
-
-double headingOf(const Pose& pose) {
-    const Eigen::Vector3d ahead = pose.linear().col(0);
-    return std::atan2(ahead.y(), ahead.x());
 }
 
 Pose turnedBy(Pose pose, double heading) {
@@ -126,9 +123,8 @@ std::deque<MotionBuffer::Entry>::const_iterator MotionBuffer::after(Time stamp) 
 Pose MotionBuffer::levelled(Pose baseInOdom, Time stamp) const {
     const auto up = m_level.at(stamp);
     if (!up) return baseInOdom;
-    const Eigen::Vector3d ahead = baseInOdom.linear().col(0);
     const double pitch = std::asin(std::clamp(-up->x(), -1.0, 1.0)), roll = std::atan2(up->y(), up->z());
-    return poseFrom(baseInOdom.translation(), roll, pitch, std::atan2(ahead.y(), ahead.x()));
+    return poseFrom(baseInOdom.translation(), roll, pitch, headingOf(baseInOdom));
 }
 
 std::optional<Motion> MotionBuffer::beyond(Time stamp) const {
@@ -188,9 +184,7 @@ Travel MotionBuffer::travelled(Time from, Time to) const {
         const Entry& next = *std::next(entry);
         if (next.frame != entry->frame) continue;
         travel.way += distanceBetween(entry->baseInOdom, next.baseInOdom);
-        const Eigen::Vector3d ahead =
-            entry->baseInOdom.linear().transpose() * next.baseInOdom.linear().col(0);
-        travel.turn += std::abs(std::atan2(ahead.y(), ahead.x()));
+        travel.turn += std::abs(headingOf(entry->baseInOdom.linear().transpose() * next.baseInOdom.linear()));
     }
     return travel;
 }

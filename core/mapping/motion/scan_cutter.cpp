@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/rotation/heading.h"
+
 namespace leitstand {
 namespace {
 
@@ -170,8 +172,7 @@ void ScanCutter::tellMotion(LiveScan& live, Time start, Time end) const {
     if (!before || !after || m_motion.frameAt(since) != m_motion.frameAt(end)) return;
     const double time = std::chrono::duration<double>(end - since).count();
     const Eigen::Vector3d moved = (before->baseInOdom.inverse() * after->baseInOdom).translation();
-    const Eigen::Matrix3d turned = before->baseInOdom.linear().transpose() * after->baseInOdom.linear();
-    const double turn = std::atan2(turned(1, 0), turned(0, 0));
+    const double turn = headingOf(before->baseInOdom.linear().transpose() * after->baseInOdom.linear());
     live.velocity = Eigen::Rotation2Dd(-0.5 * turn) * Eigen::Vector2d(moved.head<2>()) / time;
     live.yawRate = turn / time;
     live.motionKnown = true;

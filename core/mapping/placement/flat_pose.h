@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cmath>
-
 #include <Eigen/Geometry>
 
 #include "core/base/pose.h"
+#include "core/base/rotation/heading.h"
 
 namespace leitstand {
 
@@ -14,8 +13,7 @@ struct FlatPose {
     double heading = 0.0;                             ///< [rad]
 
     [[nodiscard]] static FlatPose of(const Pose& pose) {
-        const Eigen::Vector3d ahead = pose.linear().col(0);
-        return {pose.translation().head<2>(), std::atan2(ahead.y(), ahead.x())};
+        return {pose.translation().head<2>(), headingOf(pose)};
     }
     /// Standing at @p height [m].
     [[nodiscard]] Pose standing(double height) const {

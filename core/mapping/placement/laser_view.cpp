@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/rotation/heading.h"
 #include "core/cloud/filters/cell_table.h"
 #include "core/mapping/placement/flat_pose.h"
 
@@ -18,8 +19,7 @@ constexpr double Edge = 0.05;                 ///< points are thinned to this [m
 
 /// @p base turned about its place so that it is level, with the same heading.
 Pose level(const Pose& base) {
-    const Eigen::Vector3d ahead = base.linear().col(0);
-    return poseFrom(base.translation(), 0.0, 0.0, std::atan2(ahead.y(), ahead.x()));
+    return poseFrom(base.translation(), 0.0, 0.0, headingOf(base));
 }
 
 /// Keeps points, one a square.

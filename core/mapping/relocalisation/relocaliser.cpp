@@ -197,7 +197,8 @@ Relocalisation Relocaliser::find(const Scan& scan, const PointCloud& reduced, co
                      [](const AlikePlace& a, const AlikePlace& b) { return a.fit() > b.fit(); });
     if (result.places.empty()) return result;
     const AlikePlace& best = result.places.front();
-    const bool alone = result.places.size() == 1 || result.places[1].fit() < m_how.alike * best.fit();
+    const double alike = m_how.alike - m_how.alikeFilled * best.filled;
+    const bool alone = result.places.size() == 1 || result.places[1].fit() < alike * best.fit();
     const bool agreed = std::all_of(result.places.begin(), result.places.end(), [&](const AlikePlace& one) {
         return one.score <= best.score + m_how.betterFromAbove;
     });

@@ -28,6 +28,8 @@ struct RelocalisationSettings {
     double sureFilled = 0.08;       ///< ... of one that is sure
     double leastJudged = 0.25;      ///< share of points of which one of them can say that
     double alike = 0.85;  ///< another place that fits and has this share of the best fit is as likely
+    double alikeFilled =
+        2.0;  ///< ... less so many times AlikePlace::filled of the best: it is less sure then
     double betterFromAbove = 0.02;  ///< nor may another place that fits have a better score by that
     /// Likewise one that was not tried, or that lies beside the best place, of its score.
     double alikeFromAbove = 0.93;

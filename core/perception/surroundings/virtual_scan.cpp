@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/rotation/heading.h"
+
 namespace leitstand {
 namespace {
 
@@ -358,8 +360,7 @@ void VirtualScan::addObstacle(VirtualScanView& view, const VirtualObstacle& one)
 }
 
 VirtualScanView VirtualScan::view(const Pose& baseInOdom, Time now) const {
-    const Eigen::Vector3d ahead = baseInOdom.linear().col(0);
-    const double yaw = std::atan2(ahead.y(), ahead.x());
+    const double yaw = headingOf(baseInOdom);
     const Eigen::Rotation2Dd toBase(-yaw);
     const Eigen::Vector2d here = flat(baseInOdom.translation());
     VirtualScanView view;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/rotation/heading.h"
 #include "core/robot/robot_says.h"
 
 namespace leitstand {
@@ -25,11 +26,6 @@ double secondsBetween(Time from, Time to) {
 
 Time after(Time from, double seconds) {
     return from + std::chrono::nanoseconds(std::llround(seconds * 1e9));
-}
-
-double yawOf(const Pose& pose) {
-    const Eigen::Vector3d ahead = pose.linear().col(0);
-    return std::atan2(ahead.y(), ahead.x());
 }
 
 double lengthOf(const std::vector<Eigen::Vector3d>& way) {
@@ -82,7 +78,7 @@ void Explorer::plan(const Pose& baseInOdom, Time now) {
         }
         if (keep) m_way = m_memory.wayTo(here, m_way.back());
         if (!keep || m_way.empty()) {
-            m_way = m_memory.wayToUnseen(here, {yawOf(baseInOdom), m_settings.turnCost});
+            m_way = m_memory.wayToUnseen(here, {headingOf(baseInOdom), m_settings.turnCost});
             m_patience =
                 after(now, m_settings.patience + lengthOf(m_way) / (0.25 * m_drive.settings().speed));
         }
@@ -200,7 +196,7 @@ ExplorerStep Explorer::step(const VirtualScanView& view, const Pose& baseInOdom,
         return step;
     }
     const Eigen::Vector2d off = *towards - here;
-    const double bearing = std::remainder(std::atan2(off.y(), off.x()) - yawOf(baseInOdom), 2.0 * Pi);
+    const double bearing = std::remainder(std::atan2(off.y(), off.x()) - headingOf(baseInOdom), 2.0 * Pi);
     const FuzzyDriveStep driven = m_drive.step(view, bearing);
     step.velocity = driven.velocity;
     step.reason = driven.reason;

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/rotation/heading.h"
 #include "core/perception/heat/body_heat.h"
 
 namespace leitstand {
 
 Eigen::Isometry2d flat(const Pose& baseInOdom) {
-    const Eigen::Vector3d ahead = baseInOdom.linear().col(0);
     Eigen::Isometry2d result = Eigen::Isometry2d::Identity();
-    result.rotate(std::atan2(ahead.y(), ahead.x()));
+    result.rotate(headingOf(baseInOdom));
     result.pretranslate(Eigen::Vector2d(baseInOdom.translation().head<2>()));
     return result;
 }

@@ -151,7 +151,7 @@ ApproachStep VictimApproach::leave(const std::string& reason) {
 
 bool VictimApproach::isStuck(const Pose& baseInOdom, Time now) {
     const Eigen::Isometry2d here = flat(baseInOdom), moved = m_moved.inverse() * here;
-    const double turned = std::atan2(moved.linear()(1, 0), moved.linear()(0, 0));
+    const double turned = Eigen::Rotation2Dd(moved.linear()).angle();
     if (moved.translation().norm() > 0.03 || std::abs(turned) > 0.05) {
         m_moved = here;
         m_movedAt = now;

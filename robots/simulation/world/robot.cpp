@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/rotation/heading.h"
+
 namespace leitstand::simulation {
 namespace {
 
@@ -83,7 +85,7 @@ void Robot::drive(double seconds) {
     pose.translation() += pose.linear() * way * seconds;
     const Eigen::Matrix3d turned =
         pose.linear() * Eigen::AngleAxisd(m_speeds.turn * seconds, Eigen::Vector3d::UnitZ());
-    pose = poseOnPlane(pose.translation(), std::atan2(turned(1, 0), turned(0, 0)), pose.linear().col(2));
+    pose = poseOnPlane(pose.translation(), headingOf(turned), pose.linear().col(2));
 }
 
 void Robot::stand(const Scene& scene, double seconds) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/rotation/heading.h"
 #include "core/io/robot/robot_file.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "robots/crawler/crawler_agent.h"

@@ -5,6 +5,7 @@
 
 #include <QPainter>
 
+#include "core/base/rotation/heading.h"
 #include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/map_view/robots/robot_overlay.h"

@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include "core/base/rotation/heading.h"
 #include "core/mapping/live/trail.h"
 #include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
@@ -45,8 +46,7 @@ bool knowsWay(const SceneScan& from, const SceneScan& to) {
 
 /// Only the position and heading of @p pose: the grid stays level.
 Pose levelled(const Pose& pose) {
-    const Eigen::Vector3d ahead = pose.linear().col(0);
-    return poseFrom(pose.translation(), 0.0, 0.0, std::atan2(ahead.y(), ahead.x()));
+    return poseFrom(pose.translation(), 0.0, 0.0, headingOf(pose));
 }
 
 QString measurementText(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const QLocale& locale) {

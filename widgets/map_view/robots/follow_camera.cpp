@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/rotation/heading.h"
 #include "widgets/models/map/robot_mark.h"
 
 namespace leitstand {

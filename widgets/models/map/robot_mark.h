@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -8,6 +7,7 @@
 #include <QString>
 
 #include "core/base/pose.h"
+#include "core/base/rotation/heading.h"
 #include "core/mapping/live/trail.h"
 #include "widgets/models/live/robots/robot_face.h"
 #include "widgets/models/tone.h"
@@ -31,11 +31,5 @@ struct RobotMark {
     bool selected = false;
     bool stale = false;  ///< nothing was heard of it lately: it may be elsewhere
 };
-
-/// The heading of @p pose in the plane, from x to the left [rad].
-[[nodiscard]] inline double headingOf(const Pose& pose) {
-    const Eigen::Vector3d ahead = pose.linear().col(0);
-    return std::atan2(ahead.y(), ahead.x());
-}
 
 }  // namespace leitstand

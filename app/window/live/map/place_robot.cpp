@@ -8,6 +8,7 @@
 #include "app/window/live/live_bridge.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
+#include "core/base/rotation/heading.h"
 
 namespace leitstand {
 

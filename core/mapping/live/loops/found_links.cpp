@@ -1,6 +1,7 @@
 #include "core/mapping/live/loops/found_links.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 
 #include <Eigen/Eigenvalues>
@@ -15,6 +16,7 @@ constexpr double Unmeasured = 1.0;
 
 /// Share of each direction that surfaces hold, turns as shifts at the arm; map's axes.
 Information heldBy(const IcpResult& icp, const MatchSettings& match) {
+    assert(match.openBelow > IcpResult::UncertainBelow);
     const Eigen::SelfAdjointEigenSolver<Information> solver(icp.information);
     Information held = Information::Zero();
     for (Eigen::Index i = 0; i < 6; ++i) {

@@ -5,16 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/rotation/heading.h"
+
 namespace leitstand::simulation {
 namespace {
 
 constexpr double TickRate = 100.0;   ///< [Hz]
 constexpr double LevelChange = 2.0;  ///< time in which the error of the level becomes another [s]
 constexpr double Gravity = 9.81;     ///< [m/s2]
-
-double yawOf(const Eigen::Matrix3d& rotation) {
-    return std::atan2(rotation(1, 0), rotation(0, 0));
-}
 
 Eigen::Matrix3d rotationOf(double roll, double pitch, double yaw) {
     return poseFrom(Eigen::Vector3d::Zero(), roll, pitch, yaw).linear();
@@ -37,7 +35,8 @@ MeasuredAttitude InertialUnit::measure(const Pose& baseInArena, Time stamp) {
     const Eigen::Matrix3d& rotation = baseInArena.linear();
     const Eigen::AngleAxisd turned(m_lastPose.linear().transpose() * rotation);
     const Eigen::Vector3d angular = turned.axis() * turned.angle() / Tick;
-    const double yaw = std::remainder(yawOf(rotation) - yawOf(m_lastPose.linear()), 2.0 * std::numbers::pi);
+    const double yaw =
+        std::remainder(headingOf(rotation) - headingOf(m_lastPose.linear()), 2.0 * std::numbers::pi);
     m_lastPose = baseInArena;
 
     m_bias += m_settings.biasWalk * std::sqrt(Tick) * m_noise.normal();

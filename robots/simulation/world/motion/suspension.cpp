@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include "core/base/rotation/heading.h"
 #include "robots/simulation/world/motion/feelers.h"
 #include "robots/simulation/world/motion/resting_plane.h"
 
@@ -30,10 +31,6 @@ const Eigen::Matrix<double, 3, 2>& places() {
 }
 
 }  // namespace
-
-double headingOf(const Pose& pose) {
-    return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
-}
 
 Pose poseOnPlane(const Eigen::Vector3d& position, double yaw, const Eigen::Vector3d& normal) {
     const Eigen::Vector3d up = normal.normalized();

@@ -48,7 +48,5 @@ private:
 
 /// A pose at @p position that heads for @p yaw on a plane with upward @p normal.
 [[nodiscard]] Pose poseOnPlane(const Eigen::Vector3d& position, double yaw, const Eigen::Vector3d& normal);
-/// Where x points on the horizon [rad].
-[[nodiscard]] double headingOf(const Pose& pose);
 
 }  // namespace leitstand::simulation

@@ -41,19 +41,21 @@ ScannerCalibration mounted(const Eigen::Vector4d& off, double share) {
 }
 
 TEST(ScannerCalibration, AdvisesTheClockAndThenWhereTheScannerSits) {
-    const Eigen::Vector4d off(0.02, -0.005, degrees(0.8), 0.04);
+    const Eigen::Vector4d off(0.02, -0.005, degrees(0.8), 0.06);
     ScannerCorrection clock, mount;
-    clock.clock = -0.04;
+    clock.clock = -0.06;
     mount.x = 0.02;
     mount.yaw = degrees(0.8);
     EXPECT_EQ(mounted(off, 0.1).advised(), clock) << "how it sits shows once it is on time";
     EXPECT_EQ(mounted({0.02, -0.005, degrees(0.8), 0.01}, 0.1).advised(), mount)
         << "what is too little to be noticed stays";
     EXPECT_EQ(mounted(off, 0.5).advised(), std::nullopt) << "not sure yet";
-    ScannerCalibration scattered = mounted({0.0, 0.0, 0.0, 0.06}, 0.1);
-    EXPECT_EQ(scattered.advised(), std::nullopt) << "what is left would be told again";
-    scattered.mount->deviation[3] = 0.004;
-    EXPECT_EQ(scattered.advised()->clock, -0.06);
+    ScannerCalibration scattered = mounted(off, 0.1);
+    scattered.mount->deviation[3] = 0.007;
+    EXPECT_EQ(scattered.advised(), std::nullopt) << "what is left would be told again; how it sits waits";
+    EXPECT_EQ(scattered.advised(clock), clock) << "what stands does not come and go";
+    scattered.mount->value[3] = 0.3;
+    EXPECT_EQ(scattered.advised()->clock, -0.3) << "a tenth of it is sure enough";
     ScannerCalibration leaning = mounted(off, 0.1);
     leaning.lean.x() = degrees(1);
     EXPECT_EQ(faultOf(leaning.advised().value()), ScannerFault::Lean);

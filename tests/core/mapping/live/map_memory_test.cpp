@@ -11,10 +11,10 @@
 namespace leitstand::test {
 namespace {
 
-/// What a key scan may take: its points, labels and shades, and what is matched of it with normals and
-/// labels, packed.
+/// What a key scan may take: its points, labels and shades, and what is matched of it with normals,
+/// packed.
 std::size_t mostOf(const LiveKeyScan& scan) {
-    constexpr std::size_t Point = 12 + 1 + 1, Matched = 6 + 6 + 1, Rest = 1'024;
+    constexpr std::size_t Point = 12 + 1 + 1, Matched = 6 + 6, Rest = 1'024;
     return Point * scan.scan->points.size() + Matched * scan.reduced->size() + Rest;
 }
 

@@ -14,6 +14,7 @@
 #include "app/window/live/live_moment.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
+#include "core/base/rotation/heading.h"
 #include "widgets/map_decisions/decisions_panel.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/decision_text.h"
