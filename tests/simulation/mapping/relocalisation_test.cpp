@@ -101,15 +101,16 @@ BuildingSettings smallBuilding() {
     return settings;
 }
 
-/// Wanted are 95 %; rooms that look alike keep it from being sure of more.
+/// Buildings 401 to 470 set bounds of the Relocaliser, these did not. Rooms that look alike keep it from being
+/// sure of more.
 TEST(RelocalisationLong, DroppedRobotsAreFoundInTenBuildings) {
     Drops drops;
     for (int i = 0; i < buildings(); ++i) {
-        dropIn(smallBuilding(), firstSeed(401) + static_cast<std::uint64_t>(i), 100, drops);
+        dropIn(smallBuilding(), firstSeed(481) + static_cast<std::uint64_t>(i), 100, drops);
         print("so far", drops);
     }
     print("relocalisation", drops);
-    EXPECT_GE(drops.found, 0.92 * drops.all);
+    EXPECT_GE(drops.found, 0.95 * drops.all);
     EXPECT_EQ(drops.wrong, 0);
     EXPECT_LE(leitstand::test::quantile(drops.errors, 0.95), 0.10);
     EXPECT_LE(leitstand::test::quantile(drops.seconds, 0.95), 2.0);
