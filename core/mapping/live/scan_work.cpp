@@ -21,6 +21,9 @@ namespace leitstand {
 
 namespace {
 
+constexpr double Finer = 0.5;  ///< of the grid of what is matched
+constexpr int Few = 2;         ///< times as many points as a scan needs: with less it is matched by that
+
 /// All of @p scan but its points, and how they lay in the scanner's grid.
 Scan headOf(const Scan& scan) {
     Scan head;
@@ -115,6 +118,9 @@ ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& sca
     const MatchSettings& match = settings.match;
     ReadyScan ready;
     ready.reduced = reducedOf(scan, normals, match, match.reduce);
+    // Close before a wall there is little to see: it counts as finely as it was seen.
+    if (static_cast<int>(ready.reduced.size()) < Few * settings.fit.leastPoints)
+        ready.reduced = reducedOf(scan, normals, match, Finer * match.reduce);
     if (ready.reduced.normals.empty()) ready.reduced.normals = knnNormals(ready.reduced.points);
     ready.scan = std::make_shared<const Scan>(thinned(scan, match, settings.kept));
     return ready;
@@ -161,7 +167,7 @@ std::size_t memoryOf(const LiveKeyScan& scan) {
 }
 
 PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings) {
-    constexpr double Finer = 0.5;  // of the grid: normals of all points would take many times as long
+    // Normals of all points would take many times as long.
     PointCloud all = reducedOf(scan, {}, settings, Finer * settings.reduce);
     all.normals = knnNormals(all.points, 12);
     return voxelGrid(all, settings.reduce, VoxelPoint::Centroid, ownGridOrigin(all.points, settings.reduce));

@@ -187,7 +187,8 @@ TEST(Register, RelaxesAllThatOverlapsWhereLoopsAreToBeClosed) {
     EXPECT_TRUE(loops["closed"].empty()) << "it never came back";
     EXPECT_EQ(loops["matched"], 3);
     EXPECT_TRUE(loops["settled"]);
-    EXPECT_LE(loops["rms_after"], loops["rms_before"]);
+    EXPECT_NEAR(loops["rms_after"].get<double>(), loops["rms_before"].get<double>(), 1e-4)
+        << "a chain this short lies as well before";
     const auto written = readTum(poses);
     ASSERT_TRUE(written) << written.error().text;
     EXPECT_TRUE(written->back().pose.isApprox(poseOf(result["scans"][2]), 1e-9))
