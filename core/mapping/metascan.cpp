@@ -70,7 +70,7 @@ private:
 };
 
 Metascan::Metascan(const MetascanSettings& settings)
-    : m_settings(settings), m_cells(settings.voxel), m_parts(std::make_unique<Parts>(settings)) {}
+    : m_cells(settings.voxel), m_parts(std::make_unique<Parts>(settings)) {}
 Metascan::~Metascan() = default;
 
 void Metascan::add(const PointCloud& cloud, const Pose& cloudInMap) {

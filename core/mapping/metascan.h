@@ -33,7 +33,6 @@ public:
 private:
     class Parts;
 
-    MetascanSettings m_settings;
     /// What is gathered of a voxel's points.
     struct Sum {
         Eigen::Vector3d points = Eigen::Vector3d::Zero();

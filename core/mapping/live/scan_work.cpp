@@ -21,8 +21,8 @@ namespace leitstand {
 
 namespace {
 
-constexpr double Finer = 0.5;  ///< of the grid of what is matched
-constexpr int Few = 2;         ///< times as many points as a scan needs: with less it is matched by that
+constexpr double Finer = 0.5;     ///< of the grid of what is matched
+constexpr std::size_t Few = 400;  ///< points: a scan that sees less is matched by that
 
 /// All of @p scan but its points, and how they lay in the scanner's grid.
 Scan headOf(const Scan& scan) {
@@ -50,12 +50,16 @@ Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
     return selected(scan, kept);
 }
 
-/// What is matched of @p scan, on a grid of @p edge [m]: nothing asks for its labels.
-PointCloud reducedOf(const Scan& scan, std::span<const Eigen::Vector3f> normals,
-                     const MatchSettings& settings, double edge) {
-    PointCloud inRange = pointsInRange(scan, normals, settings.minRange, settings.maxRange);
-    inRange.labels.clear();
-    return voxelGrid(inRange, edge, VoxelPoint::Centroid, ownGridOrigin(inRange.points, edge));
+/// @p cloud, without labels that nothing asks for, on a grid of @p edge [m] that begins at its own place.
+PointCloud onOwnGrid(PointCloud cloud, double edge) {
+    cloud.labels.clear();
+    return voxelGrid(cloud, edge, VoxelPoint::Centroid, ownGridOrigin(cloud.points, edge));
+}
+
+/// What is matched of @p cloud. Close before a wall there is little to see: it counts more finely.
+PointCloud onMatchGrid(const PointCloud& cloud, double edge) {
+    PointCloud reduced = onOwnGrid(cloud, edge);
+    return reduced.size() < Few ? onOwnGrid(cloud, Finer * edge) : reduced;
 }
 
 /// Turns @p normals of the organised @p scan to where each point was seen from: its rows follow each other in
@@ -117,10 +121,7 @@ ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& sca
     }
     const MatchSettings& match = settings.match;
     ReadyScan ready;
-    ready.reduced = reducedOf(scan, normals, match, match.reduce);
-    // Close before a wall there is little to see: it counts as finely as it was seen.
-    if (static_cast<int>(ready.reduced.size()) < Few * settings.fit.leastPoints)
-        ready.reduced = reducedOf(scan, normals, match, Finer * match.reduce);
+    ready.reduced = onMatchGrid(pointsInRange(scan, normals, match.minRange, match.maxRange), match.reduce);
     if (ready.reduced.normals.empty()) ready.reduced.normals = knnNormals(ready.reduced.points);
     ready.scan = std::make_shared<const Scan>(thinned(scan, match, settings.kept));
     return ready;
@@ -168,9 +169,10 @@ std::size_t memoryOf(const LiveKeyScan& scan) {
 
 PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings) {
     // Normals of all points would take many times as long.
-    PointCloud all = reducedOf(scan, {}, settings, Finer * settings.reduce);
+    PointCloud all =
+        onOwnGrid(pointsInRange(scan, {}, settings.minRange, settings.maxRange), Finer * settings.reduce);
     all.normals = knnNormals(all.points, 12);
-    return voxelGrid(all, settings.reduce, VoxelPoint::Centroid, ownGridOrigin(all.points, settings.reduce));
+    return onMatchGrid(all, settings.reduce);
 }
 
 bool canBegin(const LiveScan& live, const PointCloud& reduced, const FitSettings& fit) {
