@@ -101,8 +101,8 @@ BuildingSettings smallBuilding() {
     return settings;
 }
 
-/// Buildings 401 to 470 set bounds of the Relocaliser, these did not. Rooms that look alike keep it from being
-/// sure of more.
+/// Buildings 401 to 470 set bounds of the Relocaliser, these did not. Rooms that look alike keep it from
+/// being sure of more.
 TEST(RelocalisationLong, DroppedRobotsAreFoundInTenBuildings) {
     Drops drops;
     for (int i = 0; i < buildings(); ++i) {
