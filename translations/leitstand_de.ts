@@ -914,6 +914,37 @@
     </message>
 </context>
 <context>
+    <name>leitstand::ByHandWindow</name>
+    <message>
+        <source>The map is made ready to be corrected.</source>
+        <translation>Die Karte wird zum Berichtigen vorbereitet.</translation>
+    </message>
+    <message>
+        <source>The map follows what was decided. The review opens again then.</source>
+        <translation>Die Karte folgt dem, was entschieden wurde. Danach öffnet sich die Auswertung neu.</translation>
+    </message>
+    <message>
+        <source>The map is as it was left by hand</source>
+        <translation>Die Karte ist so, wie sie von Hand hinterlassen wurde</translation>
+    </message>
+    <message>
+        <source>%1 – map by hand – Leitstand</source>
+        <translation>%1 – Karte von Hand – Leitstand</translation>
+    </message>
+    <message>
+        <source>Back to the &amp;review</source>
+        <translation>Zurück zur Aus&amp;wertung</translation>
+    </message>
+    <message>
+        <source>The review opens again, on the map as it is now. What was decided here is in the mission, and can be taken back here, also later</source>
+        <translation>Die Auswertung öffnet sich neu, mit der Karte, wie sie jetzt ist. Was hier entschieden wurde, steht in der Mission und lässt sich hier zurücknehmen, auch später</translation>
+    </message>
+    <message>
+        <source>MAP BY HAND · %1</source>
+        <translation>KARTE VON HAND · %1</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::CameraFeature</name>
     <message>
         <source>Camera</source>
@@ -6309,10 +6340,6 @@ F1 listet alle Tasten</translation>
         <translation>Voxe&amp;l</translation>
     </message>
     <message>
-        <source>Edge of the voxel grid: one point is kept in each voxel. 0 uses all points. A grid of 10 cm moves the result by some centimetres and takes a fraction of the time.</source>
-        <translation>Kantenlänge des Voxelgitters: je Voxel bleibt ein Punkt. 0 verwendet alle Punkte. Ein Gitter von 10 cm verschiebt das Ergebnis um einige Zentimeter und braucht einen Bruchteil der Zeit.</translation>
-    </message>
-    <message>
         <source>Fil&amp;ter</source>
         <translation>Fil&amp;ter</translation>
     </message>
@@ -6359,6 +6386,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Maximum &amp;distance</source>
         <translation>Max. Ab&amp;stand</translation>
+    </message>
+    <message>
+        <source>Edge of the voxel grid: one point is kept in each voxel. 0 uses all points. A grid of 10 cm moves the result by some centimetres and takes a fraction of the time.</source>
+        <translation>Kantenlänge des Voxelgitters: je Voxel bleibt ein Punkt. 0 verwendet alle Punkte. Ein Gitter von 10 cm verschiebt das Ergebnis um einige Zentimeter und braucht einen Bruchteil der Zeit.</translation>
     </message>
 </context>
 <context>
@@ -6759,6 +6790,18 @@ F1 listet alle Tasten</translation>
     <message>
         <source>; key scans in parts that were mapped apart and are not in it: %1</source>
         <translation>; Schlüsselscans in getrennt kartierten Teilen, die nicht darin sind: %1</translation>
+    </message>
+    <message>
+        <source>Correct the map by &amp;hand…</source>
+        <translation>Karte von &amp;Hand berichtigen …</translation>
+    </message>
+    <message>
+        <source>Moves parts of the map, answers where it meets itself, accepts, rejects and registers scans again, in a window of its own; the review is opened again then. What was recorded stays as it is, and each decision can be taken back</source>
+        <translation>Verschiebt Teile der Karte, beantwortet, wo sie sich trifft, nimmt Scans an, verwirft sie und registriert sie neu, in einem eigenen Fenster; danach wird die Auswertung neu geöffnet. Was aufgezeichnet wurde, bleibt, wie es ist, und jede Entscheidung lässt sich zurücknehmen</translation>
+    </message>
+    <message>
+        <source>A report is being written, or scans are being registered again: correct the map after that</source>
+        <translation>Ein Bericht wird geschrieben, oder Scans werden neu registriert: Berichtigen Sie die Karte danach</translation>
     </message>
 </context>
 <context>
@@ -8136,6 +8179,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>it does not fit the rest of the map there: move it nearer to where it belongs, or snap it first</source>
         <translation>es passt dort nicht zum Rest der Karte: Schieben Sie es näher dorthin, wo es hingehört, oder lassen Sie es erst einrasten</translation>
+    </message>
+    <message>
+        <source>{}: nothing tells how its scans hang together: tidy the map first</source>
+        <translation>{}: Nichts sagt, wie ihre Scans zusammenhängen: Räumen Sie die Karte zuerst auf</translation>
     </message>
 </context>
 <context>

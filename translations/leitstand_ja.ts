@@ -914,6 +914,37 @@
     </message>
 </context>
 <context>
+    <name>leitstand::ByHandWindow</name>
+    <message>
+        <source>The map is made ready to be corrected.</source>
+        <translation>地図を修正できるよう準備しています。</translation>
+    </message>
+    <message>
+        <source>The map follows what was decided. The review opens again then.</source>
+        <translation>決定に合わせて地図を更新しています。その後、レビューが再び開きます。</translation>
+    </message>
+    <message>
+        <source>The map is as it was left by hand</source>
+        <translation>地図は手作業で修正された状態です</translation>
+    </message>
+    <message>
+        <source>%1 – map by hand – Leitstand</source>
+        <translation>%1 – 地図の手動修正 – Leitstand</translation>
+    </message>
+    <message>
+        <source>Back to the &amp;review</source>
+        <translation>レビューに戻る(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The review opens again, on the map as it is now. What was decided here is in the mission, and can be taken back here, also later</source>
+        <translation>現在の地図でレビューが再び開きます。ここでの決定はミッションに記録され、後からでもここで取り消せます</translation>
+    </message>
+    <message>
+        <source>MAP BY HAND · %1</source>
+        <translation>地図の手動修正 · %1</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::CameraFeature</name>
     <message>
         <source>Camera</source>
@@ -6309,10 +6340,6 @@ F1 でキー一覧</translation>
         <translation>ボクセル(&amp;L)</translation>
     </message>
     <message>
-        <source>Edge of the voxel grid: one point is kept in each voxel. 0 uses all points. A grid of 10 cm moves the result by some centimetres and takes a fraction of the time.</source>
-        <translation>ボクセルグリッドの辺長: 各ボクセルに 1 点を残す。0 は全点を使用。10 cm のグリッドでは結果が数センチ変わるが、時間は何分の 1 かで済む。</translation>
-    </message>
-    <message>
         <source>Fil&amp;ter</source>
         <translation>フィルタ(&amp;T)</translation>
     </message>
@@ -6359,6 +6386,10 @@ F1 でキー一覧</translation>
     <message>
         <source>Maximum &amp;distance</source>
         <translation>最大距離(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Edge of the voxel grid: one point is kept in each voxel. 0 uses all points. A grid of 10 cm moves the result by some centimetres and takes a fraction of the time.</source>
+        <translation>ボクセルグリッドの辺長: 各ボクセルに 1 点を残す。0 は全点を使用。10 cm のグリッドでは結果が数センチ変わるが、時間は何分の 1 かで済む。</translation>
     </message>
 </context>
 <context>
@@ -6759,6 +6790,18 @@ F1 でキー一覧</translation>
     <message>
         <source>; key scans in parts that were mapped apart and are not in it: %1</source>
         <translation>、別々に作成され含まれていない部分のキースキャン: %1</translation>
+    </message>
+    <message>
+        <source>Correct the map by &amp;hand…</source>
+        <translation>地図を手動で修正(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Moves parts of the map, answers where it meets itself, accepts, rejects and registers scans again, in a window of its own; the review is opened again then. What was recorded stays as it is, and each decision can be taken back</source>
+        <translation>専用のウィンドウで、地図の一部を動かし、地図が重なる場所の問いに答え、スキャンを採用・除外・再位置合わせします。その後、レビューが再び開きます。記録されたものはそのまま残り、どの決定も取り消せます</translation>
+    </message>
+    <message>
+        <source>A report is being written, or scans are being registered again: correct the map after that</source>
+        <translation>レポートの書き出し中、またはスキャンの再位置合わせ中です。終わってから地図を修正してください</translation>
     </message>
 </context>
 <context>
@@ -8136,6 +8179,10 @@ F1 でキー一覧</translation>
     <message>
         <source>it does not fit the rest of the map there: move it nearer to where it belongs, or snap it first</source>
         <translation>そこでは地図の残りと合いません。正しい場所に近づけるか、先に吸着させてください</translation>
+    </message>
+    <message>
+        <source>{}: nothing tells how its scans hang together: tidy the map first</source>
+        <translation>{}: スキャン同士のつながりが記録されていません。先に地図を整えてください</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 
 #include "core/mapping/metascan.h"
 #include "core/mapping/motion/odometry_drift.h"
+#include "core/mapping/motion/odometry_scale.h"
 #include "core/mapping/scan_preparation.h"
 
 namespace leitstand {
@@ -13,6 +14,13 @@ namespace {
 
 /// Metascans of all points are thinned to this, a scanner's noise [m].
 constexpr double FinestMetascan = 0.01;
+/// IcpSettings::kernel: what voxels and borders of surfaces add to a scanner's noise counts little, which
+/// halves what headings of scans err by.
+constexpr double Kernel = 3.0;
+/// GuessPrior::openBelow: what holds a corridor's axis may be slats that look alike a hand farther on.
+constexpr double OpenBelow = 0.15;
+/// Shorter steps of odometry tell little of its scale [m].
+constexpr double LeastStep = 0.1;
 /// Share of a scan's work that is done once it is prepared, for the progress.
 constexpr double PreparedFraction = 0.3;
 
@@ -22,6 +30,8 @@ IcpSettings icpSettings(const RegistrationSettings& settings) {
     icp.maxIterations = settings.maxIterations;
     icp.minimizer = settings.minimizer;
     icp.threads = settings.threads;
+    // Where all points are taken mixed pixels hang behind edges, and their deviation tells nothing.
+    if (settings.reduce > 0.0) icp.kernel = Kernel;
     return icp;
 }
 
@@ -52,9 +62,24 @@ struct Mapper::State {
         }
         if (map.scans.empty()) return Pose::Identity();
         const MapScan& previous = map.scans.back();
-        if (followsOdometry(scan))
-            return previous.poseInMap * previous.scan->sensorInOdom.inverse() * scan.sensorInOdom;
-        return previous.poseInMap;
+        if (!followsOdometry(scan)) return previous.poseInMap;
+        Pose step = stepOf(scan);
+        step.translation() *= scale.factor();
+        return previous.poseInMap * step;
+    }
+
+    /// From the scan before to @p scan, by odometry.
+    [[nodiscard]] Pose stepOf(const Scan& scan) const {
+        return map.scans.back().scan->sensorInOdom.inverse() * scan.sensorInOdom;
+    }
+
+    /// Learns how far the robot goes by odometry, where surfaces hold all directions of @p entry, the next
+    /// scan.
+    void learnScale(const MapScan& entry) {
+        if (!entry.icp.converged || entry.icp.open > 0 || !followsOdometry(*entry.scan)) return;
+        const double byOdometry = stepOf(*entry.scan).translation().norm();
+        const double found = (map.scans.back().poseInMap.inverse() * entry.poseInMap).translation().norm();
+        if (byOdometry > LeastStep) scale.add(byOdometry, found);
     }
 
     /// What odometry tells of @p scan along directions that surfaces leave open; nothing where the guess is
@@ -63,6 +88,7 @@ struct Mapper::State {
         if (!followsOdometry(scan)) return std::nullopt;
         const Pose step = map.scans.back().poseInMap.inverse() * guessInMap;
         GuessPrior prior;
+        prior.openBelow = OpenBelow;
         prior.deviation =
             OdometryDrift{}.deviation(step.translation().norm(), Eigen::AngleAxisd(step.linear()).angle());
         return prior;
@@ -93,6 +119,7 @@ struct Mapper::State {
 
     RegistrationSettings settings;
     Map map;
+    OdometryScale scale;
     PointCloud previousCloud;  // unless against the map
     std::unique_ptr<Search> previousSearch;
     Metascan metascan;  // in the map's frame
@@ -129,6 +156,7 @@ bool Mapper::add(const ScanPtr& scan, const Progress& progress) {
             if (entry.icp.stop == IcpStop::Cancelled) return false;
             if (entry.icp.stop != IcpStop::Degenerate)
                 entry.poseInMap = m_state->targetInMap * entry.icp.pose;
+            m_state->learnScale(entry);
         } else {
             entry.icp.stop = IcpStop::Degenerate;
         }

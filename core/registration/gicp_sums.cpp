@@ -18,6 +18,7 @@ struct PairBlock {
     Lane3 arm{}, residual{};   ///< source point from the centre; from its partner [m]
     Lane3 source{}, target{};  ///< normals in the target's frame, unit length or zero
     Lane weight{};
+    Lane costShare{};  ///< of a square that counts by the weight, what it costs
 };
 
 /// Sums over pairs, lane by lane: the hessian's upper triangle, the gradient, the cost.
@@ -39,7 +40,7 @@ inline void addRow(const PairBlock& block, const Lane3& direction, const Lane& f
         row[5][i] = block.arm[0][i] * direction[1][i] - block.arm[1][i] * direction[0][i];
         along[i] = direction[0][i] * block.residual[0][i] + direction[1][i] * block.residual[1][i] +
                    direction[2][i] * block.residual[2][i];
-        sums.cost[i] += 0.5F * factor[i] * along[i] * along[i];
+        sums.cost[i] += 0.5F * block.costShare[i] * factor[i] * along[i] * along[i];
     }
     std::size_t entry = 0;
     for (std::size_t r = 0; r < 6; ++r) {
@@ -85,9 +86,10 @@ inline void addBlock(const PairBlock& block, LaneSums& sums) {
 }
 
 /// Puts a pair into a lane of @p block; a point whose surface is unknown takes that of its partner.
+/// The pair counts little where it is farther apart across the source's surface than @p kernel [m], 0: none.
 inline void setPair(PairBlock& block, std::size_t lane, const Eigen::Vector3f& arm,
                     const Eigen::Vector3f& residual, Eigen::Vector3f sourceNormal,
-                    Eigen::Vector3f targetNormal) {
+                    Eigen::Vector3f targetNormal, float kernel) {
     if (sourceNormal.squaredNorm() < 0.5F) sourceNormal = targetNormal;
     if (targetNormal.squaredNorm() < 0.5F) targetNormal = sourceNormal;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -97,7 +99,11 @@ inline void setPair(PairBlock& block, std::size_t lane, const Eigen::Vector3f& a
         block.source[axis][lane] = sourceNormal[at];
         block.target[axis][lane] = targetNormal[at];
     }
-    block.weight[lane] = 1.0F;
+    block.weight[lane] = block.costShare[lane] = 1.0F;
+    if (kernel <= 0.0F) return;
+    const float across = sourceNormal.dot(residual) / kernel, share = 1.0F / (1.0F + across * across);
+    block.weight[lane] = share * share;
+    block.costShare[lane] = 1.0F / share;
 }
 
 // Sanitizers are not up yet when the loader chooses a clone.
@@ -117,7 +123,7 @@ double total(const Lane& lane) {
 }  // namespace
 
 NormalEquations gicpSums(const Pairing& pairing, const Pose& sourceInTarget, const Eigen::Vector3d& centre,
-                         std::size_t first, std::size_t last) {
+                         double kernel, std::size_t first, std::size_t last) {
     const Eigen::Matrix3f rotation = sourceInTarget.linear().cast<float>();
     const Eigen::Vector3f translation = sourceInTarget.translation().cast<float>(),
                           centreFloat = centre.cast<float>();
@@ -135,7 +141,7 @@ NormalEquations gicpSums(const Pairing& pairing, const Pose& sourceInTarget, con
         const auto index = static_cast<std::size_t>(partner.index);
         const Eigen::Vector3f moved = rotation * source.points[i] + translation;
         setPair(blocks.back(), lane++, moved - centreFloat, moved - target.points[index],
-                rotation * source.normals[i], target.normals[index]);
+                rotation * source.normals[i], target.normals[index], static_cast<float>(kernel));
     }
     LaneSums sums;
     addBlocks(blocks, sums);

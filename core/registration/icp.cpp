@@ -53,11 +53,11 @@ bool usesNormals(Minimizer minimizer) {
 }
 
 IcpStep minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose, Minimizer minimizer,
-                 const GuessTerm* prior) {
+                 double kernel, const GuessTerm* prior) {
     if (usesNormals(minimizer)) {
         NormalEquations equations = minimizer == Minimizer::Plane
                                         ? planeEquations(pairing, pose, sums.sourceMean())
-                                        : gicpEquations(pairing, pose, sums.sourceMean());
+                                        : gicpEquations(pairing, pose, sums.sourceMean(), kernel);
         const double cost = equations.cost / static_cast<double>(sums.count);
         if (prior != nullptr)
             prior->add(equations, pose, sums.count, minimizer == Minimizer::Plane ? 1.0 : GicpAcrossVariance);
@@ -74,10 +74,13 @@ bool hasNormals(const PointCloud& target, const PointCloud& source, Minimizer mi
 }
 
 /// Runs one stage of the schedule from @p result.pose on; how it ended. Calls @p report after each iteration.
-IcpStop runStage(Pairing& pairing, double maxDistance, const IcpSettings& settings, const Progress& progress,
-                 IcpResult& result, GuessTerm* prior, const std::function<void()>& report) {
+/// @p deviations: IcpSettings::kernel, for this stage.
+IcpStop runStage(Pairing& pairing, double maxDistance, double deviations, const IcpSettings& settings,
+                 const Progress& progress, IcpResult& result, GuessTerm* prior,
+                 const std::function<void()>& report) {
     PoseHistory history;
     bool looked = false;
+    std::optional<double> kernel;  // [m]
     const double minStep = settings.minStep.value_or(usesNormals(settings.minimizer) ? 1e-4 : 1e-5);
     while (result.iterations < settings.maxIterations) {
         if (progress.cancelled()) return IcpStop::Cancelled;
@@ -90,7 +93,8 @@ IcpStop runStage(Pairing& pairing, double maxDistance, const IcpSettings& settin
         if (sums.count < 3) return IcpStop::Degenerate;
         const Stopwatch watch(result.times.minimising);
         if (prior != nullptr && !std::exchange(looked, true)) prior->look(pairing, result.pose, maxDistance);
-        const IcpStep step = minimise(pairing, sums, result.pose, settings.minimizer, prior);
+        if (!kernel) kernel = deviations > 0.0 ? deviations * deviationAcross(pairing, result.pose) : 0.0;
+        const IcpStep step = minimise(pairing, sums, result.pose, settings.minimizer, *kernel, prior);
         if (!step.motion) return IcpStop::Degenerate;
         history.add(result.pose, step.cost);
         const Pose next = orthonormalised(*step.motion * result.pose);
@@ -136,8 +140,10 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
         const IcpResult reached = result;
         result.converged = false;
         const Stopwatch watch(result.times.stages.emplace_back(0.0));
-        result.stop =
-            runStage(pairing, maxDistance, settings, progress, result, prior ? &*prior : nullptr, report);
+        const bool isLast = result.times.stages.size() == settings.maxDistances.size();
+        const bool robust = isLast && settings.minimizer == Minimizer::Gicp;
+        result.stop = runStage(pairing, maxDistance, robust ? settings.kernel : 0.0, settings, progress,
+                               result, prior ? &*prior : nullptr, report);
         if (result.stop == IcpStop::Degenerate && stage > 0.0) {
             // Too few pairs are that near: what the stages before found stays.
             paired = maxDistance;

@@ -34,8 +34,12 @@ struct IcpSettings {
                                     ///< Plane and Gicp and 1e-5 for point to point, which creeps
     int maxIterations = 500;        ///< over all stages
     Minimizer minimizer = Minimizer::Gicp;
-    int threads = 0;                  ///< 0: one per core
-    bool facing = false;              ///< points on either side of a wall are no pairs (Pairing)
+    int threads = 0;      ///< 0: one per core
+    bool facing = false;  ///< points on either side of a wall are no pairs (Pairing)
+    /// For Gicp, in the last stage: pairs that are farther apart across their surface than so many times
+    /// their deviation there (by the median, when the stage begins) count little (Geman & McClure 1985); 0:
+    /// all count alike.
+    double kernel = 0.0;
     std::optional<GuessPrior> prior;  ///< how far the guess may be off; for Plane and Gicp
 };
 

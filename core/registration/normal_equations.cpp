@@ -1,6 +1,9 @@
 #include "core/registration/normal_equations.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include <Eigen/Cholesky>
 
@@ -73,12 +76,33 @@ NormalEquations planeEquations(const Pairing& pairing, const Pose& sourceInTarge
                   });
 }
 
+double deviationAcross(const Pairing& pairing, const Pose& sourceInTarget) {
+    constexpr double OfMedian = 1.4826;
+    const Eigen::Matrix3f rotation = sourceInTarget.linear().cast<float>();
+    const Eigen::Vector3f translation = sourceInTarget.translation().cast<float>();
+    const PointCloud &source = pairing.source(), &target = pairing.target();
+    std::vector<float> distances;
+    distances.reserve(source.size());
+    for (std::size_t i = 0; i < source.size(); ++i) {
+        const Partner& partner = pairing.partners()[i];
+        if (partner.index < 0) continue;
+        const auto index = static_cast<std::size_t>(partner.index);
+        if (target.normals[index].isZero()) continue;
+        const Eigen::Vector3f apart = rotation * source.points[i] + translation - target.points[index];
+        distances.push_back(std::abs(target.normals[index].dot(apart)));
+    }
+    if (distances.empty()) return 0.0;
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    return OfMedian * static_cast<double>(*middle);
+}
+
 NormalEquations gicpEquations(const Pairing& pairing, const Pose& sourceInTarget,
-                              const Eigen::Vector3d& centre) {
+                              const Eigen::Vector3d& centre, double kernel) {
     const std::size_t count = pairing.partners().size();
     std::vector<NormalEquations> chunks((count + Pairing::Grain - 1) / Pairing::Grain);
     parallelFor(count, Pairing::Grain, pairing.threads(), [&](std::size_t first, std::size_t last) {
-        chunks[first / Pairing::Grain] = gicpSums(pairing, sourceInTarget, centre, first, last);
+        chunks[first / Pairing::Grain] = gicpSums(pairing, sourceInTarget, centre, kernel, first, last);
     });
     return joined(chunks, centre);
 }

@@ -29,10 +29,16 @@ struct NormalEquations {
 /// Of a pair across its surface, where both normals agree, by the weights of gicpEquations().
 inline constexpr double GicpAcrossVariance = 2e-3;
 
+/// How far pairs are apart across the target's surfaces: the deviation of a normal distribution with their
+/// median distance [m]; 0 where there are none.
+[[nodiscard]] double deviationAcross(const Pairing& pairing, const Pose& sourceInTarget);
+
 /// Plane to plane (Segal, Haehnel & Thrun 2009): a point is uncertain by 1 along its surface and by 1e-3
 /// across (the paper's epsilon), so the covariance of a pair is 2 I - (1 - 1e-3)(a a^T + b b^T) with both
 /// normals.
+/// @p kernel: a pair's distance across its surface from where on it counts little (Geman & McClure 1985) [m];
+/// 0: all count alike.
 [[nodiscard]] NormalEquations gicpEquations(const Pairing& pairing, const Pose& sourceInTarget,
-                                            const Eigen::Vector3d& centre);
+                                            const Eigen::Vector3d& centre, double kernel = 0.0);
 
 }  // namespace leitstand

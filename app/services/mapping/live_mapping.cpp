@@ -93,6 +93,7 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
         m_mapper.setBody(robot.name, {robot.footprint, robot.height});
     }
     restore(m_mapper, earlier);
+    if (earlier.asRecorded) m_mapper.takeAsSolved();
     if (!earlier.scans.empty()) {
         if (earlier.shared) m_mapper.beginBlock();
         for (auto& [name, robot] : m_robots) {
@@ -282,6 +283,10 @@ void LiveMapping::settle(const MapSolution& solution) {
     if (m_listener.onSettled && (settled.links || settled.poses)) m_listener.onSettled(settled);
 }
 
+void LiveMapping::whenCalm(std::function<void()> done) {
+    post([this, done = std::move(done)](LiveMapper&) { m_calmed.push_back(done); });
+}
+
 void LiveMapping::look(std::function<void(const LiveMapper&)> look) {
     {
         const std::lock_guard lock(m_mutex);
@@ -385,6 +390,8 @@ void LiveMapping::run(const std::stop_token& stop) {
         lookForPassing();
         if (leaveOutPlaced(stationTime())) tellMap();
         tellRobots();
+        if (m_solves || m_mapper.meetsMore()) continue;
+        for (const auto& calmed : std::exchange(m_calmed, {})) calmed();
     }
 }
 

@@ -62,6 +62,7 @@ struct EarlierMap {
     std::vector<ScanLinksSample> links = {};              ///< between the scans, as they were said
     std::vector<Link> loops = {};                         ///< of those, what closes loops, as it is now
     std::map<std::uint64_t, std::vector<BodyInScan>> bodies = {};  ///< of other robots, by scan
+    bool asRecorded = false;  ///< scans stay where they are, whatever links say, until something is decided
 };
 
 /// Gives @p mapper, which is empty, the map that @p earlier has; not where robots are in it.
@@ -85,6 +86,9 @@ public:
     void take(const Event& event);
     /// Lets @p task have the mapper, on the mapping's thread, after what waits; the map counts as moved then.
     void post(std::function<void(LiveMapper&)> task);
+    /// @p done is called, on the mapping's thread, once all that waits is done and where scans stand is
+    /// worked out; not where the mapping ends before.
+    void whenCalm(std::function<void()> done);
     /// What of the world belongs into the map from now on, and of what lasers see.
     void setCrop(const MapCrop& crop);
     /// What another station, which makes the map, added to it, and where its scans and robots are now.
@@ -199,12 +203,13 @@ private:
     std::map<std::string, Robot> m_robots;  ///< fixed
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
-    std::deque<Work> m_waiting;            ///< under the mutex
-    RobotsInMapPtr m_places;               ///< likewise
-    std::map<std::string, Time> m_heard;   ///< likewise: robots' newest scans that others lay onto the map
-    bool m_solves = false;                 ///< something is being solved; of the thread
-    bool m_seeks = false;                  ///< a place is being looked for; likewise
-    MapCrop m_crop;                        ///< what of the world belongs into the map; of the thread
+    std::deque<Work> m_waiting;           ///< under the mutex
+    RobotsInMapPtr m_places;              ///< likewise
+    std::map<std::string, Time> m_heard;  ///< likewise: robots' newest scans that others lay onto the map
+    bool m_solves = false;                ///< something is being solved; of the thread
+    std::vector<std::function<void()>> m_calmed;  ///< of whenCalm(); likewise
+    bool m_seeks = false;                         ///< a place is being looked for; likewise
+    MapCrop m_crop;                               ///< what of the world belongs into the map; of the thread
     std::vector<std::uint64_t> m_entered;  ///< key scans that nobody who passed was looked for in; likewise
     std::atomic<bool> m_looksForPassing = false;
     PassingBodies m_passing;  ///< of the solver's thread

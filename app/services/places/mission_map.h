@@ -17,6 +17,8 @@ class BagReader;
 
 /// Who says what a tidying of the map says: no station, so that nobody takes it back who did not ask for it.
 inline constexpr std::string_view TidyingStation = "tidying";
+/// What names of those who decide on the map of a mission that has ended begin with: no stations either.
+inline constexpr std::string_view MapByHandStation = "map-by-hand";
 /// Likewise, what a map says that was carried here from another mission.
 inline constexpr std::string_view CarriedStation = "carried map";
 

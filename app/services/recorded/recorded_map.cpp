@@ -36,6 +36,18 @@ Result<RecordedMap> readMap(const std::filesystem::path& folder) {
     return read;
 }
 
+Result<std::unique_ptr<LiveMission>> openAgain(const RecordedMap& map, LiveMissionSettings settings,
+                                               LiveMissionListener listener) {
+    settings.folder = map.folder;
+    settings.robots = map.robots;
+    const auto now = BagReader::open(map.folder);
+    if (!now) return now.error();
+    if ((*now)->lastSequence() != map.bag->lastSequence())
+        return Error{fill(translate("leitstand::Station", "{}: somebody wrote into it meanwhile; try again"),
+                          map.folder.string())};
+    return LiveMission::open(settings, std::move(listener));
+}
+
 std::vector<Link> linksOf(const RecordedMap& map) {
     return linksOf(map.folder, map.state);
 }

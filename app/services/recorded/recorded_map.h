@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/services/log/live_mission.h"
 #include "core/base/result.h"
 #include "core/event/scan_links.h"
 #include "core/io/bag/bag_reader.h"
@@ -22,6 +23,12 @@ struct RecordedMap {
 
 /// Reads the mission @p folder. Errors name it: it is no mission, or others recorded it.
 [[nodiscard]] Result<RecordedMap> readMap(const std::filesystem::path& folder);
+
+/// A session of @p map's mission, to write into, with the title, station and version of @p settings. Errors:
+/// the mission cannot be written, or somebody wrote into it since it was read.
+[[nodiscard]] Result<std::unique_ptr<LiveMission>> openAgain(const RecordedMap& map,
+                                                             LiveMissionSettings settings,
+                                                             LiveMissionListener listener = {});
 
 /// The links of @p map as they are now, by rising id.
 [[nodiscard]] std::vector<Link> linksOf(const RecordedMap& map);

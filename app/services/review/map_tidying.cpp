@@ -17,7 +17,6 @@
 #include "app/services/recorded/recorded_map.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
-#include "core/io/bag/bag_reader.h"
 #include "core/mapping/relaxation/missing_links.h"
 #include "core/mission/state/undo_says.h"
 
@@ -27,20 +26,12 @@ namespace {
 constexpr std::string_view Tidying = TidyingStation;
 constexpr std::size_t LinksAtOnce = 5'000;  ///< in an event
 
-/// A session of @p read, to write into. An error where somebody decided something since.
-Result<std::unique_ptr<LiveMission>> opened(const RecordedMap& read, const std::string& version) {
+LiveMissionSettings session(const std::string& version) {
     LiveMissionSettings settings;
-    settings.folder = read.folder;
-    settings.robots = read.robots;
     settings.station = Tidying;
     settings.title = "Tidying";
     settings.version = version;
-    const auto now = BagReader::open(read.folder);
-    if (!now) return now.error();
-    if ((*now)->lastSequence() != read.bag->lastSequence())
-        return Error{fill(translate("leitstand::Station", "{}: somebody wrote into it meanwhile; try again"),
-                          read.folder.string())};
-    return LiveMission::open(settings);
+    return settings;
 }
 
 /// What is known of @p links from now on, as @p found has it. Of those that @p isNew names, which nobody has
@@ -173,7 +164,7 @@ Result<TidiedMap> tidyMap(const std::filesystem::path& folder, const TidySetting
         changesOf(links, tidied.relaxation, [first](const Link& link) { return link.id >= first; });
     if (!missing.empty()) tidied.linked = changes.size();
     if (moved.empty() && tidied.linked == 0) return tidied;  // it is tidy
-    auto mission = opened(*read, settings.version);
+    auto mission = openAgain(*read, session(settings.version));
     if (!mission) return mission.error();
     const Time now = stationTime();
     if (auto said = say(**mission, changes, now); !said) return said.error();
@@ -205,7 +196,7 @@ Result<void> untidyMap(const std::filesystem::path& folder, const std::string& v
             changes.push_back(std::move(link));
         }
     }
-    auto mission = opened(*read, version);
+    auto mission = openAgain(*read, session(version));
     if (!mission) return mission.error();
     const Time stamp = stationTime();
     if (auto said = say(**mission, std::move(changes), stamp); !said) return said;

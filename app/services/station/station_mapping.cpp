@@ -310,11 +310,14 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     earlier.links = std::move(setup.earlierLinks);
     earlier.loops = loopsOf(*before);
     earlier.bodies = *before->bodies;
+    const bool byHand = setup.station.starts_with(MapByHandStation);
+    earlier.asRecorded = byHand;
     earlier.shared =
+        !byHand &&
         std::any_of(before->decisions->begin(), before->decisions->end(), [&](const Decision& one) {
             const auto* poses = std::get_if<ScanPosesSample>(&one.content);
             return poses != nullptr && poses->station != setup.station && poses->station != TidyingStation &&
-                   poses->station != CarriedStation;
+                   poses->station != CarriedStation && !poses->station.starts_with(MapByHandStation);
         });
     for (const auto& [name, robot] : before->robots) {
         // One that was looked for in vain is nowhere: its place was a guess.
@@ -331,6 +334,14 @@ StationMapping::~StationMapping() = default;
 
 void StationMapping::end() {
     m_state->mapping->end();
+}
+
+void StationMapping::whenCalm(std::function<void()> done) {
+    m_state->mapping->whenCalm(std::move(done));
+}
+
+bool StationMapping::makesMap() const {
+    return m_state->mayMap();
 }
 
 void StationMapping::take(const Event& event) {

@@ -54,7 +54,10 @@ public:
     StationMapping(const StationMapping&) = delete;
     StationMapping& operator=(const StationMapping&) = delete;
 
-    void end();                     ///< as of LiveMapping
+    void end();  ///< as of LiveMapping
+    /// @p done is called, on the mapping's thread, once all that waits is done and no poses are worked out
+    /// any more; not where that ends before. What waits until the log has what was said is not waited for.
+    void whenCalm(std::function<void()> done);
     void take(const Event& event);  ///< all events of the mission, in order, from its thread
 
     /// Decisions on key scans (docs/live-mapping.md). Errors, in words: another station has the map, the map
@@ -91,6 +94,9 @@ public:
     /// What undo() and redo() would take back or do again, as the log stands now; empty: nothing.
     [[nodiscard]] std::optional<MapDecision> undoable() const;
     [[nodiscard]] std::optional<MapDecision> redoable() const;
+
+    /// Whether the station makes the map, and decides on it.
+    [[nodiscard]] bool makesMap() const;
 
     /// What of the world enters the map, from the next scan on; in the log, undone as decisions are, and
     /// there again when the station restarts. Errors: another station has the map.

@@ -56,7 +56,7 @@ protected:
     LiveMoment m_moment;
 
 private:
-    MessageListModel m_messages;
+    MessageListModel m_messages{this};
 };
 
 }  // namespace leitstand

@@ -13,12 +13,14 @@
 #include "app/language/language.h"
 #include "app/services/recorded/review_log.h"
 #include "app/window/live/layouts/layout_feature.h"
+#include "app/window/review/by_hand/by_hand.h"
 #include "app/window/review/merge_progress.h"
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_report.h"
 #include "app/window/review/review_window.h"
 #include "app/window/scans/scans_window.h"
 #include "app/window/shell/first_geometry.h"
+#include "app/window/shell/orderly_end.h"
 #include "app/window/shell/picture_size.h"
 #include "app/window/shell/terminal.h"
 
@@ -78,6 +80,7 @@ int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& optio
 struct Next {
     QString language;                   ///< in which a window is wanted anew
     std::optional<MapTidying> tidying;  ///< and the review again
+    bool byHand = false;                ///< and decisions on its map before that
     std::filesystem::path merging;      ///< with the map of this mission, and the review of what came of it
 };
 
@@ -102,6 +105,11 @@ int showWindow(ReviewBridge& bridge, const Options& options, const QString& text
     });
     QObject::connect(&window, &ReviewWindow::tidyingWanted, &window, [&](MapTidying what) {
         next.tidying = what;
+        window.close();
+        QCoreApplication::exit(0);
+    });
+    QObject::connect(&window, &ReviewWindow::byHandWanted, &window, [&] {
+        next.byHand = true;
         window.close();
         QCoreApplication::exit(0);
     });
@@ -134,6 +142,23 @@ Result<std::unique_ptr<ReviewBridge>> tidied(std::unique_ptr<ReviewBridge> bridg
     auto again = ReviewBridge::open(source);
     if (!again) return again;
     (*again)->player().show(outcome.moved ? ReviewMap::Finished : map);
+    (*again)->player().seek(position);
+    return again;
+}
+
+/// Lets somebody decide on the map of the mission of @p bridge, which was opened as @p source, and opens the
+/// review where it was; where something was decided, on the map as it is at the end now.
+Result<std::unique_ptr<ReviewBridge>> corrected(std::unique_ptr<ReviewBridge> bridge,
+                                                const std::filesystem::path& source, QString& text) {
+    const std::filesystem::path folder = bridge->player().folder();
+    const Time position = bridge->player().position();
+    const ReviewMap map = bridge->player().map();
+    bridge.reset();  // what was written in it is in the mission
+    const ByHandOutcome outcome = correctByHand(folder);
+    text = outcome.text;
+    auto again = ReviewBridge::open(source);
+    if (!again) return again;
+    (*again)->player().show(outcome.decided ? ReviewMap::Finished : map);
     (*again)->player().seek(position);
     return again;
 }
@@ -171,6 +196,9 @@ int runReview(const Options& options) {
         if (next.tidying) {
             bridge = tidied(std::move(bridge).value(), source, *next.tidying, text);
             if (!bridge) return complain(text.toStdString() + "; " + bridge.error().text), 1;
+        } else if (next.byHand) {
+            bridge = corrected(std::move(bridge).value(), source, text);
+            if (!bridge) return complain(text.toStdString() + "; " + bridge.error().text), 1;
         } else if (!next.merging.empty()) {
             bridge = merged(std::move(bridge).value(), source, next.merging, text);
             if (!bridge) return complain(text.toStdString() + "; " + bridge.error().text), 1;
@@ -179,6 +207,7 @@ int runReview(const Options& options) {
         } else {
             return status;
         }
+        if (OrderlyEnd::asked()) return status;
     }
 }
 

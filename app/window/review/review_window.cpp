@@ -136,6 +136,7 @@ void ReviewWindow::addCommands() {
                                     "with settings of your own; the mission stays as it is")});
     connect(&again, &QAction::triggered, this, &ReviewWindow::registerAgainWanted);
     addTidying();
+    addByHand();
     addMerging();
 }
 
@@ -209,6 +210,30 @@ void ReviewWindow::askToTidy(MapTidying what) {
         return tell(
             tr("A report is being written, or scans are being registered again: tidy the map after that"));
     emit tidyingWanted(what);
+}
+
+void ReviewWindow::addByHand() {
+    QAction& byHand = m_commands->add(
+        {.id = QStringLiteral("review.mapByHand"),
+         .menu = CommandMenu::Mission,
+         .text = tr("Correct the map by &hand…"),
+         .hint = tr("Moves parts of the map, answers where it meets itself, accepts, rejects and registers "
+                    "scans again, in a window of its own; the review is opened again then. What was recorded "
+                    "stays as it is, and each decision can be taken back")});
+    byHand.setEnabled(false);
+    connect(&byHand, &QAction::triggered, this, [this] {
+        if (m_bridge.reporting() || m_bridge.comparison().comparing())
+            return tell(
+                tr("A report is being written, or scans are being registered again: correct the map "
+                   "after that"));
+        emit byHandWanted();
+    });
+    const bool ours = !m_bridge.player().mapsOffline() && !isOfOthers(m_bridge.player().folder());
+    const auto follow = [ours, &byHand](const ReviewIndexPtr& index) {
+        byHand.setEnabled(ours && !index->finished->keyScans->empty());
+    };
+    connect(&m_bridge, &ReviewBridge::opened, this, follow);
+    if (m_bridge.index()) follow(m_bridge.index());
 }
 
 void ReviewWindow::build() {

@@ -52,6 +52,7 @@ signals:
     void languageWanted(const QString& code);        ///< for a window made anew
     void registerAgainWanted();                      ///< the mission's scans, anew
     void tidyingWanted(leitstand::MapTidying what);  ///< after which the review is opened again
+    void byHandWanted();                             ///< decisions on its map, likewise
     /// The map of this mission and that of @p folder in a new one, which is reviewed then.
     void mergingWanted(const QString& folder);
 
@@ -66,6 +67,7 @@ private:
     void addCommands();
     void addTidying();
     void askToTidy(MapTidying what);
+    void addByHand();
     void addMerging();
     void askToMerge();
     void addCoverage(const ViewContext& context);

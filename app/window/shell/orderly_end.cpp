@@ -1,5 +1,7 @@
 #include "app/window/shell/orderly_end.h"
 
+#include <atomic>
+
 #include <QApplication>
 #include <QWidget>
 
@@ -7,6 +9,8 @@
 
 namespace leitstand {
 namespace {
+
+std::atomic<bool> wasAsked = false;
 
 void closeAll() {
     for (QWidget* window : QApplication::topLevelWidgets()) {
@@ -18,8 +22,13 @@ void closeAll() {
 
 }  // namespace
 
+bool OrderlyEnd::asked() {
+    return wasAsked;
+}
+
 OrderlyEnd::OrderlyEnd(QObject* parent)
     : QObject(parent), m_interrupt(InterruptGuard::End::Surely), m_came(m_interrupt.token(), [this] {
+          wasAsked = true;
           QMetaObject::invokeMethod(this, &closeAll, Qt::QueuedConnection);
       }) {}
 

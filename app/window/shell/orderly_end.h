@@ -17,6 +17,9 @@ class OrderlyEnd final : public QObject {
 public:
     explicit OrderlyEnd(QObject* parent = nullptr);
 
+    /// Whether the program was asked to end: no window opens any more.
+    [[nodiscard]] static bool asked();
+
 private:
     const InterruptGuard m_interrupt;
     const std::stop_callback<std::function<void()>> m_came;

@@ -141,6 +141,9 @@ public:
     /// Links of loops, as they are now: what was taken back is not active.
     void followLoops(std::span<const Link> loops);
 
+    /// What was restored stands as the log has it: nothing is solved before something changes.
+    void takeAsSolved();
+
     /// Links that the newest decision made, once: for the log, before its poses. Empty: none.
     [[nodiscard]] std::optional<ScanLinksSample> takeLinks();
 

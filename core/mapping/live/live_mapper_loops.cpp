@@ -135,6 +135,10 @@ void LiveMapper::restore(const ScanLinksSample& sample) {
                                                    [](const Link& link) { return closesLoop(link.kind); });
 }
 
+void LiveMapper::takeAsSolved() {
+    m_state->unsolved = false;
+}
+
 void LiveMapper::followLoops(std::span<const Link> loops) {
     if (!m_state->loops.follow(loops)) return;
     ++m_state->revision;

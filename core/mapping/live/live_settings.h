@@ -74,6 +74,9 @@ struct LoopSettings {
     double pendingWithin = 6.0;  ///< ... and no farther [m]
     double agreeWithin = 0.08;   ///< ... and say the same [m] ...
     double agreeWithinAngle = degrees(1.0);  ///< ... [rad]
+    /// A loop of places that lie near each other turns the map by no more: rooms look alike from another
+    /// side. Where it may err so much, the place is looked for in the whole map [rad].
+    double nearTurn = degrees(15);
     double seekEvery = 2.0;       ///< a scan is looked for in the whole map after so much way [m]; 0: none is
     double seekPartsEvery = 1.0;  ///< likewise, while there are parts that have not met [m]
     double farBeyond = 8.0;       ///< no loop moves a scan by more than so many times the expected error ...

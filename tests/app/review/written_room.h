@@ -19,4 +19,10 @@ std::vector<ScanPose> writeRoom(WrittenMission& mission, std::span<const Pose> p
 /// Six places along the room, ahead and a little to the left.
 [[nodiscard]] std::vector<Pose> alongTheRoom();
 
+/// Where the sensor was at the places of writeDriftedRoom(), of which there are nine, in the room.
+[[nodiscard]] Pose driftedPlace(int place);
+inline constexpr int DriftedPlaces = 9, DriftedFrom = 4;
+/// A map that drifted: from the fifth of its scans on all lie 0.5 m aside, as odometry had it.
+void writeDriftedRoom(WrittenMission& mission, double& seconds);
+
 }  // namespace leitstand::test

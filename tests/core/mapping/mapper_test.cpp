@@ -92,8 +92,8 @@ TEST(Mapper, GuessesComeFromWhereTheSettingsSay) {
     const Drive drive = driveThroughARoom(3, 0.02);
     RegistrationSettings settings;
     const MapPtr odometry = mapOf(drive, settings);
-    const Pose step = drive.scans[1]->sensorInOdom.inverse() * drive.scans[2]->sensorInOdom;
-    EXPECT_TRUE(odometry->scans[2].guessInMap.isApprox(odometry->scans[1].poseInMap * step, 1e-9));
+    const Pose step = drive.scans[0]->sensorInOdom.inverse() * drive.scans[1]->sensorInOdom;
+    EXPECT_TRUE(odometry->scans[1].guessInMap.isApprox(odometry->scans[0].poseInMap * step, 1e-9));
 
     settings.guess = GuessSource::Identity;
     const MapPtr identity = mapOf(drive, settings);
@@ -103,6 +103,36 @@ TEST(Mapper, GuessesComeFromWhereTheSettingsSay) {
     settings.guessPoses = drive.truth;
     const MapPtr poses = mapOf(drive, settings);
     EXPECT_TRUE(poses->scans[2].guessInMap.isApprox(drive.truth[2], 1e-9));
+}
+
+TEST(Mapper, LearnsHowFarTheRobotGoesByItsOdometry) {
+    constexpr double TooLong = 1.08;
+    Drive drive;
+    Pose odometry = Pose::Identity(), previous = Pose::Identity();
+    for (int i = 0; i < 45; ++i) {  // to and fro
+        const int place = i % 20 < 10 ? i % 20 : 20 - i % 20;
+        RoomSettings settings;
+        settings.sensorInRoom = poseFrom({-1.5 + 0.3 * place, 0.2, 0.9}, 0, 0, 0);
+        settings.sweep = Sweep::Yawing;
+        settings.rows = 121;
+        settings.columns = 81;
+        settings.seed = static_cast<unsigned>(i + 1);
+        Scan scan = test::scanRoom(settings).scan;
+        if (i > 0) {
+            Pose step = previous.inverse() * settings.sensorInRoom;
+            step.translation() *= TooLong;
+            odometry = odometry * step;
+        }
+        previous = settings.sensorInRoom;
+        scan.sensorInOdom = odometry;
+        drive.scans.push_back(std::make_shared<const Scan>(std::move(scan)));
+    }
+    const MapPtr map = mapOf(drive, {});
+    const auto guessed = [&](std::size_t i) {
+        return (map->scans[i - 1].poseInMap.inverse() * map->scans[i].guessInMap).translation().norm();
+    };
+    EXPECT_NEAR(guessed(1), 0.3 * TooLong, 1e-3) << "nothing is known yet";
+    EXPECT_NEAR(guessed(44), 0.3, 0.5 * 0.3 * (TooLong - 1.0)) << "after 13 m";
 }
 
 TEST(Mapper, ScansWithoutOdometryStartAtThePreviousPose) {

@@ -77,6 +77,38 @@ TEST_P(EveryMinimizer, NothingToPairIsToldNotCrashed) {
 
 INSTANTIATE_TEST_SUITE_P(All, EveryMinimizer, testing::ValuesIn(AllMinimizers));
 
+TEST(Icp, WhatLiesBesideASurfaceCountsLittleWithAKernel) {
+    const PointCloud room = roomCloud(8'000, 1);
+    const Pose motion = poseFrom({0.02, -0.01, 0.01}, 0, 0, degrees(0.5));
+    PointCloud source = moved(motion.inverse(), room);
+    // A quarter of what faces the one end of the room hangs 4 cm before it, as a cupboard that stands there
+    // now.
+    for (std::size_t i = 0; i < source.size(); i += 2) {
+        const Eigen::Vector3f& normal = room.normals[i];
+        if (normal.x() > 0.9F && room.points[i].y() > 0.0F) source.points[i] += 0.04F * source.normals[i];
+    }
+    IcpSettings settings;
+    settings.maxDistances = {0.2, 0.07};
+    const IcpResult pulled = aligned(room, source, settings);
+    settings.kernel = 3.0;
+    const IcpResult held = aligned(room, source, settings);
+    EXPECT_GT(distanceBetween(pulled.pose, motion), 2e-3);
+    EXPECT_LT(distanceBetween(held.pose, motion), 0.3 * distanceBetween(pulled.pose, motion));
+    EXPECT_LT(angleBetween(held.pose, motion), 0.3 * angleBetween(pulled.pose, motion));
+    EXPECT_TRUE(held.converged);
+}
+
+TEST(Icp, AKernelChangesNothingWhereAllFits) {
+    const PointCloud room = roomCloud(8'000, 1);
+    const Pose motion = poseFrom({0.1, -0.05, 0.01}, 0, 0, degrees(2));
+    IcpSettings settings;
+    settings.maxDistances = {0.5, 0.2, 0.07};
+    settings.kernel = 3.0;
+    const IcpResult result = aligned(room, moved(motion.inverse(), room), settings);
+    EXPECT_TRUE(result.converged);
+    EXPECT_LT(distanceBetween(result.pose, motion), 1e-4);
+}
+
 TEST(Icp, StartsFarAwayNeedASchedule) {
     const PointCloud target = roomCloud(6'000, 1), source = roomCloud(6'000, 2);
     const Pose guess = poseFrom({0.8, -0.5, 0.1}, 0, 0, degrees(15));

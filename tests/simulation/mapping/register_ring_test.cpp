@@ -69,7 +69,7 @@ TEST(RegisterRingLong, OneAgainstTheOtherAndAgainstTheMap) {
     settings.threads = 1;
     expectWithin("chain", made, settings, 0.05);
     settings.reference = Reference::Map;
-    expectWithin("map", made, settings, 0.025);
+    expectWithin("map", made, settings, 0.018);
     settings.reference = Reference::Previous;
     const MapPtr chain = mapOf(made, settings);
     const auto began = std::chrono::steady_clock::now();

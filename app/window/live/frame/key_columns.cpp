@@ -56,4 +56,14 @@ KeyColumn KeyColumns::review() {
     return {tr("Besides the commands"), lines};
 }
 
+KeyColumn KeyColumns::mapByHand() {
+    std::vector<KeyLine> lines = {
+        {tr("Right button"), tr("while something is placed on the map: ends that, takes a corner back")},
+        {tr("Esc"), tr("ends measuring")},
+    };
+    addMap(lines);
+    addFields(lines);
+    return {tr("Besides the commands"), lines};
+}
+
 }  // namespace leitstand

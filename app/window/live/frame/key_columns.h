@@ -12,6 +12,7 @@ struct KeyColumns {
 public:
     [[nodiscard]] static KeyColumn live();
     [[nodiscard]] static KeyColumn review();
+    [[nodiscard]] static KeyColumn mapByHand();
 };
 
 }  // namespace leitstand

@@ -2,6 +2,9 @@
 
 #include <optional>
 
+#include "app/services/station/station.h"
+#include "app/services/station/station_mapping.h"
+#include "app/window/live/live_bridge.h"
 #include "app/window/live/map/decisions/decisions_feature.h"
 #include "app/window/live/map/decisions/loops_feature.h"
 #include "app/window/live/map/decisions/scanner_feature.h"
@@ -22,14 +25,15 @@ MapActions::MapActions(const LiveContext& context, MapFeature& map) : QObject(&m
     });
     auto* placing = new PlaceRobot(context, map.gestures(), map.robots(), this);
     connect(placing, &PlaceRobot::told, this, &MapActions::told);
-    auto* decisions = new DecisionsFeature(context, map.view(), map.gestures(), map.robots(), this);
+    const MapContext deciding{context, context.bridge.station().mapping()};
+    auto* decisions = new DecisionsFeature(deciding, map.view(), map.gestures(), map.robots(), this);
     connect(decisions, &DecisionsFeature::told, this, &MapActions::told);
     auto* scanners = new ScannerFeature(context, map.view(), this);
     connect(scanners, &ScannerFeature::told, this, &MapActions::told);
-    auto* loops = new LoopsFeature(context, map.view(), this);
+    auto* loops = new LoopsFeature(deciding, map.view(), this);
     connect(loops, &LoopsFeature::told, this, &MapActions::told);
     auto* submaps = new SubmapFeature(
-        context, map.view(), map.gestures(), [decisions] { return decisions->chosen(); }, this);
+        deciding, map.view(), map.gestures(), [decisions] { return decisions->chosen(); }, this);
     connect(submaps, &SubmapFeature::told, this, &MapActions::told);
     auto* grant = new MapGrantFeature(context, this);
     connect(grant, &MapGrantFeature::told, this, &MapActions::told);

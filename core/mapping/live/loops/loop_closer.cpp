@@ -241,7 +241,8 @@ std::vector<Link> LoopCloser::close(const LiveKeyScan& entered, const LiveMap& m
         return other.robot == robot && (other.at - here).norm() > m_settings.pendingWithin;
     });
     std::optional<Found> found = look(entered, entered.pose.scanInMap, map, true);
-    if (found) return meet(std::move(*found), false);
+    if (found && Eigen::AngleAxisd(found->correction.linear()).angle() <= m_settings.nearTurn)
+        return meet(std::move(*found), false);
     const auto far = std::find_if(m_pending.rbegin(), m_pending.rend(),
                                   [&](const Found& other) { return other.far && other.robot == robot; });
     if (far == m_pending.rend()) return {};

@@ -10,10 +10,10 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/frame/pane_docks.h"
 #include "app/window/live/input/selection.h"
-#include "app/window/live/live_bridge.h"
 #include "app/window/live/live_moment.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
+#include "app/window/live/moment_source.h"
 #include "core/base/rotation/heading.h"
 #include "widgets/map_decisions/decisions_panel.h"
 #include "widgets/map_view/map_view.h"
@@ -37,7 +37,7 @@ Pose drawnPose(const LiveKeyScan& scan, const GroundPose& pose) {
 
 }  // namespace
 
-DecisionsFeature::DecisionsFeature(const LiveContext& context, MapView& view, MapGestures& gestures,
+DecisionsFeature::DecisionsFeature(const MapContext& context, MapView& view, MapGestures& gestures,
                                    RobotsOnMap& robots, QObject* parent)
     : QObject(parent),
       m_context(context),
@@ -53,13 +53,13 @@ DecisionsFeature::DecisionsFeature(const LiveContext& context, MapView& view, Ma
     addDecisions();
     addArea();
     connect(m_panel, &DecisionsPanel::chosenChanged, this, &DecisionsFeature::show);
-    connect(&context.bridge, &LiveBridge::scansChanged, this, [this](const LiveMapPtr& scans) {
+    connect(&context.source, &MomentSource::scansChanged, this, [this](const LiveMapPtr& scans) {
         m_scans.setScans(scans);
         show();
     });
-    connect(&context.bridge, &LiveBridge::ticked, this,
+    connect(&context.source, &MomentSource::ticked, this,
             [this](const LiveMoment& moment) { follow(*moment.mission); });
-    m_scans.setScans(context.bridge.station().mapping().scans());
+    m_scans.setScans(context.mapping.scans());
     show();
     showArea();
 }
@@ -80,7 +80,7 @@ QAction& DecisionsFeature::add(const QString& id, const QString& text, const QSt
 
 void DecisionsFeature::addDecisions() {
     m_context.commands.separate(CommandMenu::Map);
-    StationMapping& mapping = m_context.bridge.station().mapping();
+    StationMapping& mapping = m_context.mapping;
     QAction& next = add("scan.nextUncertain", tr("Ne&xt doubtful scan"),
                         tr("Goes to the newest scan that waits for a decision, then to older ones"),
                         QKeySequence(Qt::Key_N));
@@ -145,7 +145,7 @@ void DecisionsFeature::addArea() {
         add("map.everywhere", tr("Map e&verything"), tr("Nothing is outside of the map's area any more"));
     draw.setIconText(tr("Draw area"));
     clear.setIconText(tr("Everything"));
-    StationMapping& mapping = m_context.bridge.station().mapping();
+    StationMapping& mapping = m_context.mapping;
     connect(&draw, &QAction::triggered, this, &DecisionsFeature::drawArea);
     connect(&clear, &QAction::triggered, this, [this, &mapping] {
         MapCrop crop = mapping.crop();
@@ -180,7 +180,7 @@ void DecisionsFeature::toNextUncertain() {
 void DecisionsFeature::retry() {
     RetrySettings settings;
     settings.match.wide = m_panel->retrySchedule();
-    answer(m_context.bridge.station().mapping().retry(m_panel->chosen(), settings));
+    answer(m_context.mapping.retry(m_panel->chosen(), settings));
 }
 
 void DecisionsFeature::dragForRetry(bool on) {
@@ -191,7 +191,7 @@ void DecisionsFeature::dragForRetry(bool on) {
                    RetrySettings settings;
                    settings.match.wide = m_panel->retrySchedule();
                    settings.guessInMap = scanInMap;
-                   answer(m_context.bridge.station().mapping().retry(id, settings));
+                   answer(m_context.mapping.retry(id, settings));
                });
 }
 
@@ -202,7 +202,7 @@ void DecisionsFeature::dragForLoop(bool on) {
         tr("Click where the older part of the map has the place of scan %1, drag the robot's heading · "
            "right button: not at all"),
         [this](std::uint64_t id, const Pose& scanInMap) {
-            answer(m_context.bridge.station().mapping().propose(id, scanInMap));
+            answer(m_context.mapping.propose(id, scanInMap));
         });
 }
 
@@ -223,7 +223,7 @@ void DecisionsFeature::dragChosen(const QString& command, const QString& text,
 
 void DecisionsFeature::rewind() {
     const LiveKeyScan* const scan = m_scans.scanAt(m_scans.rowOf(m_panel->chosen()));
-    if (scan != nullptr) answer(m_context.bridge.station().mapping().rewind(scan->entered));
+    if (scan != nullptr) answer(m_context.mapping.rewind(scan->entered));
 }
 
 void DecisionsFeature::drawArea(bool on) {
@@ -234,7 +234,7 @@ void DecisionsFeature::drawArea(bool on) {
         tr("Click the corners of what belongs into the map, double click the last one · right button: "
            "takes a corner back"),
         [this](const std::vector<Eigen::Vector2d>& area) {
-            StationMapping& mapping = m_context.bridge.station().mapping();
+            StationMapping& mapping = m_context.mapping;
             MapCrop crop = mapping.crop();
             crop.polygon = area;
             answer(mapping.setCrop(crop));
@@ -243,7 +243,7 @@ void DecisionsFeature::drawArea(bool on) {
 }
 
 void DecisionsFeature::follow(const MissionState& mission) {
-    const StationMapping& mapping = m_context.bridge.station().mapping();
+    const StationMapping& mapping = m_context.mapping;
     const MapCrop crop = mapping.crop();
     if (crop.polygon != m_area.polygon || crop.ceiling != m_area.ceiling) showArea();
     const std::uint64_t newest = mission.decisions->empty() ? 0 : mission.decisions->back().sequence;
@@ -272,7 +272,7 @@ void DecisionsFeature::show() {
 }
 
 void DecisionsFeature::showArea() {
-    const MapCrop crop = m_context.bridge.station().mapping().crop();
+    const MapCrop crop = m_context.mapping.crop();
     m_area = crop;
     m_view.setArea(crop.polygon);
     m_panel->setCeiling(crop.ceiling < 1e9 ? std::optional(crop.ceiling) : std::nullopt);

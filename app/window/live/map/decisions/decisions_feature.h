@@ -28,7 +28,7 @@ struct MissionState;
 class DecisionsFeature final : public QObject {
     Q_OBJECT
 public:
-    DecisionsFeature(const LiveContext& context, MapView& view, MapGestures& gestures, RobotsOnMap& robots,
+    DecisionsFeature(const MapContext& context, MapView& view, MapGestures& gestures, RobotsOnMap& robots,
                      QObject* parent);
 
     [[nodiscard]] const KeyScanModel& scans() const { return m_scans; }
@@ -58,7 +58,7 @@ private:
     void show();
     void showArea();
 
-    LiveContext m_context;
+    MapContext m_context;
     MapView& m_view;
     MapGestures& m_gestures;
     RobotsOnMap& m_robots;

@@ -9,12 +9,11 @@
 #include <QAction>
 #include <QKeySequence>
 
-#include "app/services/station/station.h"
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/live_bridge.h"
 #include "app/window/live/live_moment.h"
 #include "app/window/live/map/decisions/robot_title.h"
+#include "app/window/live/moment_source.h"
 #include "core/mission/loops/moved_finds.h"
 #include "widgets/map_decisions/map_question.h"
 #include "widgets/map_view/map_view.h"
@@ -27,11 +26,11 @@ constexpr double NoticedOfFinds = 0.05;  ///< [m]
 
 }  // namespace
 
-LoopsFeature::LoopsFeature(const LiveContext& context, MapView& view, QObject* parent)
+LoopsFeature::LoopsFeature(const MapContext& context, MapView& view, QObject* parent)
     : QObject(parent), m_context(context), m_view(view) {
     addCommands();
     m_question = new MapQuestion(QStringLiteral("loopQuestion"), {m_close, m_refuse}, m_view);
-    connect(&context.bridge, &LiveBridge::ticked, this,
+    connect(&context.source, &MomentSource::ticked, this,
             [this](const LiveMoment& moment) { follow(*moment.mission); });
 }
 
@@ -55,14 +54,14 @@ void LoopsFeature::addCommands() {
     connect(m_close, &QAction::triggered, this, [this] { answer(true); });
     connect(m_refuse, &QAction::triggered, this, [this] { answer(false); });
     connect(m_open, &QAction::triggered, this, [this] {
-        const auto done = m_context.bridge.station().mapping().undoLoop();
+        const auto done = m_context.mapping.undoLoop();
         if (!done) emit told(QString::fromStdString(done.error().text));
     });
 }
 
 void LoopsFeature::answer(bool same) {
     if (!m_asked) return;
-    const auto done = m_context.bridge.station().mapping().answerLoop(*m_asked, same);
+    const auto done = m_context.mapping.answerLoop(*m_asked, same);
     if (!done) emit told(QString::fromStdString(done.error().text));
 }
 
@@ -75,7 +74,7 @@ void LoopsFeature::follow(const MissionState& mission) {
     showPreview(mission);
     if (same) return;
     m_question->ask(question(mission));
-    const bool closed = m_context.bridge.station().mapping().loop().has_value();
+    const bool closed = m_context.mapping.loop().has_value();
     m_open->setEnabled(closed);
     m_context.commands.setHint(
         m_open->objectName(),
@@ -85,7 +84,7 @@ void LoopsFeature::follow(const MissionState& mission) {
 }
 
 void LoopsFeature::nameParts() {
-    const LiveMapPtr map = m_context.bridge.station().mapping().scans();
+    const LiveMapPtr map = m_context.mapping.scans();
     if (!map || map == m_named) return;
     m_named = map;
     std::map<std::uint64_t, MapCaption> parts;
@@ -94,7 +93,7 @@ void LoopsFeature::nameParts() {
         MapCaption& part = parts[scan.part];
         part.places.emplace_back(scan.pose.scanInMap.translation());
         if (!part.text.isEmpty()) continue;
-        const auto& robots = m_context.bridge.station().robots();
+        const auto& robots = m_context.source.robots();
         part.text = tr("Map of %1, not joined yet").arg(titleOfRobot(robots, scan.scan->robot));
     }
     std::vector<MapCaption> captions;
@@ -103,7 +102,7 @@ void LoopsFeature::nameParts() {
 }
 
 bool LoopsFeature::areApart(const OpenLoop& loop) const {
-    const LiveMapPtr map = m_context.bridge.station().mapping().scans();
+    const LiveMapPtr map = m_context.mapping.scans();
     const auto partOf = [&](std::uint64_t id) {
         const auto scan = std::find_if(map->scans.begin(), map->scans.end(),
                                        [id](const LiveKeyScan& one) { return one.id == id; });
@@ -133,7 +132,7 @@ void LoopsFeature::ask(const std::optional<OpenLoop>& loop) {
 
 void LoopsFeature::showPreview(const MissionState& mission) {
     if (!m_asked) return;
-    const LoopPreviewPtr newest = m_context.bridge.station().mapping().preview(*m_asked);
+    const LoopPreviewPtr newest = m_context.mapping.preview(*m_asked);
     if (!newest || newest == m_preview) return;
     m_preview = newest;
     m_view.setGhosts(m_preview->moved);

@@ -22,7 +22,7 @@ struct MissionState;
 class LoopsFeature final : public QObject {
     Q_OBJECT
 public:
-    LoopsFeature(const LiveContext& context, MapView& view, QObject* parent);
+    LoopsFeature(const MapContext& context, MapView& view, QObject* parent);
 
 signals:
     void told(const QString& text);
@@ -40,7 +40,7 @@ private:
     void showPreview(const MissionState& mission);
     [[nodiscard]] QString question(const MissionState& mission) const;
 
-    LiveContext m_context;
+    MapContext m_context;
     MapView& m_view;
     QAction *m_close = nullptr, *m_refuse = nullptr, *m_open = nullptr;
     MapQuestion* m_question = nullptr;

@@ -13,14 +13,13 @@
 #include <QPointer>
 
 #include "app/services/mapping/live_mapping.h"
-#include "app/services/station/station.h"
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/input/selection.h"
-#include "app/window/live/live_bridge.h"
 #include "app/window/live/live_moment.h"
 #include "app/window/live/map/decisions/robot_title.h"
 #include "app/window/live/map/map_gestures.h"
+#include "app/window/live/moment_source.h"
 #include "widgets/map_decisions/map_question.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/numbers.h"
@@ -38,12 +37,12 @@ const LiveKeyScan* scanOf(const LiveMap& map, std::uint64_t id) {
 
 }  // namespace
 
-SubmapFeature::SubmapFeature(const LiveContext& context, MapView& view, MapGestures& gestures,
+SubmapFeature::SubmapFeature(const MapContext& context, MapView& view, MapGestures& gestures,
                              std::function<std::uint64_t()> chosen, QObject* parent)
     : QObject(parent), m_context(context), m_view(view), m_gestures(gestures), m_chosen(std::move(chosen)) {
     addCommands();
     m_bar = new MapQuestion(QStringLiteral("submapBar"), {m_more, m_snap, m_leave, m_move}, m_view);
-    connect(&context.bridge, &LiveBridge::ticked, this, &SubmapFeature::follow);
+    connect(&context.source, &MomentSource::ticked, this, &SubmapFeature::follow);
 }
 
 void SubmapFeature::addCommands() {
@@ -87,7 +86,7 @@ void SubmapFeature::addCommands() {
 }
 
 std::uint64_t SubmapFeature::scanToMove() const {
-    const LiveMapPtr map = m_context.bridge.station().mapping().scans();
+    const LiveMapPtr map = m_context.mapping.scans();
     const LiveKeyScan* const chosen = scanOf(*map, m_chosen());
     if (chosen != nullptr && chosen->counts()) return chosen->id;
     // Else the newest of the selected robot, or of any.
@@ -101,13 +100,13 @@ std::uint64_t SubmapFeature::scanToMove() const {
 }
 
 void SubmapFeature::begin() {
-    if (!m_context.bridge.station().mapGrant().mine) {
+    if (!m_context.mapping.makesMap()) {
         m_move->setChecked(false);
         emit told(tr("Another station makes the map: it is moved there"));
         return;
     }
     m_scan = scanToMove();
-    m_map = m_context.bridge.station().mapping().scans();
+    m_map = m_context.mapping.scans();
     m_moved = Pose::Identity();
     m_kind = SubmapKind::FromHere;
     const LiveKeyScan* const scan = scanOf(*m_map, m_scan);
@@ -194,14 +193,16 @@ void SubmapFeature::leave() {
     const LiveKeyScan* const scan = scanOf(*m_map, m_scan);
     if (scan == nullptr) return;
     const auto answered = [guard = QPointer<SubmapFeature>(this),
+                           source = QPointer<MomentSource>(&m_context.source),
                            asked = ++m_asked](Result<std::size_t> links) {
-        QMetaObject::invokeMethod(qApp, [guard, asked, links = std::move(links)] {
+        QMetaObject::invokeMethod(qApp, [guard, source, asked, links = std::move(links)] {
             if (guard && guard->m_leaving && guard->m_asked == asked) guard->left(links);
+            // The window was closed at once: who comes after it tells.
+            if (!guard && source && !links) emit source->told(QString::fromStdString(links.error().text));
         });
     };
     m_leaving = true;
-    const auto asked =
-        m_context.bridge.station().mapping().moveTo(m_scan, m_kind, m_moved * scan->pose.scanInMap, answered);
+    const auto asked = m_context.mapping.moveTo(m_scan, m_kind, m_moved * scan->pose.scanInMap, answered);
     if (!asked) return left(asked.error());
     show();
 }
@@ -226,7 +227,7 @@ void SubmapFeature::follow() {
             emit told(tr("Too little of it lies on the rest of the map there: drag it nearer first"));
     }
     if (m_leaving) return;  // the map moves by that, maybe before the answer is here
-    const LiveMapPtr now = m_context.bridge.station().mapping().scans();
+    const LiveMapPtr now = m_context.mapping.scans();
     if (now != m_map && scansMoved(m_map, *now)) {
         m_map = now;
         if (submapOf(*m_map, m_scan, m_kind).empty()) {
@@ -242,7 +243,7 @@ void SubmapFeature::follow() {
 QString SubmapFeature::what() const {
     const LiveKeyScan* const scan = scanOf(*m_map, m_scan);
     if (scan == nullptr) return {};
-    const QString robot = titleOfRobot(m_context.bridge.station().robots(), scan->scan->robot);
+    const QString robot = titleOfRobot(m_context.source.robots(), scan->scan->robot);
     const QString count = QString::number(m_submap.size());
     switch (m_kind) {
         case SubmapKind::FromHere:

@@ -30,7 +30,7 @@ class SubmapFeature final : public QObject {
     Q_OBJECT
 public:
     /// @p chosen: the key scan that the operator has chosen; 0: none.
-    SubmapFeature(const LiveContext& context, MapView& view, MapGestures& gestures,
+    SubmapFeature(const MapContext& context, MapView& view, MapGestures& gestures,
                   std::function<std::uint64_t()> chosen, QObject* parent);
 
 signals:
@@ -54,7 +54,7 @@ private:
     [[nodiscard]] QString text() const;
     [[nodiscard]] std::uint64_t scanToMove() const;
 
-    LiveContext m_context;
+    MapContext m_context;
     MapView& m_view;
     MapGestures& m_gestures;
     std::function<std::uint64_t()> m_chosen;

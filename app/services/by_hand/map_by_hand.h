@@ -1,0 +1,56 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/services/station/station_mapping.h"
+#include "core/base/result.h"
+#include "core/mission/state/mission_state.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+class LiveMission;
+
+/// The map of a mission that has ended, on which somebody decides as on a live one: moves parts of it,
+/// answers where it meets itself, accepts, rejects and registers scans again. A session of the mission has
+/// what was decided; what was recorded stays as it is, and each decision can be taken back. Any thread.
+class MapByHand {
+public:
+    /// Opens the mission @p folder. @p station: who decides; its name begins with @ref MapByHandStation.
+    /// Errors name the folder: it is no mission of ours, has no map, or cannot be written.
+    [[nodiscard]] static Result<std::unique_ptr<MapByHand>> open(const std::filesystem::path& folder,
+                                                                 const std::string& station,
+                                                                 const std::string& version,
+                                                                 StationMappingListener listener = {});
+    ~MapByHand();  ///< as close()
+    MapByHand(const MapByHand&) = delete;
+    MapByHand& operator=(const MapByHand&) = delete;
+
+    [[nodiscard]] StationMapping& mapping() { return *m_mapping; }
+    [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
+    [[nodiscard]] const std::vector<RobotDescription>& robots() const { return m_robots; }
+    [[nodiscard]] MissionStatePtr state() const;
+    /// Whether anything was decided here by now.
+    [[nodiscard]] bool decided() const;
+
+    /// Waits until the map is where the decisions want it and the log has all of that, and ends. Errors: the
+    /// log cannot be written.
+    Result<void> close();
+
+private:
+    MapByHand(std::filesystem::path folder, std::vector<RobotDescription> robots, std::string station);
+
+    const std::filesystem::path m_folder;
+    const std::vector<RobotDescription> m_robots;
+    const std::string m_station;
+    std::atomic<StationMapping*> m_hears = nullptr;  ///< what is logged
+    std::unique_ptr<LiveMission> m_mission;
+    std::unique_ptr<StationMapping> m_mapping;  ///< last: it says what it does in the mission
+    std::uint64_t m_before = 0;                 ///< sequence of what was there
+};
+
+}  // namespace leitstand

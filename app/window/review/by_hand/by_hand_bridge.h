@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include <QTimer>
+
+#include "app/services/by_hand/map_by_hand.h"
+#include "app/services/station/cameras/picture_feed.h"
+#include "app/window/live/moment_source.h"
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// The map of a mission that has ended as the GUI thread sees it while somebody decides on it.
+class ByHandBridge final : public MomentSource {
+    Q_OBJECT
+public:
+    /// Reads the map, which takes a while. Errors as of MapByHand::open().
+    [[nodiscard]] static Result<std::unique_ptr<ByHandBridge>> open(const std::filesystem::path& mission);
+    ~ByHandBridge() override;
+
+    /// Begins to tell a window of the map that is there, and of what becomes of it; on the GUI thread.
+    void begin();
+    [[nodiscard]] MapByHand& hand() { return *m_hand; }
+    [[nodiscard]] const std::vector<RobotDescription>& robots() const override { return m_hand->robots(); }
+    [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
+    void watch(const std::string& /*robot*/) override {}  // nothing is around it any more
+    [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
+
+private:
+    ByHandBridge();
+    void tick();
+
+    QTimer m_tick;                            ///< a child: goes along to another thread
+    std::unique_ptr<PictureFeed> m_pictures;  ///< of no cameras
+    std::unique_ptr<MapByHand> m_hand;        ///< last: its threads end first
+};
+
+}  // namespace leitstand

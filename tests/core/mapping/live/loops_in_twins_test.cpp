@@ -1,0 +1,82 @@
+// Loops where rooms look alike.
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/core/mapping/live/mapped_room.h"
+
+namespace leitstand::test {
+namespace {
+
+LiveSettings closing(double nearTurn) {
+    LiveSettings settings;
+    settings.loops.nearTurn = nearTurn;
+    settings.loops.drift = settings.loops.openDrift = 0.1;  // as if the way were long
+    settings.loops.sameAge = 2.0;
+    settings.loops.about = 1.5;
+    settings.loops.reach = 1.5;
+    settings.loops.apart = 0.3;
+    settings.loops.seekEvery = 0.0;
+    return settings;
+}
+
+/// A square room without furniture, which looks the same from each of its four sides.
+LiveScan squareScanAt(const Pose& sensorInRoom, unsigned seed) {
+    LiveScan live = scanAt(sensorInRoom, seed);
+    RoomSettings room;
+    room.sensorInRoom = sensorInRoom;
+    room.sweep = Sweep::Yawing;
+    room.rows = 121;
+    room.columns = 81;
+    room.seed = seed;
+    room.length = room.width = 6.0;
+    room.furnished = false;
+    Scan scan = *live.scan;
+    scan.points = scanRoom(room).scan.points;
+    live.scan = std::make_shared<const Scan>(std::move(scan));
+    return live;
+}
+
+/// How many loops close by themselves that put a scan before another wall of the square room than it was
+/// taken at, where the map's newer half is turned by 50 degrees.
+int wrongLoops(double nearTurn) {
+    MappedRoom room(closing(nearTurn));
+    const auto placeAt = [](std::uint64_t scan) {
+        const double angle = 0.25 * static_cast<double>(scan - 1);
+        return poseFrom({-1.2 * std::cos(angle), -1.2 * std::sin(angle), 0.9}, 0, 0, angle - M_PI / 2);
+    };
+    const auto add = [&](std::uint64_t scan) {
+        MapUpdate update = room.add(squareScanAt(placeAt(scan), static_cast<unsigned>(scan)));
+        EXPECT_TRUE(update.keyScan && update.keyScan->id == scan);
+        return update;
+    };
+    for (std::uint64_t scan = 1; scan <= 12; ++scan) EXPECT_FALSE(add(scan).loop);
+    std::vector<ScanPose> poses = room.poses();
+    const Pose roomInMap = poses.front().scanInMap * placeAt(1).inverse();
+    const Pose turned = roomInMap * poseFrom({0, 0, 0}, 0, 0, degrees(50)) * roomInMap.inverse();
+    for (std::size_t i = poses.size() / 2; i < poses.size(); ++i)
+        poses[i].scanInMap = turned * poses[i].scanInMap;
+    room.mapper.follow(poses);
+    int wrong = 0;
+    for (std::uint64_t scan = 13; scan <= 40; ++scan) {
+        const MapUpdate update = add(scan);
+        if (!update.loop) continue;
+        for (const Link& link : update.loop->links) {
+            const Pose truth = placeAt(link.from).inverse() * placeAt(link.to);
+            wrong += link.active && angleBetween(link.pose, truth) > degrees(2) ? 1 : 0;
+        }
+    }
+    return wrong;
+}
+
+TEST(LoopsInTwins, AMapThatWouldTurnByFarMoreThanItErrsDoesNotCloseByItself) {
+    EXPECT_GT(wrongLoops(degrees(180)), 0) << "two places agree, as far off as the map may be";
+    EXPECT_EQ(wrongLoops(LoopSettings{}.nearTurn), 0);
+}
+
+}  // namespace
+}  // namespace leitstand::test
