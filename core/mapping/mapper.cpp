@@ -16,7 +16,7 @@ namespace {
 constexpr double FinestMetascan = 0.01;
 /// IcpSettings::kernel: what voxels and borders of surfaces add to a scanner's noise counts little, which
 /// halves what headings of scans err by.
-constexpr double Kernel = 3.0;
+constexpr double Kernel = 4.0;
 /// GuessPrior::openBelow: what holds a corridor's axis may be slats that look alike a hand farther on.
 constexpr double OpenBelow = 0.15;
 /// Shorter steps of odometry tell little of its scale [m].
