@@ -19,11 +19,12 @@ struct PassingSettings {
     FreeSpaceSettings looking = {
         .margin = 0.2F, .marginOfRange = 0.03F, .nearest = 0.5F, .beside = false, .rays = 2};
     double reach = 6.0;             ///< scans so near each other have a say in each other [m]
-    std::size_t scans = 10;         ///< of those so many, the nearest
+    std::size_t scans = 16;         ///< of those so many, the nearest
     double low = 0.15, high = 2.2;  ///< over the floor, of the points that are asked about [m]
     double edge = 0.1;              ///< of their grid: one point of each cell is asked about [m]
     int looksThrough = 3;           ///< so many scans at least looked through where a point is ...
     int oftener = 3;                ///< ... and so many times as many as saw something there
+    int unseen = 2;                 ///< ... or only so many, where none saw anything: beside a robot few do
     double narrowest = 0.2,
            largest = 1.2;  ///< seen from above, of somebody who walks; else it is an edge, or a door [m]
     double tallest = 0.3;  ///< at least so much of its height was seen [m]
@@ -67,7 +68,8 @@ private:
     void vote(const LiveKeyScan& by, const LiveKeyScan& on);
     [[nodiscard]] std::vector<BodyInScan> bodiesOf(const LiveKeyScan& scan, const Looked& looked) const;
     [[nodiscard]] bool passed(const Asked& one) const {
-        return one.through >= m_settings.looksThrough && one.through >= m_settings.oftener * one.seen;
+        const int least = one.seen == 0 ? m_settings.unseen : m_settings.looksThrough;
+        return one.through >= least && one.through >= m_settings.oftener * one.seen;
     }
 
     PassingSettings m_settings;
