@@ -13,8 +13,8 @@
 
 namespace leitstand {
 
-MapByHand::MapByHand(std::filesystem::path folder, std::vector<RobotDescription> robots, std::string station)
-    : m_folder(std::move(folder)), m_robots(std::move(robots)), m_station(std::move(station)) {}
+MapByHand::MapByHand(std::filesystem::path folder, std::vector<RobotDescription> robots)
+    : m_folder(std::move(folder)), m_robots(std::move(robots)) {}
 
 MapByHand::~MapByHand() {
     (void)close();
@@ -39,7 +39,7 @@ Result<std::unique_ptr<MapByHand>> MapByHand::open(const std::filesystem::path& 
                                     "{}: nothing tells how its scans hang together: tidy the map first"),
                           folder.string())};
     if (auto pages = PageFile::open(read->folder)) setup.settings.pages = std::move(pages).value();
-    std::unique_ptr<MapByHand> hand(new MapByHand(read->folder, read->robots, station));
+    std::unique_ptr<MapByHand> hand(new MapByHand(read->folder, read->robots));
     LiveMissionSettings log;
     log.station = station;
     log.title = "Map by hand";

@@ -42,11 +42,10 @@ public:
     Result<void> close();
 
 private:
-    MapByHand(std::filesystem::path folder, std::vector<RobotDescription> robots, std::string station);
+    MapByHand(std::filesystem::path folder, std::vector<RobotDescription> robots);
 
     const std::filesystem::path m_folder;
     const std::vector<RobotDescription> m_robots;
-    const std::string m_station;
     std::atomic<StationMapping*> m_hears = nullptr;  ///< what is logged
     std::unique_ptr<LiveMission> m_mission;
     std::unique_ptr<StationMapping> m_mapping;  ///< last: it says what it does in the mission
