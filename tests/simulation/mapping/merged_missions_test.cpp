@@ -12,11 +12,13 @@
 
 #include "app/services/handin/report_source.h"
 #include "app/services/log/live_mission.h"
+#include "app/services/places/mission_map.h"
 #include "app/services/recorded/merged_map.h"
 #include "app/services/review/map_tidying.h"
 #include "core/event/station_topics.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/loops/map_problem.h"
+#include "core/mapping/sighting/passing_bodies.h"
 #include "tests/simulation/mapping/measured_seed.h"
 #include "tests/simulation/mapping/trajectory.h"
 #include "tests/simulation/mapping/two_days.h"
@@ -34,6 +36,17 @@ void say(LiveMission& mission, const std::optional<Said>& said, std::string_view
     EXPECT_TRUE(done) << done.error().text;
 }
 
+/// Leaves out of @p mapper's map who @p passing finds to have passed by, now that the scan @p id is in it.
+void leaveOutPassing(LiveMapper& mapper, PassingBodies& passing, std::uint64_t id, Time now,
+                     LiveMission& mission) {
+    auto found = passing.add(*mapper.map(), id, mapper.together(id));
+    std::erase_if(found, [&](const auto& bodies) { return !mapper.leaveOut(bodies.first, bodies.second); });
+    for (const ScanBodiesSample& sample : inSamples(std::move(found), now)) {
+        const auto done = mission.say(sample, station_topic::ScanBodies);
+        EXPECT_TRUE(done) << done.error().text;
+    }
+}
+
 /// The mission that a station records which maps @p drive.
 void record(const std::filesystem::path& folder, const ScriptedDrive& drive) {
     LiveMissionSettings settings;
@@ -45,6 +58,7 @@ void record(const std::filesystem::path& folder, const ScriptedDrive& drive) {
     LiveMission& mission = **opened;
     LiveMapper mapper("test", {});
     mapper.setBody("kurt3d", {drive.drive.robot.footprint, drive.drive.robot.height});
+    PassingBodies passing;
     for (const LiveScan& live : drive.scans) {
         const Time now = live.scan->end;
         const MapUpdate update = mapper.add(live, now);
@@ -52,10 +66,11 @@ void record(const std::filesystem::path& folder, const ScriptedDrive& drive) {
         say(mission, update.links, station_topic::ScanLinks);
         say(mission, update.poses, station_topic::ScanPoses);
         say(mission, update.loop, station_topic::ScanLinks);
-        const auto problem = mapper.problem();
-        if (!problem) continue;
-        const Settled settled = mapper.settle(solve(*problem), now);
-        say(mission, settled.poses, station_topic::ScanPoses);
+        if (const auto problem = mapper.problem()) {
+            const Settled settled = mapper.settle(solve(*problem), now);
+            say(mission, settled.poses, station_topic::ScanPoses);
+        }
+        if (update.keyScan) leaveOutPassing(mapper, passing, update.keyScan->id, now, mission);
     }
     ASSERT_TRUE(mission.close());
 }
