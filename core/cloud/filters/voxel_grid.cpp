@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/base/mixed_bits.h"
 #include "core/cloud/filters/cell_table.h"
 #include "core/cloud/label_votes.h"
 
@@ -16,14 +17,6 @@ namespace {
 using detail::CellTable;
 
 constexpr std::size_t PointsACell = 4;  ///< or more, of most clouds: room for the others is made
-
-/// One step of SplitMix64 (Steele, Lea & Flood 2014): well-mixed bits from any number.
-std::uint64_t mixed(std::uint64_t bits) {
-    bits += 0x9e3779b97f4a7c15U;
-    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9U;
-    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebU;
-    return bits ^ (bits >> 31);
-}
 
 /// What is gathered of a cube's points.
 struct Sum {
@@ -126,12 +119,12 @@ Eigen::Vector3d ownGridOrigin(std::span<const Eigen::Vector3f> points, double ed
     std::size_t taken = 0;
     for (const Eigen::Vector3f& point : points) {
         if (!point.allFinite()) continue;
-        for (const float coordinate : point) bits = mixed(bits ^ std::bit_cast<std::uint32_t>(coordinate));
+        for (const float coordinate : point) bits = mixedBits(bits ^ std::bit_cast<std::uint32_t>(coordinate));
         if (++taken == Enough) break;
     }
     Eigen::Vector3d origin;
     for (double& coordinate : origin) {
-        bits = mixed(bits);
+        bits = mixedBits(bits);
         coordinate = edge * std::ldexp(static_cast<double>(bits >> 11), -53);
     }
     return origin;

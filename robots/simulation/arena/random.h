@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "core/base/mixed_bits.h"
+
 namespace leitstand::simulation {
 
 /// Random numbers that are the same on every machine and with every library (SplitMix64, Steele et al. 2014).
@@ -10,11 +12,9 @@ public:
     explicit Random(std::uint64_t seed) : m_state(seed) {}
 
     std::uint64_t next() {
-        m_state += 0x9E3779B97F4A7C15ULL;
-        std::uint64_t z = m_state;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-        return z ^ (z >> 31U);
+        const std::uint64_t bits = mixedBits(m_state);
+        m_state += MixedBitsStep;
+        return bits;
     }
     /// From 0 to below 1.
     double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/mixed_bits.h"
+
 namespace leitstand::simulation {
 namespace {
 
-/// SplitMix64: spreads a seed over a state.
+/// The next of a row of well-mixed numbers: spreads a seed over a state.
 std::uint64_t spread(std::uint64_t& state) {
-    std::uint64_t mixed = (state += 0x9e3779b97f4a7c15U);
-    mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9U;
-    mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebU;
-    return mixed ^ (mixed >> 31U);
+    const std::uint64_t bits = mixedBits(state);
+    state += MixedBitsStep;
+    return bits;
 }
 
 }  // namespace

@@ -4,15 +4,9 @@
 #include <cstdint>
 #include <numbers>
 
-namespace leitstand::simulation {
+#include "core/base/mixed_bits.h"
 
-/// One step of splitmix64 (Steele et al. 2014): well-mixed bits from any @p number.
-[[nodiscard]] inline std::uint64_t mixed(std::uint64_t number) {
-    std::uint64_t z = number + 0x9E3779B97F4A7C15ULL;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-    return z ^ (z >> 31U);
-}
+namespace leitstand::simulation {
 
 /// Normal numbers with mean 0 and deviation 1 (Box and Muller 1958): the same for the same seed with every
 /// library, unlike std::normal_distribution.
@@ -26,7 +20,7 @@ public:
     }
 
 private:
-    double uniform() { return static_cast<double>(mixed(m_state++) >> 11U) * 0x1.0p-53; }
+    double uniform() { return static_cast<double>(mixedBits(m_state++) >> 11U) * 0x1.0p-53; }
 
     std::uint64_t m_state;
 };

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "robots/simulation/world/normal_draws.h"
+#include "core/base/mixed_bits.h"
 #include "robots/simulation/world/robot.h"
 
 namespace leitstand::simulation {
@@ -41,7 +41,7 @@ struct World::State {
 
     int add(const BodySpec& spec, const Pose& pose, bool ghost) {
         const int body = scene.addBody(spec.shape);
-        const std::uint64_t own = mixed(seed ^ mixed(static_cast<std::uint64_t>(body)));
+        const std::uint64_t own = mixedBits(seed ^ mixedBits(static_cast<std::uint64_t>(body)));
         robots.push_back({std::make_unique<Robot>(spec, body, own, pose), ghost, true});
         names.push_back(spec.name);
         return body;
