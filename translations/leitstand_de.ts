@@ -3552,9 +3552,32 @@ Funk: %4 %5</translation>
         <source>%1 takes no goals</source>
         <translation>%1 nimmt keine Ziele an</translation>
     </message>
+</context>
+<context>
+    <name>leitstand::GoalQuestion</name>
     <message>
-        <source>%1: the map moved under its goal, which is withdrawn; send it again</source>
-        <translation>%1: Die Karte rückte unter dem Ziel, das zurückgenommen ist; senden Sie es neu</translation>
+        <source>Send it to where its goal lies &amp;now</source>
+        <translation>Dorthin schicken, wo sein Ziel &amp;jetzt liegt</translation>
+    </message>
+    <message>
+        <source>Leave its goal &amp;withdrawn</source>
+        <translation>Sein Ziel bleibt &amp;zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Send again</source>
+        <translation>Wieder schicken</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>Lassen</translation>
+    </message>
+    <message>
+        <source>No goal was withdrawn</source>
+        <translation>Kein Ziel wurde zurückgezogen</translation>
+    </message>
+    <message>
+        <source>%1: the map moved by %2 m under its goal, which is withdrawn. Send it to where that place lies now?</source>
+        <translation>%1: Die Karte hat sich unter seinem Ziel um %2 m verschoben, es ist zurückgezogen. Dorthin schicken, wo der Ort jetzt liegt?</translation>
     </message>
 </context>
 <context>
@@ -4435,6 +4458,21 @@ Apache License 2.0</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::LoopNotice</name>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>The loop stays closed; the menu Map opens it later, too</source>
+        <translation>Die Schleife bleibt geschlossen; das Menü „Karte“ öffnet sie auch später</translation>
+    </message>
+    <message>
+        <source>The map met itself and closed the loop: scans moved by up to %1 m.</source>
+        <translation>Die Karte ist auf sich selbst getroffen, die Schleife ist geschlossen: Scans haben sich um bis zu %1 m verschoben.</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::LoopsFeature</name>
     <message>
         <source>It is the same place: c&amp;lose the loop</source>
@@ -4507,6 +4545,10 @@ Apache License 2.0</translation>
     <message>
         <source>Map of %1, not joined yet</source>
         <translation>Karte von %1, noch nicht verbunden</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
     </message>
 </context>
 <context>
@@ -6724,26 +6766,6 @@ F1 listet alle Tasten</translation>
         <translation>die Mission wird noch durchgelesen</translation>
     </message>
     <message>
-        <source>T&amp;idy the map</source>
-        <translation>Karte auf&amp;räumen</translation>
-    </message>
-    <message>
-        <source>Matches all scans that overlap, whenever they were taken, and moves them together, which takes a while; the review is opened again then. What was recorded stays as it is, and it can be taken back</source>
-        <translation>Bringt alle Scans zusammen, die sich überlappen, wann immer sie entstanden, was eine Weile dauert; danach wird die Auswertung neu geöffnet. Was aufgezeichnet wurde, bleibt, wie es ist, und es kann zurückgenommen werden</translation>
-    </message>
-    <message>
-        <source>Take the tidying &amp;back</source>
-        <translation>Aufräumen &amp;zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Scans are where they were before the map was tidied; the review is opened again then</source>
-        <translation>Scans sind, wo sie vor dem Aufräumen waren; danach wird die Auswertung neu geöffnet</translation>
-    </message>
-    <message>
-        <source>A report is being written, or scans are being registered again: tidy the map after that</source>
-        <translation>Ein Bericht wird geschrieben, oder Scans werden neu registriert: Die Karte danach aufräumen</translation>
-    </message>
-    <message>
         <source>The map is being tidied. The review opens again then.</source>
         <translation>Die Karte wird aufgeräumt. Danach öffnet sich die Auswertung neu.</translation>
     </message>
@@ -8569,6 +8591,49 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>person?</source>
         <translation>Person?</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TidyingFeature</name>
+    <message>
+        <source>T&amp;idy the map</source>
+        <translation>Karte auf&amp;räumen</translation>
+    </message>
+    <message>
+        <source>Matches all scans that overlap, whenever they were taken, and moves them together, which takes a while; the review is opened again then. What was recorded stays as it is, and it can be taken back</source>
+        <translation>Bringt alle Scans zusammen, die sich überlappen, wann immer sie entstanden, was eine Weile dauert; danach wird die Auswertung neu geöffnet. Was aufgezeichnet wurde, bleibt, wie es ist, und es kann zurückgenommen werden</translation>
+    </message>
+    <message>
+        <source>Take the tidying &amp;back</source>
+        <translation>Aufräumen &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Scans are where they were before the map was tidied; the review is opened again then</source>
+        <translation>Scans sind, wo sie vor dem Aufräumen waren; danach wird die Auswertung neu geöffnet</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w the map before the tidying</source>
+        <translation>Karte Karte vor dem Aufräumen &amp;zeigenamp;vor dem Aufräumen zeigen</translation>
+    </message>
+    <message>
+        <source>In violet: where scans lay before the map was tidied</source>
+        <translation>Violett: wo Scans lagen, bevor die Karte aufgeräumt wurde</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>A report is being written, or scans are being registered again: tidy the map after that</source>
+        <translation>Ein Bericht wird geschrieben, oder Scans werden neu registriert: Die Karte danach aufräumen</translation>
+    </message>
+    <message>
+        <source>Violet: the map before it was tidied. Scans moved: %1, by up to %2 m.</source>
+        <translation>Violett: die Karte, bevor sie aufgeräumt wurde. Verschobene Scans: %1, um bis zu %2 m.</translation>
     </message>
 </context>
 <context>

@@ -3552,9 +3552,32 @@ Link: %4 %5</source>
         <source>%1 takes no goals</source>
         <translation>%1 は目標地点を受け付けない</translation>
     </message>
+</context>
+<context>
+    <name>leitstand::GoalQuestion</name>
     <message>
-        <source>%1: the map moved under its goal, which is withdrawn; send it again</source>
-        <translation>%1: 目標の下で地図が動いたため、目標を取り消しました。もう一度送ってください</translation>
+        <source>Send it to where its goal lies &amp;now</source>
+        <translation>目標の現在の位置へ送る(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Leave its goal &amp;withdrawn</source>
+        <translation>目標を取り消したままにする(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Send again</source>
+        <translation>再送</translation>
+    </message>
+    <message>
+        <source>Leave it</source>
+        <translation>そのまま</translation>
+    </message>
+    <message>
+        <source>No goal was withdrawn</source>
+        <translation>取り消された目標はありません</translation>
+    </message>
+    <message>
+        <source>%1: the map moved by %2 m under its goal, which is withdrawn. Send it to where that place lies now?</source>
+        <translation>%1: 目標の下で地図が %2 m 動いたため、目標を取り消しました。その場所の現在の位置へ送りますか？</translation>
     </message>
 </context>
 <context>
@@ -4435,6 +4458,21 @@ Apache License 2.0</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::LoopNotice</name>
+    <message>
+        <source>Keep</source>
+        <translation>維持</translation>
+    </message>
+    <message>
+        <source>The loop stays closed; the menu Map opens it later, too</source>
+        <translation>ループは閉じたままです。後で「地図」メニューからも開けます</translation>
+    </message>
+    <message>
+        <source>The map met itself and closed the loop: scans moved by up to %1 m.</source>
+        <translation>地図が同じ場所に戻り、ループを閉じました: スキャンが最大 %1 m 動きました。</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::LoopsFeature</name>
     <message>
         <source>It is the same place: c&amp;lose the loop</source>
@@ -4507,6 +4545,10 @@ Apache License 2.0</translation>
     <message>
         <source>Map of %1, not joined yet</source>
         <translation>%1の地図（未結合）</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 ほか %2 件</translation>
     </message>
 </context>
 <context>
@@ -6724,26 +6766,6 @@ F1 でキー一覧</translation>
         <translation>ミッションを読み込み中</translation>
     </message>
     <message>
-        <source>T&amp;idy the map</source>
-        <translation>地図を整える(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Matches all scans that overlap, whenever they were taken, and moves them together, which takes a while; the review is opened again then. What was recorded stays as it is, and it can be taken back</source>
-        <translation>いつ取得されたかにかかわらず、重なるすべてのスキャンを照合してまとめて動かします。時間がかかり、終わるとレビューを開き直します。記録されたものは変わらず、取り消せます</translation>
-    </message>
-    <message>
-        <source>Take the tidying &amp;back</source>
-        <translation>地図の整えを取り消す(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Scans are where they were before the map was tidied; the review is opened again then</source>
-        <translation>スキャンを地図を整える前の位置に戻します。終わるとレビューを開き直します</translation>
-    </message>
-    <message>
-        <source>A report is being written, or scans are being registered again: tidy the map after that</source>
-        <translation>レポートの書き出しまたは再位置合わせの途中です。終わってから地図を整えてください</translation>
-    </message>
-    <message>
         <source>The map is being tidied. The review opens again then.</source>
         <translation>地図を整えています。終わるとレビューを開き直します。</translation>
     </message>
@@ -8569,6 +8591,49 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>person?</source>
         <translation>人物?</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TidyingFeature</name>
+    <message>
+        <source>T&amp;idy the map</source>
+        <translation>地図を整える(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Matches all scans that overlap, whenever they were taken, and moves them together, which takes a while; the review is opened again then. What was recorded stays as it is, and it can be taken back</source>
+        <translation>いつ取得されたかにかかわらず、重なるすべてのスキャンを照合してまとめて動かします。時間がかかり、終わるとレビューを開き直します。記録されたものは変わらず、取り消せます</translation>
+    </message>
+    <message>
+        <source>Take the tidying &amp;back</source>
+        <translation>地図の整えを取り消す(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Scans are where they were before the map was tidied; the review is opened again then</source>
+        <translation>スキャンを地図を整える前の位置に戻します。終わるとレビューを開き直します</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w the map before the tidying</source>
+        <translation>整える前の地図を表示(&amp;W)</translation>
+    </message>
+    <message>
+        <source>In violet: where scans lay before the map was tidied</source>
+        <translation>紫: 地図を整える前のスキャンの位置</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>取り消す</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隠す</translation>
+    </message>
+    <message>
+        <source>A report is being written, or scans are being registered again: tidy the map after that</source>
+        <translation>レポートの書き出しまたは再位置合わせの途中です。終わってから地図を整えてください</translation>
+    </message>
+    <message>
+        <source>Violet: the map before it was tidied. Scans moved: %1, by up to %2 m.</source>
+        <translation>紫: 整える前の地図。動いたスキャン: %1、最大 %2 m。</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/console/output.h"
 #include "app/services/interrupt.h"
+#include "core/base/time.h"
 #include "core/io/graph/g2o_file.h"
 #include "core/mapping/graph/graph_solver.h"
 
@@ -60,7 +61,7 @@ int run(const GraphOptions& options) {
     const InterruptGuard interrupt;
     const auto began = std::chrono::steady_clock::now();
     const GraphResult result = solve(graph, options.settings, {.report = {}, .stop = interrupt.token()});
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    const double seconds = toSeconds(std::chrono::steady_clock::now() - began);
     if (!options.out.empty()) {
         for (std::size_t i = 0; i < graph.links.size(); ++i) graph.links[i].active = result.weights[i] >= 0.5;
         if (const auto written = writeG2o(options.out, graph); !written) {

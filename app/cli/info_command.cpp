@@ -16,6 +16,7 @@
 #include "app/cli/options/load_scans.h"
 #include "app/services/log/mission_robots.h"
 #include "core/base/printable.h"
+#include "core/base/time.h"
 #include "core/io/bag/bag_reader.h"
 
 namespace leitstand::cli {
@@ -25,10 +26,6 @@ struct InfoOptions {
     std::string mission;
     bool json = false;
 };
-
-double secondsBetween(Time first, Time last) {
-    return std::chrono::duration<double>(last - first).count();
-}
 
 std::string dateOf(Time time) {
     const std::time_t seconds = std::chrono::system_clock::to_time_t(

@@ -17,6 +17,7 @@
 #include "app/cli/options/register_options.h"
 #include "app/cli/register_report.h"
 #include "app/services/interrupt.h"
+#include "core/base/time.h"
 #include "core/io/clouds/cloud_writer.h"
 #include "core/io/clouds/tum.h"
 #include "core/io/graph/given_links.h"
@@ -154,7 +155,7 @@ int runRegister(const RegisterOptions& options) {
         if (!interrupt.token().stop_requested()) loops = std::move(done).value();
     }
     const ClosedMap* const told = loops ? &*loops : nullptr;
-    const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
+    const double seconds = toSeconds(Clock::now() - started);
     line.clear();
     print(options.json ? registerJson(map, told, seconds) : registerTable(map, told, seconds));
     const bool written = writeOutputs(options, map, line);

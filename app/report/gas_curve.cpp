@@ -11,6 +11,7 @@
 
 #include "app/report/report_numbers.h"
 #include "app/report/report_times.h"
+#include "core/base/time.h"
 
 namespace leitstand {
 namespace {
@@ -40,8 +41,7 @@ struct Axes {
         return frame.bottom() - frame.height() * (ppm - least) / (most - least);
     }
     [[nodiscard]] double place(Time at) const {
-        return frame.left() + frame.width() * std::chrono::duration<double>(at - begin).count() /
-                                  std::chrono::duration<double>(end - begin).count();
+        return frame.left() + frame.width() * toSeconds(at - begin) / toSeconds(end - begin);
     }
 };
 

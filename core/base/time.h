@@ -6,5 +6,24 @@ namespace leitstand {
 
 /// A moment on a robot's or the station's clock: nanoseconds since the Unix epoch.
 using Time = std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds>;
+/// A moment on this computer's clock that nobody sets.
+using SteadyTime = std::chrono::steady_clock::time_point;
+
+[[nodiscard]] inline SteadyTime steadyNow() {
+    return std::chrono::steady_clock::now();
+}
+
+/// @p duration in seconds.
+template <class Count, class Period>
+[[nodiscard]] constexpr double toSeconds(std::chrono::duration<Count, Period> duration) {
+    return std::chrono::duration<double>(duration).count();
+}
+
+/// From @p from to @p to in seconds; negative where @p to is earlier.
+template <class Clock, class From, class To>
+[[nodiscard]] constexpr double secondsBetween(std::chrono::time_point<Clock, From> from,
+                                              std::chrono::time_point<Clock, To> to) {
+    return toSeconds(to - from);
+}
 
 }  // namespace leitstand

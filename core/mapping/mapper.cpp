@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/time.h"
 #include "core/mapping/metascan.h"
 #include "core/mapping/motion/odometry_drift.h"
 #include "core/mapping/motion/odometry_scale.h"
@@ -33,10 +34,6 @@ IcpSettings icpSettings(const RegistrationSettings& settings) {
     // Where all points are taken mixed pixels hang behind edges, and their deviation tells nothing.
     if (settings.reduce > 0.0) icp.kernel = Kernel;
     return icp;
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -162,7 +159,7 @@ bool Mapper::add(const ScanPtr& scan, const Progress& progress) {
         }
     }
     m_state->setTarget(std::move(cloud), entry.poseInMap);
-    entry.seconds = secondsSince(start);
+    entry.seconds = secondsBetween(start, steadyNow());
     m_state->map.scans.push_back(std::move(entry));
     progress.done(1.0);
     return true;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <vector>
 
+#include "core/base/time.h"
 #include "core/mapping/scan_preparation.h"
 #include "core/registration/icp.h"
 
@@ -63,7 +64,7 @@ Run runOnce(const Pair& pair, SearchMethod method, const Pose& guess, const Tabl
     Run run;
     run.icp = align(pair.target, *search, pair.source, guess, icp, {{}, progress.stop});
     // How well the scans fit is told on top of the alignment, and is no part of the paper's method.
-    run.seconds = std::chrono::duration<double>(Clock::now() - start).count() - run.icp.times.evaluating;
+    run.seconds = toSeconds(Clock::now() - start) - run.icp.times.evaluating;
     return run;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/time.h"
 #include "core/registration/closed_forms.h"
 #include "core/registration/evaluation.h"
 #include "core/registration/normal_equations.h"
@@ -19,7 +20,7 @@ namespace {
 class Stopwatch {
 public:
     explicit Stopwatch(double& seconds) : m_seconds(seconds) {}
-    ~Stopwatch() { m_seconds += std::chrono::duration<double>(Clock::now() - m_start).count(); }
+    ~Stopwatch() { m_seconds += toSeconds(Clock::now() - m_start); }
     Stopwatch(const Stopwatch&) = delete;
     Stopwatch& operator=(const Stopwatch&) = delete;
 

@@ -27,7 +27,7 @@ inline constexpr double BatteryAge = 10.0;
 /// Whether @p latest came within @p seconds before @p now, station's clock.
 template <class T>
 [[nodiscard]] bool isFresh(const std::optional<Latest<T>>& latest, Time now, double seconds) {
-    return latest && std::chrono::duration<double>(now - latest->received).count() < seconds;
+    return latest && toSeconds(now - latest->received) < seconds;
 }
 
 }  // namespace leitstand

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/time.h"
 #include "core/robot/robot_says.h"
 
 namespace leitstand {
@@ -201,7 +202,7 @@ void RobotAgent::sayStopState() {
 }
 
 void RobotAgent::move(const DriveVelocity& velocity, bool hold, Time now) {
-    const double seconds = m_moved ? std::chrono::duration<double>(now - *m_moved).count() : 0.005;
+    const double seconds = m_moved ? toSeconds(now - *m_moved) : 0.005;
     m_moved = now;
     const TrackState tracks = m_hardware.tracks();
     const bool atRest = std::abs(tracks.left) < AtRest && std::abs(tracks.right) < AtRest;

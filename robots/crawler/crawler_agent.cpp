@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/time.h"
 #include "core/robot/robot_says.h"
 
 namespace leitstand {
@@ -151,7 +152,7 @@ void CrawlerAgent::feel(const ImuSample& imu) {
         m_roll = std::atan2(level(2, 1), level(2, 2));
         m_pitch = std::asin(std::clamp(-level(2, 0), -1.0, 1.0));
     } else if (m_felt) {
-        const double seconds = std::chrono::duration<double>(imu.header.stamp - *m_felt).count();
+        const double seconds = toSeconds(imu.header.stamp - *m_felt);
         m_roll += rate.x() * seconds;
         m_pitch += rate.y() * seconds;
     }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/time.h"
 #include "core/perception/heat/heat.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "core/robot/control/pan_tilt.h"
@@ -121,7 +122,7 @@ void Kurt3dAgent::lookForHeat(const ModeDecision& decision, Time now) {
         angles = within(*camera->panTilt, towards(heat - camera->sensorInBase.translation()));
     } else if (decision.driver == Driver::Explorer) {
         // To and fro, at an even rate.
-        const double seconds = std::chrono::duration<double>(now.time_since_epoch()).count();
+        const double seconds = toSeconds(now.time_since_epoch());
         const double phase = std::fmod(seconds * m_settings.lookRate / m_settings.lookAside, 4.0);
         angles.pan = m_settings.lookAside * (phase < 2.0 ? phase - 1.0 : 3.0 - phase);
     } else if (!m_looks) {

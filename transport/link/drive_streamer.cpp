@@ -9,15 +9,12 @@
 #include <fmt/format.h>
 #include <pthread.h>
 
+#include "core/base/time.h"
 #include "transport/link/drive_message.h"
 #include "transport/link/grant_sender.h"
 
 namespace leitstand {
 namespace {
-
-SteadyTime steadyNow() {
-    return std::chrono::steady_clock::now();
-}
 
 /// Readers that are not of this process, which listens too when it records.
 int othersOf(const Publisher& publisher) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/time.h"
 #include "core/event/station_topics.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
@@ -17,10 +18,6 @@ namespace {
 
 constexpr auto Tick = std::chrono::milliseconds(50);
 constexpr const char* GrantType = "leitstand_msgs/msg/Grant";
-
-SteadyTime steadyNow() {
-    return std::chrono::steady_clock::now();
-}
 
 }  // namespace
 

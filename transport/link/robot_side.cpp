@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/time.h"
 #include "core/event/station_topics.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
@@ -17,10 +18,6 @@
 
 namespace leitstand {
 namespace {
-
-SteadyTime steadyNow() {
-    return std::chrono::steady_clock::now();
-}
 
 Time wallNow() {
     return std::chrono::system_clock::now();

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <pthread.h>
 
+#include "core/base/time.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 
@@ -17,10 +18,6 @@ namespace leitstand {
 namespace {
 
 using std::chrono::milliseconds;
-
-SteadyTime steadyNow() {
-    return std::chrono::steady_clock::now();
-}
 
 /// What changes of itself all the time is not news.
 StopStatus told(StopStatus status) {

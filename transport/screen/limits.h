@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/base/time.h"
+
 namespace leitstand::screen {
 
 using Clock = std::chrono::steady_clock;
@@ -21,7 +23,7 @@ public:
     /// Takes @p amount when it is there, all or nothing.
     bool take(double amount, Moment now, const Size& size) {
         if (m_filled != Moment{}) {
-            const double seconds = std::chrono::duration<double>(now - m_filled).count();
+            const double seconds = toSeconds(now - m_filled);
             m_left = std::min(size.most, m_left + std::max(0.0, seconds) * size.perSecond);
         }
         m_filled = now;

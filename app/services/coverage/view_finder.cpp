@@ -4,6 +4,8 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/time.h"
+
 namespace leitstand {
 namespace {
 
@@ -53,7 +55,7 @@ void ViewFinder::look(const Waiting& picture) {
     const Pose inOdom = place->sensorInOdom();
     bool blurred = false;
     if (camera.before && picture.stamp > camera.beforeAt) {
-        const double since = std::chrono::duration<double>(picture.stamp - camera.beforeAt).count();
+        const double since = toSeconds(picture.stamp - camera.beforeAt);
         blurred = angleBetween(*camera.before, inOdom) > Fastest * std::max(1e-3, since);
     }
     camera.before = inOdom;

@@ -12,6 +12,7 @@
 
 #include "app/services/domain/seen_topics.h"
 #include "app/services/domain/topic_lane.h"
+#include "core/base/time.h"
 #include "transport/dds/node.h"
 
 namespace leitstand {
@@ -76,7 +77,7 @@ std::vector<ProbedTopic> Listening::topics() {
         ProbedTopic& probed = heard.probed;
         if (heard.subscription) {
             const SubscriptionCounts counts = heard.subscription->counts();
-            const double seconds = std::chrono::duration<double>(Clock::now() - heard.since).count();
+            const double seconds = toSeconds(Clock::now() - heard.since);
             probed.rate = static_cast<double>(counts.samples) / seconds;
             probed.bytesPerSecond = static_cast<double>(counts.bytes) / seconds;
             probed.lost = counts.lost;
@@ -112,7 +113,7 @@ ProbeReport DomainProbe::listen(double seconds, const Progress& progress) {
     ProbeReport report;
     report.warnings = node.warnings();
     const auto began = Clock::now();
-    const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+    const auto elapsed = [&] { return toSeconds(Clock::now() - began); };
     while (elapsed() < seconds && !progress.cancelled()) {
         m_state->listening.look();
         std::this_thread::sleep_for(std::chrono::milliseconds(50));

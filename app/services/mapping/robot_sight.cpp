@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "app/services/log/sequencer.h"
+#include "core/base/time.h"
 #include "core/mapping/motion/motion_compensation.h"
 #include "core/perception/surroundings/laser_points.h"
 #include "core/perception/surroundings/robot_profile.h"
@@ -20,10 +21,6 @@ constexpr double Silence = 1.0;     ///< of odometry, in which a robot may have 
 constexpr double Zero = 0.05;       ///< a robot that has just started is no farther from it [m, rad]
 constexpr double LaserShown = 2.0;  ///< after its turn came [s]: nothing of it is kept
 constexpr double Elsewhere = 0.15;
-
-double secondsBetween(SteadyTime earlier, SteadyTime later) {
-    return std::chrono::duration<double>(later - earlier).count();
-}
 
 VirtualScanSettings scanOf(const RobotDescription& robot) {
     VirtualScanSettings settings;
@@ -157,7 +154,7 @@ void RobotSight::place(const Held& held) {
 }
 
 bool RobotSight::hasLeapt(const OdometrySample& odometry, Time stamp) const {
-    const double since = std::chrono::duration<double>(stamp - *m_newest).count();
+    const double since = toSeconds(stamp - *m_newest);
     const Pose& now = odometry.baseInOdom;
     if (since < 0.0 || !now.matrix().allFinite()) return false;
     // After a silence it may have gone far; but a robot that started again is where it calls zero.

@@ -10,6 +10,7 @@
 
 #include "app/services/job_queue.h"
 #include "app/services/offline/mission_scans.h"
+#include "core/base/time.h"
 #include "core/io/clouds/scan_source.h"
 #include "core/mapping/mapper.h"
 
@@ -77,7 +78,7 @@ void ScanSession::State::submit(std::function<SessionOutcome(const std::stop_tok
                 tell(Severity::Error, broken.what());
                 publish(mapper ? mapper->map() : std::make_shared<const Map>());
             }
-            outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+            outcome.seconds = toSeconds(Clock::now() - start);
             if (listener.onFinished) listener.onFinished(outcome);
         },
         cancellable);

@@ -16,6 +16,7 @@
 #include "app/services/station/safety/station_brakes.h"
 #include "app/services/station/safety/station_guards.h"
 #include "app/services/station/station.h"
+#include "core/base/time.h"
 #include "core/base/words.h"
 
 namespace leitstand {
@@ -43,7 +44,7 @@ Result<double> measureDisk(const std::filesystem::path& folder, int megabytes) {
         good = ::write(out, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
     good = good && ::fdatasync(out) == 0;
     const int why = errno;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    const double seconds = toSeconds(std::chrono::steady_clock::now() - began);
     ::close(out);
     ::unlink(file.c_str());
     if (!good)

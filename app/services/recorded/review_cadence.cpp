@@ -1,12 +1,13 @@
 #include "app/services/recorded/review_cadence.h"
 
 #include "app/services/recorded/review_index.h"
+#include "core/base/time.h"
 
 namespace leitstand {
 namespace {
 
 double perSecond(double events, const ReviewIndex& index) {
-    const double recorded = std::chrono::duration<double>(recordedTime(index)).count();
+    const double recorded = toSeconds(recordedTime(index));
     return recorded > 0.0 ? events / recorded : 0.0;
 }
 

@@ -6,6 +6,7 @@
 #include "app/services/log/mission_robots.h"
 #include "app/services/log/replay/bag_history.h"
 #include "app/services/recorded/made_map.h"
+#include "core/base/time.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
@@ -31,8 +32,7 @@ Nanoseconds lengthOf(const BagReader& bag) {
         if (!problem) bytes += static_cast<double>(size);
     }
     double seconds = 0.0;
-    for (const BagSession& session : bag.sessions())
-        seconds += std::chrono::duration<double>(session.last - session.first).count();
+    for (const BagSession& session : bag.sessions()) seconds += toSeconds(session.last - session.first);
     const double fitting = SegmentBytes * std::max(seconds, 1e-3) / bytes;
     const auto length = Nanoseconds(static_cast<std::int64_t>(std::clamp(fitting, 0.0, 10.0) * 1e9));
     return std::clamp(length, Shortest, Longest);

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/mapping/relaxation/missing_links.h"
+#include "core/mission/state/decisions.h"
 #include "core/mission/state/undo_says.h"
 
 namespace leitstand {
@@ -126,6 +128,22 @@ std::string tidiedText(const TidiedMap& tidied) {
 bool canUntidy(const MissionState& finished) {
     const Decision* const newest = newestTidying(finished);
     return newest != nullptr && !wentOn(finished, newest->sequence);
+}
+
+std::map<std::uint64_t, Pose> posesBeforeTidying(MissionState finished) {
+    const Decision* const newest = newestTidying(finished);
+    if (newest == nullptr) return {};
+    const std::vector<ScanPose> moved = std::get<ScanPosesSample>(newest->content).poses;
+    Decision back;
+    back.sequence = finished.sequence + 1;
+    back.content = UndoSample{{}, std::string(Tidying), newest->sequence, {}};
+    decide(finished, std::move(back));
+    std::map<std::uint64_t, Pose> poses;
+    for (const ScanPose& one : moved) {
+        const auto scan = finished.keyScans->find(one.scan);
+        if (scan != finished.keyScans->end()) poses.emplace(one.scan, scan->second.pose.scanInMap);
+    }
+    return poses;
 }
 
 Result<TidiedMap> tidyMap(const std::filesystem::path& folder, const TidySettings& settings,

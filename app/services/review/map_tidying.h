@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "core/base/progress.h"
@@ -40,6 +42,10 @@ struct TidiedMap {
 
 /// What @p tidied came to, for the operator.
 [[nodiscard]] std::string tidiedText(const TidiedMap& tidied);
+
+/// Where the scans that the newest tidying moved, which canUntidy(), stood before it in a mission that ended as
+/// @p finished; by id.
+[[nodiscard]] std::map<std::uint64_t, Pose> posesBeforeTidying(MissionState finished);
 
 /// Whether untidyMap() has something to take back of a mission that ended as @p finished.
 [[nodiscard]] bool canUntidy(const MissionState& finished);

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
+#include "core/base/time.h"
 #include "core/station/alarms/logged_alarm.h"
 
 namespace leitstand {
 namespace {
 
 constexpr double LostAfter = 3.0;  ///< of silence [s], as a live station has it
-
-double secondsBetween(Time earlier, Time later) {
-    return std::chrono::duration<double>(later - earlier).count();
-}
 
 LinkStatus linkOf(const RobotDescription& robot, const RobotState* said, Time now) {
     LinkStatus link;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/services/recorded/review_cadence.h"
+#include "core/base/time.h"
 
 namespace leitstand {
 namespace {
@@ -14,10 +15,6 @@ constexpr std::chrono::seconds LongestWindow(5);
 constexpr double Steady = 0.2;      // [Hz]: what comes more rarely comes when something changes
 constexpr double StaleAfter = 4.0;  // of the times between two samples, as usual in the mission
 constexpr double NeverStale = 1.0;  // [s]: so old is a sample of any stream now and then
-
-double seconds(Time from, Time to) {
-    return std::chrono::duration<double>(to - from).count();
-}
 
 const StreamState* find(const MissionState& state, const std::string& robot, const std::string& topic) {
     const auto said = state.robots.find(robot);
@@ -51,8 +48,8 @@ std::vector<StreamStatus> reviewedStreams(const RobotDescription& robot, const M
         if (const StreamState* const said = find(state, robot.name, described.topic)) {
             const StreamState* const before = find(earlier, robot.name, described.topic);
             status.samples = said->events;
-            status.age = std::max(0.0, seconds(said->received, window.to));
-            const double length = seconds(window.from, window.to);
+            status.age = std::max(0.0, secondsBetween(said->received, window.to));
+            const double length = secondsBetween(window.from, window.to);
             const auto came = said->events - std::min(said->events, before == nullptr ? 0 : before->events);
             status.rate = length > 0.0 ? static_cast<double>(came) / length : 0.0;
             const double usual = usualRate(index, robot.name, described.topic);

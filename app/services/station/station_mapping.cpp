@@ -44,6 +44,7 @@ struct StationMapping::State {
     LiveMapPtr scans = std::make_shared<const LiveMap>();
     MapCrop crop;       ///< as it was wished last
     MapCrop usualCrop;  ///< while the mission says nothing about it; fixed
+    ClosedLoops closed;
     /// Of the poses, areas and undos that we said, how much came back from the log: only then the mission has
     /// all of it.
     std::uint64_t said = 0, heard = 0;
@@ -145,7 +146,12 @@ void StationMapping::State::log(const Settled& settled) {
         tell(mapping_words::contradicted());
     }
     if (settled.poses) sayOrTell(*settled.poses, station_topic::ScanPoses);
-    if (std::exchange(loopClosed, false) && !settled.links) tell(mapping_words::met(settled.largest));
+    if (!std::exchange(loopClosed, false) || settled.links) return;
+    {
+        const std::lock_guard lock(mutex);
+        closed = {closed.count + 1, settled.largest};
+    }
+    tell(mapping_words::met(settled.largest));
 }
 
 void StationMapping::State::log(const RobotPlaceSample& place) {
@@ -455,6 +461,11 @@ Result<void> StationMapping::undoLoop() {
 
 std::optional<MapDecision> StationMapping::loop() const {
     return lastLoop(*m_state->mission.state());
+}
+
+ClosedLoops StationMapping::closedLoops() const {
+    const std::lock_guard lock(m_state->mutex);
+    return m_state->closed;
 }
 
 std::optional<MapDecision> StationMapping::undoable() const {

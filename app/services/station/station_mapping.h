@@ -31,6 +31,12 @@ struct StationMappingListener {
     std::function<void(const LiveMapPtr&)> onScans = {};  ///< likewise: all its scans, and how far they count
 };
 
+/// Loops that closed by themselves since the station began.
+struct ClosedLoops {
+    std::uint64_t count = 0;
+    double largest = 0.0;  ///< by which the newest one moved scans, at most [m]
+};
+
 /// What a station's map begins with.
 struct StationMappingSetup {
     std::vector<RobotDescription> robots;
@@ -91,6 +97,7 @@ public:
     /// links want them, and it does not close there again by itself.
     Result<void> undoLoop();
     [[nodiscard]] std::optional<MapDecision> loop() const;  ///< that undoLoop() would take back
+    [[nodiscard]] ClosedLoops closedLoops() const;
     /// What undo() and redo() would take back or do again, as the log stands now; empty: nothing.
     [[nodiscard]] std::optional<MapDecision> undoable() const;
     [[nodiscard]] std::optional<MapDecision> redoable() const;

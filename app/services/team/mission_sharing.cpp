@@ -10,6 +10,7 @@
 #include "app/services/log/sequencer.h"
 #include "app/services/places/mission_map.h"
 #include "app/services/team/shared_evidence.h"
+#include "core/base/time.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/state/mission_clock.h"
@@ -51,10 +52,6 @@ const Decision* meantBy(const MissionState& mission, const UndoSample& undo) {
         meant = decisionAt(mission, other->event);
     }
     return meant;
-}
-
-double secondsSince(std::chrono::steady_clock::time_point moment) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - moment).count();
 }
 
 }  // namespace
@@ -200,7 +197,7 @@ void MissionSharing::tellScans(std::shared_ptr<Telling> telling, const std::stop
     const auto goOn = [&] {
         m_jobs.submit([this, telling](const std::stop_token& stopped) { tellScans(telling, stopped); });
     };
-    const double waited = secondsSince(telling->since);
+    const double waited = secondsBetween(telling->since, steadyNow());
     if (!telling->begun) {
         std::size_t announced = 0;
         {
@@ -209,7 +206,7 @@ void MissionSharing::tellScans(std::shared_ptr<Telling> telling, const std::stop
         }
         // This station's own log reads, too.
         const bool all = publisher->second->matched() > static_cast<int>(announced);
-        if (!all && waited < std::chrono::duration<double>(UntilMatched).count()) {
+        if (!all && waited < toSeconds(UntilMatched)) {
             std::this_thread::sleep_for(Look);
             return goOn();
         }

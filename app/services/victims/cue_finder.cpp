@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/time.h"
 #include "core/perception/cues/hazard.h"
 #include "core/perception/heat/body_heat.h"
 #include "core/perception/heat/heat.h"
@@ -22,10 +23,6 @@ constexpr double StillCamera = 0.004;    // turned less between two pictures [ra
 constexpr std::size_t MostWaiting = 60;  // pictures and slices
 constexpr double StampJitter = 0.02;     // between a picture and the angles told for it [s]
 constexpr double UnknownPlace = 0.35;    // of a sighting that does not tell how sure it is [m]
-
-double secondsBetween(Time from, Time to) {
-    return std::chrono::duration<double>(to - from).count();
-}
 
 double angleOf(const CameraInfoSample& camera, double pixels, int width) {
     const double scale = camera.width > 0 && width > 0 ? static_cast<double>(camera.width) / width : 1.0;

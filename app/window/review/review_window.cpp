@@ -15,7 +15,6 @@
 #include "app/services/coverage/coverage_replay.h"
 #include "app/services/recorded/carried_map.h"
 #include "app/services/recorded/review_log.h"
-#include "app/services/review/map_tidying.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
 #include "app/window/commands/language_commands.h"
@@ -41,6 +40,7 @@
 #include "app/window/review/review_bridge.h"
 #include "app/window/review/review_comparison.h"
 #include "app/window/review/review_panes.h"
+#include "app/window/review/tidying_feature.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/victims/victim_rows.h"
 #include "widgets/painting/elided_label.h"
@@ -70,13 +70,13 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     // Each of these makes its panes and commands; the layouts come last, which place and bind them.
     m_timeline = new TimelineFeature(context, bridge);
     m_finds = new FindsFeature(context, bridge);
-    addCommands();
     auto* handIn = new HandInFeature(context, bridge, *m_finds);
     connect(handIn, &HandInFeature::told, this, &ReviewWindow::tell);
     m_robots = new RobotsFeature(context);
     m_review = new ReviewPanes(context, bridge);
     m_cameras = new CameraFeature(context);
     m_map = new MapFeature(context, view);
+    addCommands(context);
     auto* const scan = new ScanFeature(context);
     auto* const clicks = new FindsByClick(context, bridge, *m_map, *m_cameras, *scan, *m_finds);
     connect(clicks, &FindsByClick::told, this, &ReviewWindow::tell);
@@ -126,7 +126,7 @@ void ReviewWindow::addCoverage(const ViewContext& context) {
     connect(coverage, &CoverageFeature::told, this, &ReviewWindow::tell);
 }
 
-void ReviewWindow::addCommands() {
+void ReviewWindow::addCommands(const ViewContext& context) {
     m_commands->separate(CommandMenu::Mission);
     QAction& again =
         m_commands->add({.id = "review.registerAgain",
@@ -135,7 +135,9 @@ void ReviewWindow::addCommands() {
                          .hint = tr("Registers the mission's scans anew, in a window of its own, "
                                     "with settings of your own; the mission stays as it is")});
     connect(&again, &QAction::triggered, this, &ReviewWindow::registerAgainWanted);
-    addTidying();
+    auto* const tidying = new TidyingFeature(context, m_bridge, m_map->view(), this);
+    connect(tidying, &TidyingFeature::told, this, &ReviewWindow::tell);
+    connect(tidying, &TidyingFeature::wanted, this, &ReviewWindow::tidyingWanted);
     addByHand();
     addMerging();
 }
@@ -176,40 +178,6 @@ void ReviewWindow::askToMerge() {
         emit mergingWanted(other);
     });
     choice->open();
-}
-
-void ReviewWindow::addTidying() {
-    const auto add = [this](const QString& id, const QString& text, const QString& hint, MapTidying what) {
-        QAction& action =
-            m_commands->add({.id = id, .menu = CommandMenu::Mission, .text = text, .hint = hint});
-        action.setEnabled(false);
-        connect(&action, &QAction::triggered, this, [this, what] { askToTidy(what); });
-        return &action;
-    };
-    QAction* const tidy = add(QStringLiteral("review.tidy"), tr("T&idy the map"),
-                              tr("Matches all scans that overlap, whenever they were taken, and moves them "
-                                 "together, which takes a while; the review is opened again then. What was "
-                                 "recorded stays as it is, and it can be taken back"),
-                              MapTidying::Tidy);
-    QAction* const back = add(QStringLiteral("review.untidy"), tr("Take the tidying &back"),
-                              tr("Scans are where they were before the map was tidied; the review is opened "
-                                 "again then"),
-                              MapTidying::TakeBack);
-    // Maps that are made when a review opens are nowhere written.
-    const bool ours = !m_bridge.player().mapsOffline() && !isOfOthers(m_bridge.player().folder());
-    const auto follow = [ours, tidy, back](const ReviewIndexPtr& index) {
-        tidy->setEnabled(ours && !index->finished->keyScans->empty());
-        back->setEnabled(ours && canUntidy(*index->finished));
-    };
-    connect(&m_bridge, &ReviewBridge::opened, this, follow);
-    if (m_bridge.index()) follow(m_bridge.index());
-}
-
-void ReviewWindow::askToTidy(MapTidying what) {
-    if (m_bridge.reporting() || m_bridge.comparison().comparing())
-        return tell(
-            tr("A report is being written, or scans are being registered again: tidy the map after that"));
-    emit tidyingWanted(what);
 }
 
 void ReviewWindow::addByHand() {

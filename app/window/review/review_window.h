@@ -64,9 +64,7 @@ protected:
 
 private:
     void build();
-    void addCommands();
-    void addTidying();
-    void askToTidy(MapTidying what);
+    void addCommands(const ViewContext& context);
     void addByHand();
     void addMerging();
     void askToMerge();

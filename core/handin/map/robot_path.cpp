@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/time.h"
 #include "core/mapping/live/trail.h"
 
 namespace leitstand {
@@ -77,9 +78,8 @@ std::vector<PathPose> joinedPath(std::span<const PathAnchor> anchors, std::span<
         const OdometryInMap& before = corrections[next == 0 ? 0 : next - 1];
         const OdometryInMap& after = corrections[std::min(next, corrections.size() - 1)];
         const Pose byBefore = before.odomInMap * pose.baseInMap, byAfter = after.odomInMap * pose.baseInMap;
-        const auto span = std::chrono::duration<double>(after.time - before.time).count();
-        double share =
-            span > 0.0 ? std::chrono::duration<double>(pose.time - before.time).count() / span : 0.0;
+        const auto span = toSeconds(after.time - before.time);
+        double share = span > 0.0 ? toSeconds(pose.time - before.time) / span : 0.0;
         if (distanceBetween(byBefore, byAfter) > MostDisagreement) share = share < 0.5 ? 0.0 : 1.0;
         PathPose placed{pose.time, interpolated(byBefore, byAfter, std::clamp(share, 0.0, 1.0))};
         placed.afterGap = !path.empty() && isGap(distanceBetween(path.back().baseInMap, placed.baseInMap),

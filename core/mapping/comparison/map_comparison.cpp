@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/time.h"
 #include "core/cloud/search/search.h"
 #include "core/mapping/mapper.h"
 #include "core/mapping/scan_preparation.h"
@@ -145,7 +146,7 @@ std::optional<MapComparison> registeredAgain(std::vector<ComparedScan> scans,
         if (!registerScans(of, settings, progress, done, whole.scans.size())) return std::nullopt;
         done += of.size();
     }
-    whole.again.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    whole.again.seconds = toSeconds(std::chrono::steady_clock::now() - start);
     for (auto& [robot, of] : robots) {
         if (!measure(of, settings, progress)) return std::nullopt;
     }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/time.h"
 #include "core/mapping/live/live_mapper_state.h"
 #include "core/mapping/live/scan_doubts.h"
 
@@ -373,7 +374,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     robot.openWay = match.icp.open > 0 ? step.openWay : 0.0;
     robot.turn = robot.lost ? step.turn : 0.0;
     robot.moved = robot.lost ? step.moved : Eigen::Vector3d(Eigen::Vector3d::Zero());
-    here.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    here.seconds = toSeconds(std::chrono::steady_clock::now() - start);
     return update;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/pose.h"
+#include "core/base/time.h"
 
 namespace leitstand {
 namespace {
@@ -17,10 +18,6 @@ constexpr std::chrono::seconds LongestStep(1);  ///< between measurements; beyon
 constexpr std::chrono::milliseconds BackwardStep(500);  ///< stamps that go back farther are no disorder
 constexpr std::chrono::seconds ForwardStep(5);          ///< stamps that go ahead farther are doubted at first
 constexpr std::chrono::seconds StrayFits(1);            ///< a doubted one is right when the next is so near
-
-double seconds(std::chrono::nanoseconds time) {
-    return std::chrono::duration<double>(time).count();
-}
 
 /// A fixed direction in a frame that turned by @p turning.
 Eigen::Vector3d carried(const Eigen::Vector3d& up, const Eigen::Vector3d& turning) {
@@ -60,7 +57,7 @@ void LevelFilter::add(Time stamp, const std::optional<Eigen::Vector3d>& up,
     }
     const Entry& last = m_entries.back();
     if (stamp <= last.stamp) return;
-    const double step = seconds(stamp - last.stamp);
+    const double step = toSeconds(stamp - last.stamp);
     m_settled += stamp - last.stamp;
     Eigen::Vector3d now = carried(last.up, 0.5 * step * (last.turning + rate));
     if (up) {
@@ -68,7 +65,7 @@ void LevelFilter::add(Time stamp, const std::optional<Eigen::Vector3d>& up,
         const double off = std::atan2(now.cross(measured).norm(), now.dot(measured));
         const double doubt = std::clamp((off - Agrees) / (Disagrees - Agrees), 0.0, 1.0);
         // At first the mean of what was measured so far.
-        const double patience = std::min(Slow, std::max(seconds(m_settled), step));
+        const double patience = std::min(Slow, std::max(toSeconds(m_settled), step));
         const double constant = patience * std::pow(std::min(1.0, Fast / patience), doubt);
         now = (now + (1.0 - std::exp(-step / constant)) * (measured - now)).normalized();
     }
@@ -81,14 +78,14 @@ std::optional<Eigen::Vector3d> LevelFilter::at(Time stamp, std::chrono::nanoseco
     if (after == m_entries.end()) {
         if (m_entries.empty() || stamp - m_entries.back().stamp > gap) return std::nullopt;
         const Entry& last = m_entries.back();
-        return carried(last.up, seconds(stamp - last.stamp) * last.turning);
+        return carried(last.up, toSeconds(stamp - last.stamp) * last.turning);
     }
     if (after == m_entries.begin()) {
         return after->stamp - stamp <= gap ? std::optional(after->up) : std::nullopt;
     }
     const Entry& before = *std::prev(after);
     if (after->stamp - before.stamp > 2 * gap) return std::nullopt;
-    const double share = seconds(stamp - before.stamp) / seconds(after->stamp - before.stamp);
+    const double share = toSeconds(stamp - before.stamp) / toSeconds(after->stamp - before.stamp);
     return ((1.0 - share) * before.up + share * after->up).normalized();
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/rotation/heading.h"
+#include "core/base/time.h"
 
 namespace leitstand {
 namespace {
@@ -17,10 +18,6 @@ constexpr milliseconds StrayFits(1000);           ///< a doubted stamp is right 
 constexpr double FastestMove = 4.0, Leap = 0.3;   ///< a robot moves no faster than [m/s], [m]
 constexpr double FastestTurn = 8.0, Swing = 0.5;  ///< likewise [rad/s], [rad]
 constexpr milliseconds SpeedOver(80);             ///< time from which the present speed is told
-
-double seconds(std::chrono::nanoseconds time) {
-    return std::chrono::duration<double>(time).count();
-}
 
 /// The motion from @p a to @p b, @p share times (may be above 1); @p turn: about its own upright axis instead
 /// of the one that share gives [rad].
@@ -52,7 +49,7 @@ void MotionBuffer::keep(Time stamp, const Pose& baseInOdom) {
     if (at == m_entries.end() && !m_entries.empty()) {
         const Entry& last = m_entries.back();
         if (stamp == last.stamp) return;
-        if (leaps(last.baseInOdom, baseInOdom, seconds(stamp - last.stamp))) ++m_frame;
+        if (leaps(last.baseInOdom, baseInOdom, toSeconds(stamp - last.stamp))) ++m_frame;
     } else if (at != m_entries.begin() && std::prev(at)->stamp == stamp) {
         return;
     }
@@ -136,7 +133,7 @@ std::optional<Motion> MotionBuffer::beyond(Time stamp) const {
     const auto over = last.stamp - before->stamp;
     Motion motion{last.baseInOdom, MotionSource::Extrapolated};
     if (over >= SpeedOver && over <= LongestStep && before->frame == last.frame)
-        motion.baseInOdom = continued(before->baseInOdom, last.baseInOdom, seconds(ahead) / seconds(over),
+        motion.baseInOdom = continued(before->baseInOdom, last.baseInOdom, toSeconds(ahead) / toSeconds(over),
                                       m_gyro.turned(last.stamp, stamp));
     motion.baseInOdom = levelled(motion.baseInOdom, stamp);
     return motion;
@@ -160,8 +157,8 @@ std::optional<Motion> MotionBuffer::at(Time stamp) const {
         if ((first ? stamp - before->stamp : next->stamp - stamp) > LongestStep) return std::nullopt;
         return Motion{levelled(nearer.baseInOdom, stamp), MotionSource::Extrapolated};
     }
-    const Pose pose =
-        interpolated(before->baseInOdom, next->baseInOdom, seconds(stamp - before->stamp) / seconds(step));
+    const Pose pose = interpolated(before->baseInOdom, next->baseInOdom,
+                                   toSeconds(stamp - before->stamp) / toSeconds(step));
     if (step <= LongestStep) return Motion{levelled(pose, stamp), MotionSource::Measured};
     return Motion{levelled(turnedByGyro(pose, *before, *next, stamp), stamp), MotionSource::Bridged};
 }
@@ -172,7 +169,7 @@ Pose MotionBuffer::turnedByGyro(const Pose& pose, const Entry& before, const Ent
     // What gyros drift shows at the end, where odometry tells the heading.
     const double begin = headingOf(before.baseInOdom);
     const double drift = std::remainder(headingOf(after.baseInOdom) - begin - *whole, 2.0 * std::numbers::pi);
-    const double share = seconds(stamp - before.stamp) / seconds(after.stamp - before.stamp);
+    const double share = toSeconds(stamp - before.stamp) / toSeconds(after.stamp - before.stamp);
     return turnedBy(pose, begin + *soFar + share * drift - headingOf(pose));
 }
 

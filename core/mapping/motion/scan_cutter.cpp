@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/rotation/heading.h"
+#include "core/base/time.h"
 
 namespace leitstand {
 namespace {
@@ -170,7 +171,7 @@ void ScanCutter::tellMotion(LiveScan& live, Time start, Time end) const {
     const Time since = std::min(start, end - ShortestScan);
     const auto before = m_motion.at(since), after = m_motion.at(end);
     if (!before || !after || m_motion.frameAt(since) != m_motion.frameAt(end)) return;
-    const double time = std::chrono::duration<double>(end - since).count();
+    const double time = toSeconds(end - since);
     const Eigen::Vector3d moved = (before->baseInOdom.inverse() * after->baseInOdom).translation();
     const double turn = headingOf(before->baseInOdom.linear().transpose() * after->baseInOdom.linear());
     live.velocity = Eigen::Rotation2Dd(-0.5 * turn) * Eigen::Vector2d(moved.head<2>()) / time;

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/base/time.h"
+
 namespace leitstand {
 namespace {
 
 constexpr std::chrono::seconds Disorder(1);  ///< what goes back farther is a clock that jumped
-
-double inSeconds(std::chrono::nanoseconds time) {
-    return std::chrono::duration<double>(time).count();
-}
 
 }  // namespace
 
@@ -24,7 +22,7 @@ void TurnGyro::add(Time stamp, double rate) {
         if (stamp <= last.stamp) return;
         const bool on = stamp - last.stamp <= LongestStep;
         next.run = on ? last.run : last.run + 1;
-        if (on) next.since = last.since + 0.5 * (last.rate + rate) * inSeconds(stamp - last.stamp);
+        if (on) next.since = last.since + 0.5 * (last.rate + rate) * toSeconds(stamp - last.stamp);
     }
     m_rates.push_back(next);
 }
@@ -39,8 +37,8 @@ std::optional<TurnGyro::Moment> TurnGyro::at(Time stamp) const {
     if (after > LongestStep || (next != m_rates.end() && next->run != before.run)) return std::nullopt;
     double rate = before.rate;  // halfway to the moment
     if (next != m_rates.end())
-        rate += 0.5 * (next->rate - before.rate) * inSeconds(after) / inSeconds(next->stamp - before.stamp);
-    return Moment{before.since + rate * inSeconds(after), before.run};
+        rate += 0.5 * (next->rate - before.rate) * toSeconds(after) / toSeconds(next->stamp - before.stamp);
+    return Moment{before.since + rate * toSeconds(after), before.run};
 }
 
 std::optional<double> TurnGyro::turned(Time from, Time to) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/time.h"
 #include "core/mission/finds/behind.h"
 #include "core/mission/finds/candidate.h"
 #include "core/mission/finds/dismissal.h"
@@ -357,7 +358,7 @@ bool CandidateBook::State::isDue(CandidateThing& thing, Time now) {
     const bool before = thing.withdrawn;
     if (thing.victim == 0 && thing.confidence < settings.drop) thing.withdrawn = true;
     if (thing.confidence >= settings.tell) thing.withdrawn = false;
-    if (std::chrono::duration<double>(now - thing.told).count() < settings.interval) {
+    if (toSeconds(now - thing.told) < settings.interval) {
         thing.withdrawn = before;
         return false;
     }

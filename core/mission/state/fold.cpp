@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/time.h"
 #include "core/mission/state/decisions.h"
 
 namespace leitstand {
@@ -116,8 +117,7 @@ private:
             state.load = {.current = sample.current, .seconds = BatteryLoad::AtFirst};
             return;
         }
-        const double since =
-            std::chrono::duration<double>(m_event.received - state.battery->received).count();
+        const double since = toSeconds(m_event.received - state.battery->received);
         const double step = std::clamp(since, 0.0, BatteryLoad::Longest);
         state.load.seconds = std::min(state.load.seconds + step, BatteryLoad::Longest);
         state.load.current += (sample.current - state.load.current) * step / state.load.seconds;

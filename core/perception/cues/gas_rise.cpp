@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/time.h"
+
 namespace leitstand {
 namespace {
 
@@ -12,30 +14,26 @@ constexpr double OwnNoise = 8.0;   // of a usual sensor [ppm]
 constexpr double Breath = 6000.0;  // strongest, at the mouth [ppm]
 constexpr double Thinned = 0.4;    // to half [m]
 
-double seconds(Time from, Time to) {
-    return std::chrono::duration<double>(to - from).count();
-}
-
 }  // namespace
 
 std::optional<GasRise> GasWatch::add(Time stamp, double ppm) {
     if (!std::isfinite(ppm) || ppm < 0.0) return std::nullopt;
     if (!m_entries.empty()) {
-        const double since = seconds(m_entries.back().stamp, stamp);
+        const double since = secondsBetween(m_entries.back().stamp, stamp);
         if (since < -m_settings.window) m_entries.clear();  // the clock began anew
         if (since <= 0.0 && !m_entries.empty()) return std::nullopt;
     }
     const double before = m_entries.empty() ? ppm : m_entries.back().level;
     m_entries.push_back({stamp, before + Smoothing * (ppm - before)});
-    while (seconds(m_entries.front().stamp, stamp) > m_settings.window) m_entries.pop_front();
+    while (secondsBetween(m_entries.front().stamp, stamp) > m_settings.window) m_entries.pop_front();
     GasRise now{m_entries.back().level, m_entries.back().level};
     for (const Entry& one : m_entries) now.baseline = std::min(now.baseline, one.level);
     m_newest = now;
-    if (seconds(m_entries.front().stamp, stamp) < m_settings.settle) return std::nullopt;
+    if (secondsBetween(m_entries.front().stamp, stamp) < m_settings.settle) return std::nullopt;
     const double noise = m_settings.noise * (OwnNoise + m_settings.shareNoise * now.level);
     if (now.rise() < std::max(m_settings.least, noise)) return std::nullopt;
     for (auto one = m_entries.rbegin(); one != m_entries.rend(); ++one) {
-        if (seconds(one->stamp, stamp) < m_settings.trend) continue;
+        if (secondsBetween(one->stamp, stamp) < m_settings.trend) continue;
         const double fell = one->level - now.level;
         if (fell > m_settings.falling * now.rise() + OwnNoise) return std::nullopt;
         break;

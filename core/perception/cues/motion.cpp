@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/time.h"
 #include "core/perception/pictures/coding/picture_mat.h"
 
 namespace leitstand {
@@ -104,7 +105,7 @@ std::vector<MotionBlob> MotionFinder::look(const Picture& picture, Time stamp) {
         moved();
         return {};
     }
-    const double since = std::chrono::duration<double>(stamp - state.newest).count();
+    const double since = toSeconds(stamp - state.newest);
     const bool anew =
         state.background.empty() || state.background.size() != grey.size() || since > settings.longestGap;
     if (anew || since < 0.0) {
@@ -132,7 +133,7 @@ std::vector<MotionBlob> MotionFinder::look(const Picture& picture, Time stamp) {
     const double seen = shareOf(since, settings.activity);
     cv::addWeighted(state.activity, 1.0 - seen, moving, seen, 0.0, state.activity);
     cv::accumulateWeighted(now, state.background, shareOf(since, settings.background));
-    if (std::chrono::duration<double>(stamp - state.begun).count() < settings.warmUp) return {};
+    if (toSeconds(stamp - state.begun) < settings.warmUp) return {};
     return state.blobs(change);
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "core/base/time.h"
 #include "core/perception/pictures/content_hash.h"
 
 namespace leitstand {
@@ -15,7 +16,7 @@ void PictureWatch::arrived(std::span<const std::byte> bytes, SteadyTime now) {
 
 PictureAges PictureWatch::at(SteadyTime now) const {
     if (!m_fingerprint) return {};
-    const auto since = [now](SteadyTime then) { return std::chrono::duration<double>(now - then).count(); };
+    const auto since = [now](SteadyTime then) { return toSeconds(now - then); };
     return {since(m_arrival), since(m_change)};
 }
 

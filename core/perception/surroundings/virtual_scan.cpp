@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/rotation/heading.h"
+#include "core/base/time.h"
 
 namespace leitstand {
 namespace {
@@ -25,10 +26,6 @@ constexpr auto SameLook = std::chrono::milliseconds(500);  // rays of a directio
 
 double wrapped(double angle) {
     return std::remainder(angle, 2.0 * Pi);
-}
-
-double secondsBetween(Time from, Time to) {
-    return std::chrono::duration<double>(to - from).count();
 }
 
 Eigen::Vector2d flat(const Eigen::Vector3d& point) {
@@ -379,7 +376,7 @@ VirtualScanView VirtualScan::view(const Pose& baseInOdom, Time now) const {
     }
     for (const NearObstacles::One& one : m_near.all()) {
         const double age = std::max(0.0, secondsBetween(one.at, now));
-        if (age > std::chrono::duration<double>(SameLook).count())
+        if (age > toSeconds(SameLook))
             addObstacle(view, {toBase * (one.where - here), age, one.top, one.bottom});
     }
     view.closeGaps();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/time.h"
+
 namespace leitstand {
 namespace {
 
@@ -162,7 +164,7 @@ std::optional<ClockStatus> ClockOffset::status(SteadyTime now) const {
     status.source = known->source;
     status.steps = m_steps;
     status.lastStep = m_lastStep;
-    if (m_steps > 0) status.stepAge = std::chrono::duration<double>(now - m_steppedAt).count();
+    if (m_steps > 0) status.stepAge = toSeconds(now - m_steppedAt);
     return status;
 }
 

@@ -3,13 +3,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/time.h"
+
 namespace leitstand {
 
 double surelyOff(const ClockStatus& clock) {
-    const auto seconds = [](std::chrono::nanoseconds time) {
-        return std::chrono::duration<double>(time).count();
-    };
-    return std::abs(seconds(clock.ahead)) - seconds(clock.uncertainty);
+    return std::abs(toSeconds(clock.ahead)) - toSeconds(clock.uncertainty);
 }
 
 }  // namespace leitstand

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/time.h"
 #include "core/robot/link/hearing.h"
 
 namespace leitstand {
@@ -17,10 +18,6 @@ constexpr int NoRank = 100;
 /// A robot may have computers whose clocks differ: delays are told of streams that were once so quick [s].
 constexpr double OnTime = 0.25;
 constexpr std::chrono::milliseconds SureEnough{200};  ///< of a clock by which delays are told
-
-double seconds(std::chrono::nanoseconds duration) {
-    return std::chrono::duration<double>(duration).count();
-}
 
 /// Which streams are written by the computer whose clock matters most, and at once.
 int stampRankOf(StreamRole role) {
@@ -108,7 +105,7 @@ void LinkMonitor::setPaused(std::string_view topic, bool paused, SteadyTime now)
 }
 
 bool LinkMonitor::isSilent(SteadyTime now) const {
-    const double silence = seconds(now - m_heard);
+    const double silence = toSeconds(now - m_heard);
     if (silence <= m_rules.lostAfter) return false;
     double quickest = m_roundTrips.status(now) ? PongInterval : m_rules.lostAtMost;
     for (const Stream& stream : m_streams) {
@@ -155,12 +152,12 @@ StreamStatus LinkMonitor::statusOf(const Stream& stream, SteadyTime now) const {
     status.steady = stream.steadyRole && interval && *interval <= m_rules.slowest;
     if (status.steady) status.expectedRate = 1.0 / *interval;
     const double patience = std::max(m_rules.staleAfter, 3.0 * interval.value_or(0.0));
-    const double expectedFor = seconds(now - std::max(stream.expectedFrom, stream.monitor.newest()));
+    const double expectedFor = toSeconds(now - std::max(stream.expectedFrom, stream.monitor.newest()));
     status.stale = status.steady && !status.paused && expectedFor > patience;
     if (status.stale) {
         // What has to come and does not is lost as far as anybody can tell: no gap in the numbers tells it
         // yet.
-        const double window = seconds(StreamMonitor::Slots * StreamMonitor::Slot);
+        const double window = toSeconds(StreamMonitor::Slots * StreamMonitor::Slot);
         const double silent = status.expectedRate * std::min(window, status.age);
         const auto all = static_cast<double>(figures.lossBasis);
         status.lossRatio = (figures.lossRatio * all + silent) / (all + silent);
@@ -174,8 +171,8 @@ void LinkMonitor::tellDelay(Stream& stream, StreamStatus& status, const LinkStat
     if (!transit || !link.clock || link.clock->source != ClockSource::Pings ||
         link.clock->uncertainty > SureEnough)
         return;
-    const double delay = seconds(*transit + link.clock->ahead);
-    const double least = -seconds(link.clock->uncertainty) - 0.05;
+    const double delay = toSeconds(*transit + link.clock->ahead);
+    const double least = -toSeconds(link.clock->uncertainty) - 0.05;
     if (delay < least) stream.knownClock = false;  // written after it arrived
     if (delay >= least && delay < OnTime) stream.knownClock = true;
     if (stream.knownClock) status.delay = std::max(0.0, delay);
@@ -187,7 +184,7 @@ void LinkMonitor::findFaults(Stream& stream, const StreamStatus& status, SteadyT
         reasons.push_back({kind, value, stream.role, stream.sensor, stream.topic});
     };
     const SteadyTime expected = std::max({stream.expectedFrom, stream.monitor.newest(), m_spoke});
-    const bool forgotten = seconds(now - expected) > m_rules.forgottenAfter;
+    const bool forgotten = toSeconds(now - expected) > m_rules.forgottenAfter;
     if (status.stale && !forgotten) add(LinkReason::Kind::Stale, status.age);
     const StreamFigures figures = stream.monitor.figures(now);
     const auto basis = figures.lossBasis;
@@ -199,7 +196,7 @@ void LinkMonitor::findFaults(Stream& stream, const StreamStatus& status, SteadyT
     const bool late = status.steady && !status.stale && !stream.paused && !std::isnan(status.delay) &&
                       isOver(status.delay, m_rules.late, m_rules.lateOver, stream.late);
     if (!late) stream.onTime = now;
-    stream.late = late && (stream.late || seconds(now - stream.onTime) >= m_rules.lateFor);
+    stream.late = late && (stream.late || toSeconds(now - stream.onTime) >= m_rules.lateFor);
     if (stream.late) add(LinkReason::Kind::Late, status.delay);
 }
 
@@ -215,12 +212,12 @@ void LinkMonitor::judge(std::vector<LinkReason> reasons, SteadyTime now) {
     if (m_state == LinkState::NeverSeen) return;
     if (m_state != LinkState::Lost && isSilent(now)) enter(LinkState::Lost, now);
     if (m_state == LinkState::Lost) {
-        m_reasons = {{.kind = LinkReason::Kind::Silent, .value = seconds(now - m_heard)}};
+        m_reasons = {{.kind = LinkReason::Kind::Silent, .value = toSeconds(now - m_heard)}};
     } else if (!reasons.empty()) {
         enter(LinkState::Degraded, now);
         m_reasons = std::move(reasons);
         m_faultless = now;
-    } else if (m_state == LinkState::Degraded && seconds(now - m_faultless) >= m_rules.recovery) {
+    } else if (m_state == LinkState::Degraded && toSeconds(now - m_faultless) >= m_rules.recovery) {
         enter(LinkState::Connected, now);
     }
 }
@@ -242,9 +239,9 @@ LinkStatus LinkMonitor::status(SteadyTime now) {
     findPingFaults(link, now, reasons);
     judge(std::move(reasons), now);
     link.state = m_state;
-    link.stateAge = std::max(0.0, seconds(now - m_since));
+    link.stateAge = std::max(0.0, toSeconds(now - m_since));
     link.reasons = m_reasons;
-    if (m_state != LinkState::NeverSeen) link.silence = std::max(0.0, seconds(now - m_heard));
+    if (m_state != LinkState::NeverSeen) link.silence = std::max(0.0, toSeconds(now - m_heard));
     link.reconnects = m_reconnects;
     return link;
 }

@@ -8,13 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/time.h"
 #include "core/event/station_samples.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
-
-/// A moment on a clock of the station that never steps; rates and ages are measured on it.
-using SteadyTime = std::chrono::steady_clock::time_point;
 
 /// How the link to a robot is.
 enum class LinkState : std::uint8_t {

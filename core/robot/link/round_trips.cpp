@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
+#include "core/base/time.h"
+
 namespace leitstand {
-namespace {
-
-double seconds(std::chrono::nanoseconds duration) {
-    return std::chrono::duration<double>(duration).count();
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void RoundTrips::sent(std::uint64_t number, Time stamp, SteadyTime now) {
     Ping& ping = m_pings[m_next++ % Remembered];
@@ -50,14 +46,14 @@ std::optional<RoundTripStatus> RoundTrips::status(SteadyTime now) const {
         }
     }
     RoundTripStatus status;
-    status.last = seconds(m_last);
+    status.last = toSeconds(m_last);
     status.median = status.last;
     if (count > 0) {
         const auto middle = took.begin() + static_cast<std::ptrdiff_t>(count / 2);
         std::nth_element(took.begin(), middle, took.begin() + static_cast<std::ptrdiff_t>(count));
-        status.median = seconds(*middle);
+        status.median = toSeconds(*middle);
     }
-    status.age = std::max(0.0, seconds(now - m_answered));
+    status.age = std::max(0.0, toSeconds(now - m_answered));
     status.unanswered = asked > 0 ? static_cast<double>(missed) / asked : 0.0;
     return status;
 }
@@ -66,7 +62,7 @@ double RoundTrips::waiting(SteadyTime now) const {
     const bool pinging = std::any_of(m_pings.begin(), m_pings.end(), [&](const Ping& ping) {
         return ping.used && ping.took.count() < 0 && ping.sent > m_answered;
     });
-    return m_ever && pinging ? std::max(0.0, seconds(now - m_answered)) : 0.0;
+    return m_ever && pinging ? std::max(0.0, toSeconds(now - m_answered)) : 0.0;
 }
 
 }  // namespace leitstand

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 
+#include "core/base/time.h"
+
 namespace leitstand {
 namespace {
 
 constexpr std::uint64_t LargestGap = 1'000'000;  ///< more is no loss but a writer that counts otherwise
 constexpr double LearningShare = 0.1;            ///< of a new interval in the mean
 constexpr double MuchLonger = 4.0;               ///< times the usual interval: a pause, or slower from now on
-
-double seconds(std::chrono::nanoseconds duration) {
-    return std::chrono::duration<double>(duration).count();
-}
 
 std::int64_t slotOf(SteadyTime now) {
     return now.time_since_epoch() / std::chrono::nanoseconds(StreamMonitor::Slot);
@@ -34,7 +32,8 @@ void StreamMonitor::learn(const Writer& before, const StreamArrival& arrival, St
     const std::uint64_t steps =
         arrival.sequence == 0 || before.sequence == 0 ? 1 : arrival.sequence - before.sequence;
     const bool told = before.written != Time{} && arrival.written > before.written;
-    const double passed = told ? seconds(arrival.written - before.written) : seconds(now - before.arrived);
+    const double passed =
+        told ? toSeconds(arrival.written - before.written) : toSeconds(now - before.arrived);
     const double interval = passed / static_cast<double>(steps);
     if (m_intervals == 0) {
         m_interval = interval;
@@ -88,7 +87,7 @@ void StreamMonitor::add(const StreamArrival& arrival, SteadyTime now) {
 StreamFigures StreamMonitor::figures(SteadyTime now) const {
     StreamFigures figures;
     if (m_samples == 0) return figures;
-    figures.age = std::max(0.0, seconds(now - m_newest));
+    figures.age = std::max(0.0, toSeconds(now - m_newest));
     figures.transit = m_transit;
     std::uint64_t samples = 0, bytes = 0, lost = 0, all = 0;
     SteadyTime first = now;
@@ -109,13 +108,13 @@ StreamFigures StreamMonitor::figures(SteadyTime now) const {
     if (all > 0) figures.lossRatio = static_cast<double>(lost) / static_cast<double>(all);
     if (samples == 0) return figures;
     const double number = static_cast<double>(samples);
-    const double spoken = seconds(m_newest - first);  // from the first to the newest
-    const double usual = samples > 1 ? spoken / (number - 1.0) : seconds(RateSlots * Slot);
+    const double spoken = toSeconds(m_newest - first);  // from the first to the newest
+    const double usual = samples > 1 ? spoken / (number - 1.0) : toSeconds(RateSlots * Slot);
     if (spoken > 0.0 && figures.age <= 2.0 * usual) {
         figures.rate = 1.0 / usual;
     } else {  // a burst, a single one, or silence since
         figures.rate =
-            number / std::max(seconds(samples > 1 ? Slot : RateSlots * Slot), seconds(now - first));
+            number / std::max(toSeconds(samples > 1 ? Slot : RateSlots * Slot), toSeconds(now - first));
     }
     figures.megabitsPerSecond = figures.rate * 8e-6 * static_cast<double>(bytes) / number;
     return figures;

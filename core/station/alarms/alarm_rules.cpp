@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/said.h"
+#include "core/base/time.h"
 #include "core/station/alarms/alarm_says.h"
 #include "core/station/robot_figures.h"
 
@@ -176,7 +177,7 @@ private:
     void clock() {
         if (!m_robot.view.link.clock) return;
         const ClockStatus& clock = *m_robot.view.link.clock;
-        const double ahead = std::chrono::duration<double>(clock.ahead).count();
+        const double ahead = toSeconds(clock.ahead);
         const AlarmId id = idOf(alarm_key::ClockOffset);
         if (!above(id, surelyOff(clock), m_limits.clock, std::numeric_limits<double>::infinity())) return;
         const std::string by = saidFigure(std::abs(ahead), 1);
@@ -187,7 +188,7 @@ private:
 
     void stop() {
         const StopStatus& stop = m_robot.view.stop;
-        const double waits = std::chrono::duration<double>(stop.unanswered).count();
+        const double waits = toSeconds(stop.unanswered);
         if (!stop.supported || !stop.sent || stop.acknowledged || waits < m_limits.unanswered) return;
         add(idOf(alarm_key::StopUnanswered), Severity::Act,
             fmt::format(alarm_says::StopUnanswered, saidFigure(waits)), waits);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/time.h"
+
 namespace leitstand {
 namespace {
 
@@ -9,10 +11,6 @@ using Cause = BrakeResult::Cause;
 using Watchdog = BrakeResult::Watchdog;
 
 constexpr double Braking = 0.8;  ///< of its speed at the cut: slower, it brakes
-
-double seconds(std::chrono::nanoseconds duration) {
-    return std::chrono::duration<double>(duration).count();
-}
 
 }  // namespace
 
@@ -44,7 +42,7 @@ bool BrakeTest::isStanding() const {
 
 void BrakeTest::finish(BrakeResult::Verdict verdict, Watchdog watchdog, double duration, double way) {
     m_result = {.verdict = verdict, .seconds = duration, .metres = way, .watchdog = watchdog};
-    if (watchdog == Watchdog::Stops) m_result.brakesAfter = seconds(m_atSpeed - m_cut->stamp);
+    if (watchdog == Watchdog::Stops) m_result.brakesAfter = toSeconds(m_atSpeed - m_cut->stamp);
     m_phase = Phase::Done;
 }
 
@@ -57,7 +55,7 @@ void BrakeTest::end(BrakeResult::Cause cause) {
 BrakeTest::Step BrakeTest::step(const BrakeFacts& facts, SteadyTime now) {
     if (!isRunning()) return {};
     // Once the stream is cut the robot is on its own: the key being let go tells nothing against it.
-    if (m_phase != Phase::Cut && seconds(now - m_held) > m_settings.hold) {
+    if (m_phase != Phase::Cut && toSeconds(now - m_held) > m_settings.hold) {
         end(Cause::KeyLetGo);
     } else if (m_phase != Phase::Neutral && !facts.mayDrive) {
         end(Cause::NotDriven);
@@ -78,7 +76,7 @@ BrakeTest::Step BrakeTest::neutral(const BrakeFacts& facts, SteadyTime now) {
     const bool ready = facts.mayDrive && facts.listening && !facts.needsNeutral && isStanding();
     if (!ready) m_released.reset();
     if (ready && !m_released) m_released = now;
-    if (m_released && seconds(now - *m_released) >= m_settings.neutral) {
+    if (m_released && toSeconds(now - *m_released) >= m_settings.neutral) {
         if (std::isnan(facts.spaceAhead)) {
             end(Cause::RoomUnknown);
         } else if (facts.spaceAhead < m_settings.space) {
@@ -89,7 +87,7 @@ BrakeTest::Step BrakeTest::neutral(const BrakeFacts& facts, SteadyTime now) {
             enter(Phase::Driving, now);
             return {{m_settings.speed, 0.0, 0.0}, false};
         }
-    } else if (seconds(now - m_since) > m_settings.start) {
+    } else if (toSeconds(now - m_since) > m_settings.start) {
         end(!facts.mayDrive      ? Cause::NotAllowed
             : !facts.listening   ? Cause::Deaf
             : !m_newest          ? Cause::NoOdometry
@@ -103,20 +101,20 @@ BrakeTest::Step BrakeTest::drive(SteadyTime now) {
     const Step driving{{m_settings.speed, 0.0, 0.0}, false};
     const bool atSpeed = m_newest && m_newest->speed > 0.5 * m_settings.speed;
     if (atSpeed && !m_moving) m_moving = now;
-    if (m_moving && seconds(now - *m_moving) >= m_settings.run) {
+    if (m_moving && toSeconds(now - *m_moving) >= m_settings.run) {
         m_cut = m_newest;
         m_atSpeed = m_cut->stamp;
         enter(Phase::Cut, now);
         return {{}, true};
     }
-    if (seconds(now - m_since) <= m_settings.drive) return driving;
+    if (toSeconds(now - m_since) <= m_settings.drive) return driving;
     end(Cause::TooSlow);
     return {};
 }
 
 BrakeTest::Step BrakeTest::watch(SteadyTime now) {
     // Between two of the robot's own stamps: however late they come over the link.
-    const double duration = seconds(m_newest->stamp - m_cut->stamp);
+    const double duration = toSeconds(m_newest->stamp - m_cut->stamp);
     const double way = (m_newest->position - m_cut->position).norm();
     if (duration > 0.0 && isStanding()) {
         const bool good = duration <= m_settings.stopTime && way <= m_settings.stopDistance;
@@ -128,7 +126,7 @@ BrakeTest::Step BrakeTest::watch(SteadyTime now) {
         finish(BrakeResult::Verdict::Failed, Watchdog::None, duration, way);
         return {};
     }
-    if (seconds(now - m_since) > 2.0 * m_settings.giveUp) {
+    if (toSeconds(now - m_since) > 2.0 * m_settings.giveUp) {
         end(Cause::OdometryEnded);
         return {};
     }

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/time.h"
+
 namespace leitstand {
 namespace {
 
@@ -99,7 +101,7 @@ void judgeStreams(Page& page, const RobotFacts& facts) {
 
 void judgeClock(Page& page, const LinkStatus& link, double limit) {
     if (!link.clock) return page.add(Kind::ClockUnknown, CheckState::Attention);
-    const double ahead = std::chrono::duration<double>(link.clock->ahead).count();
+    const double ahead = toSeconds(link.clock->ahead);
     const bool far = surelyOff(*link.clock) >= limit;
     page.add(far ? Kind::ClockFar : Kind::ClockSteady, far ? CheckState::Attention : CheckState::Ok, {},
              ahead);

@@ -4,14 +4,11 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/time.h"
 #include "core/robot/robot_says.h"
 
 namespace leitstand {
 namespace {
-
-double secondsBetween(Time from, Time to) {
-    return std::chrono::duration<double>(to - from).count();
-}
 
 bool isBackwards(const DriveVelocity& wanted) {
     constexpr double Least = 0.02;  // rules for turns on the spot leave something of that [m/s]

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/rotation/heading.h"
+#include "core/base/time.h"
 #include "core/robot/robot_says.h"
 
 namespace leitstand {
@@ -19,10 +20,6 @@ constexpr int MostRecoveries = 2;  // at one place, before the aim is given up
 constexpr int MostDoubts = 2;      // without new floor in between
 constexpr double NewFloor = 4.0;   // [m2]
 constexpr double Progress = 0.15;  // [m]
-
-double secondsBetween(Time from, Time to) {
-    return std::chrono::duration<double>(to - from).count();
-}
 
 Time after(Time from, double seconds) {
     return from + std::chrono::nanoseconds(std::llround(seconds * 1e9));

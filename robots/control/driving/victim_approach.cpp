@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/time.h"
 #include "core/robot/robot_says.h"
 
 namespace leitstand {
@@ -14,10 +15,6 @@ namespace {
 constexpr double InSight = 0.5;       // cues so young show it now [s]
 constexpr double PassedRange = 2.5;   // what is farther away may be anywhere [m]
 constexpr double UnknownRange = 2.0;  // of heat that no surface tells the range of [m]
-
-double secondsBetween(Time from, Time to) {
-    return std::chrono::duration<double>(to - from).count();
-}
 
 /// As robots say lengths.
 std::string metres(double length) {

@@ -4,12 +4,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/time.h"
+
 namespace leitstand::simulation {
 namespace {
-
-double secondsBetween(Time from, Time to) {
-    return std::chrono::duration<double>(to - from).count();
-}
 
 double towards(double angle, double target, double most) {
     return angle + std::clamp(target - angle, -most, most);

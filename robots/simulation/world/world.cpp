@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/mixed_bits.h"
+#include "core/base/time.h"
 #include "robots/simulation/world/robot.h"
 
 namespace leitstand::simulation {
@@ -58,7 +59,7 @@ struct World::State {
         const auto due = elapsed / PartsEvery * PartsEvery;
         if (due != partsMoved) {
             partsMoved = due;
-            scene.setTime(std::chrono::duration<double>(due).count());
+            scene.setTime(toSeconds(due));
             changed = true;
         }
         if (changed) scene.commit();
@@ -74,7 +75,7 @@ struct World::State {
     }
 
     void step(std::chrono::nanoseconds step) {
-        const double seconds = std::chrono::duration<double>(step).count();
+        const double seconds = toSeconds(step);
         elapsed += step;
         for (std::size_t i = 0; i < robots.size(); ++i) {
             if (robots[i].ghost) continue;
@@ -145,7 +146,7 @@ Time World::now() const {
 }
 
 double World::seconds() const {
-    return std::chrono::duration<double>(m_state->elapsed).count();
+    return toSeconds(m_state->elapsed);
 }
 
 const BodyState& World::state(int robot) const {

@@ -199,6 +199,23 @@ TEST(Register, RelaxesAllThatOverlapsWhereLoopsAreToBeClosed) {
     EXPECT_FALSE(json::parse(plain.out).contains("loops"));
 }
 
+TEST(Register, WhatIsLinkedByHandCloses) {
+    const TemporaryFolder folder;
+    writeRoomScans(folder.path());
+    const auto closed = [&](const std::string& line) {
+        writeText(folder / "hand.txt", line);
+        const auto run = leitstandctl({"register", folder.path().string(), "--close-loops", "--by-hand",
+                                       (folder / "hand.txt").string(), "--json"});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return json::parse(run.out)["loops"]["closed"];
+    };
+    const json by = closed("0 2 1.0 0.2 0 0 0 0.1045 0.9945\n");
+    ASSERT_EQ(by.size(), 1U) << "no scan came back by itself";
+    EXPECT_EQ(by.front()["from"], 0);
+    EXPECT_EQ(by.front()["to"], 2);
+    EXPECT_TRUE(closed("0 2 no\n").empty());
+}
+
 TEST(Register, NamesWhatIsWrongWithLinksByHand) {
     const TemporaryFolder folder;
     writeRoomScans(folder.path());

@@ -9,10 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/log/live_mission.h"
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/live/layouts/layout_feature.h"
 #include "core/base/pose.h"
+#include "core/event/station_topics.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/map_view/map_view.h"
@@ -89,6 +91,30 @@ protected:
         QCoreApplication::sendEvent(&map(), &drag);
         QTest::mouseRelease(&map(), Qt::LeftButton, {}, to);
         EXPECT_FALSE(map().drawing());
+    }
+    /// The station says, as it begins anew, that the newest scan may see what the first one saw, @p off from
+    /// where it lies [m]. Returns the link that is asked about.
+    Link askWhetherItMeetsItself(const Eigen::Vector3d& off) {
+        const auto scans = station().mapping().scans()->scans;
+        ScanLinksSample question{Time(std::chrono::seconds(1'800'000'000)), "us", {Link{}}};
+        Link& link = question.links.front();
+        link.id = 90'000;
+        link.from = scans.front().id;
+        link.to = scans.back().id;
+        link.kind = LinkKind::Loop;
+        link.active = false;
+        link.information *= 1e4;
+        link.pose = scans.front().pose.scanInMap.inverse() * scans.back().pose.scanInMap;
+        link.pose.translation() += off;
+        restart([&] {
+            LiveMissionSettings settings;
+            settings.folder = m_folder.path().toStdString() + "/mission";
+            settings.robots = {shippedRobot("kurt3d"), shippedRobot("crawler")};
+            auto mission = LiveMission::open(settings).value();
+            ASSERT_TRUE(mission->say(question, station_topic::ScanLinks).ok());
+            ASSERT_TRUE(mission->close());
+        });
+        return link;
     }
     /// Kurt3D goes until the map has two scans that count, and stands.
     void mapTwoScans() {

@@ -264,25 +264,7 @@ TEST_F(LiveMapOnScreen, WhatBelongsIntoTheMapIsUndoneAndRestoredAfterARestart) {
 TEST_F(LiveMapOnScreen, APlaceWhereTheMapMayMeetItselfIsAskedAboutAnsweredAndTakenBack) {
     ASSERT_NO_FATAL_FAILURE(mapTwoScans());
     // What the station itself says where the map erred more than it should have.
-    const auto scans = station().mapping().scans()->scans;
-    ScanLinksSample question{Time(std::chrono::seconds(1'800'000'000)), "us", {Link{}}};
-    Link& link = question.links.front();
-    link.id = 90'000;
-    link.from = scans.front().id;
-    link.to = scans.back().id;
-    link.kind = LinkKind::Loop;
-    link.active = false;
-    link.information *= 1e4;
-    link.pose = scans.front().pose.scanInMap.inverse() * scans.back().pose.scanInMap;
-    link.pose.translation() += Eigen::Vector3d(0.3, 0.4, 0.0);
-    restart([&] {
-        LiveMissionSettings settings;
-        settings.folder = m_folder.path().toStdString() + "/mission";
-        settings.robots = {shippedRobot("kurt3d"), shippedRobot("crawler")};
-        auto mission = LiveMission::open(settings).value();
-        ASSERT_TRUE(mission->say(question, station_topic::ScanLinks).ok());
-        ASSERT_TRUE(mission->close());
-    });
+    const Link link = askWhetherItMeetsItself({0.3, 0.4, 0.0});
     m_window->layouts().use("explore");
     auto* const asked = m_window->findChild<QFrame*>("loopQuestion");
     ASSERT_NE(asked, nullptr);

@@ -207,6 +207,8 @@ TEST_F(StationMappingTest, WhereTheMapMeetsItselfIsToldLoggedTakenBackAndClosedA
     EXPECT_TRUE(mapIsAsLogged());
     const auto closed = posesInLog();
     EXPECT_GE(m_mission->state()->loops->size(), 2U);
+    EXPECT_EQ(m_mapping->closedLoops().count, 1U);
+    EXPECT_GT(m_mapping->closedLoops().largest, 0.0);
     EXPECT_FALSE(m_mapping->undoable().has_value()) << "it is no decision of the operator's";
     ASSERT_TRUE(m_mapping->undoLoop().ok());
     ASSERT_TRUE(waitUntil([&] { return m_mission->state()->loops->empty(); })) << words();

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <utility>
 
+#include "core/base/time.h"
 #include "tests/simulation/mapping/near_surfaces.h"
 #include "tests/support/latency.h"
 
@@ -79,6 +81,25 @@ std::vector<Pose> entryOfKeys(const MappedDrive& mapped) {
         poses.push_back(of->baseInMap);
     }
     return poses;
+}
+
+/// Median processor time of a scan while the map has about @p keyScans; 0: it never has [s].
+double busyAbout(std::uint64_t keyScans, const MappedDrive& mapped) {
+    constexpr std::uint64_t About = 50;
+    std::vector<double> busy;
+    for (std::size_t i = 0; i < mapped.busy.size(); ++i) {
+        const std::uint64_t entered = mapped.localisations[i].keyScan;
+        if (entered + About >= keyScans && entered <= keyScans + About) busy.push_back(mapped.busy[i]);
+    }
+    return busy.size() < About ? 0.0 : quantile(busy, 0.5);
+}
+
+/// BuildingRow::beside
+double besideOf(const MappedDrive& mapped) {
+    double busy = 0.0;
+    for (const auto* const times : {&mapped.seeking, &mapped.solving, &mapped.settling})
+        busy += std::accumulate(times->begin(), times->end(), 0.0);
+    return busy / secondsBetween(mapped.scans.front().scan->start, mapped.scans.back().scan->end);
 }
 
 }  // namespace
@@ -169,6 +190,9 @@ BuildingRow rowOf(const Building& building, const RecordedDrive& drive, const Ma
         row.uncertain += one.trust != ScanTrust::Certain ? 1 : 0;
     row.median = quantile(result.busy, 0.5);
     row.longest = quantile(result.busy, 1.0);
+    row.early = busyAbout(100, result);
+    row.late = busyAbout(1'000, result);
+    row.beside = besideOf(result);
     row.solves = result.solving.size();
     row.contradicted = result.contradicted;
     row.correction = result.correction;

@@ -34,6 +34,8 @@ struct BuildingRow {
     BuildingResult entry;                ///< scans where they were put as they came
     BuildingResult final;                ///< key scans where the map has them at the end
     double median = 0.0, longest = 0.0;  ///< processor time of a scan [s]
+    double early = 0.0, late = 0.0;      ///< median, about 100 and about 1,000 key scans; 0: not so many
+    double beside = 0.0;                 ///< cores, over the drive, that loops and solving take together
     double casting = 0.0;                ///< time that making the scans took [s]
     ScannerCorrection correction;        ///< MappedDrive::correction
     int corrections = 0;                 ///< likewise

@@ -1,6 +1,8 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -16,7 +18,7 @@ namespace {
 
 /// What `leitstandctl register` comes to on a drive.
 struct Registered {
-    double ate = 0.0, median = 0.0, longest = 0.0;  ///< [m], a scan [s]
+    double ate = 0.0, mean = 0.0, median = 0.0, longest = 0.0;  ///< [m], a scan [s]
 };
 
 /// How far scans at @p poses are off [m].
@@ -44,20 +46,22 @@ Registered registered(const ScriptedDrive& made, const RegistrationSettings& set
         poses.push_back(scan.poseInMap);
         seconds.push_back(scan.seconds);
     }
-    return {errorAt(poses, made), leitstand::test::quantile(seconds, 0.5),
+    const double mean =
+        std::accumulate(seconds.begin(), seconds.end(), 0.0) / static_cast<double>(seconds.size());
+    return {errorAt(poses, made), mean, leitstand::test::quantile(seconds, 0.5),
             leitstand::test::quantile(seconds, 1.0)};
 }
 
 void expectWithin(const char* how, const ScriptedDrive& made, const RegistrationSettings& settings,
                   double ate) {
     const Registered result = registered(made, settings);
-    std::printf("register, %s: %zu scans, %.0f m, ATE %.3f m, %.1f ms a scan (median), %.1f at most\n", how,
-                made.scans.size(), made.drive.way, result.ate, 1e3 * result.median, 1e3 * result.longest);
+    std::printf("register, %s: %zu scans, %.0f m, ATE %.3f m, %.1f ms a scan (median %.1f, %.1f at most)\n",
+                how, made.scans.size(), made.drive.way, result.ate, 1e3 * result.mean, 1e3 * result.median,
+                1e3 * result.longest);
     EXPECT_LE(result.ate, ate) << how;
-    EXPECT_LE(result.median, 0.025) << how;
+    EXPECT_LE(result.mean, 0.02) << how;
 }
 
-/// Wanted are 0.05 m in a chain and 0.015 m against the map, and 20 ms a scan.
 TEST(RegisterRingLong, OneAgainstTheOtherAndAgainstTheMap) {
     constexpr std::uint64_t Seed = 101;
     const Building building = std::move(generateBuilding({}, Seed)).value();
@@ -69,7 +73,7 @@ TEST(RegisterRingLong, OneAgainstTheOtherAndAgainstTheMap) {
     settings.threads = 1;
     expectWithin("chain", made, settings, 0.05);
     settings.reference = Reference::Map;
-    expectWithin("map", made, settings, 0.018);
+    expectWithin("map", made, settings, 0.015);
     settings.reference = Reference::Previous;
     const MapPtr chain = mapOf(made, settings);
     const auto began = std::chrono::steady_clock::now();
@@ -84,6 +88,23 @@ TEST(RegisterRingLong, OneAgainstTheOtherAndAgainstTheMap) {
         1e3 * closed->relaxation.rmsBefore, 1e3 * closed->relaxation.rmsAfter, seconds);
     EXPECT_LE(ate, 0.02);
     EXPECT_GE(closed->closed.size(), 1U);
+}
+
+TEST(RegisterRingLong, AThousandScansTakeNoLongerEach) {
+    constexpr std::uint64_t Seed = 101;
+    constexpr double Any = std::numeric_limits<double>::infinity();
+    const Building building = std::move(generateBuilding({}, Seed)).value();
+    ScriptSettings script;
+    script.seed = Seed;
+    script.driftBendsTurns = false;
+    script.longest = 365.0;
+    const ScriptedDrive made = scriptedDrive(building.arena, DrivePath(eightRoute(building.ways, 5)), script);
+    ASSERT_GE(made.scans.size(), 1'000U);
+    RegistrationSettings settings;
+    settings.threads = 1;
+    expectWithin("chain", made, settings, Any);
+    settings.reference = Reference::Map;
+    expectWithin("map", made, settings, Any);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/time.h"
 #include "transport/dds/detail/convert.h"
 #include "transport/dds/detail/endpoint_qos.h"
 #include "transport/dds/names.h"
@@ -202,9 +203,7 @@ std::vector<RemoteEndpoint> Discovery::endpoints() const {
 DomainHearing Discovery::hearing() const {
     const std::scoped_lock lock(m_mutex);
     const auto now = Clock::now();
-    const auto secondsSince = [now](Clock::time_point since) {
-        return std::chrono::duration<double>(now - since).count();
-    };
+    const auto secondsSince = [now](Clock::time_point since) { return toSeconds(now - since); };
     DomainHearing hearing;
     std::set<Guid> speaking;
     for (const auto& [guid, known] : m_endpoints) {

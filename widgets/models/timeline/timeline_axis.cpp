@@ -4,14 +4,12 @@
 #include <array>
 #include <chrono>
 
+#include "core/base/time.h"
+
 namespace leitstand {
 namespace {
 
 constexpr double GapShare = 0.02;  ///< of the recorded time, each gap
-
-double secondsOf(std::chrono::nanoseconds time) {
-    return std::chrono::duration<double>(time).count();
-}
 
 std::chrono::nanoseconds nanosecondsOf(double seconds) {
     return std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
@@ -21,13 +19,13 @@ std::chrono::nanoseconds nanosecondsOf(double seconds) {
 
 TimelineAxis::TimelineAxis(std::vector<TimelineStretch> stretches) {
     double recorded = 0.0;
-    for (const TimelineStretch& one : stretches) recorded += secondsOf(one.to - one.from);
+    for (const TimelineStretch& one : stretches) recorded += toSeconds(one.to - one.from);
     const double least = std::max(recorded, 1e-3);  // a mission of a single moment has an axis, too
     const double gap = GapShare * least;
     const double whole = least + gap * (static_cast<double>(stretches.size()) - 1.0);
     double done = 0.0;
     for (const TimelineStretch& one : stretches) {
-        const double length = recorded > 0.0 ? secondsOf(one.to - one.from) : least;
+        const double length = recorded > 0.0 ? toSeconds(one.to - one.from) : least;
         m_parts.push_back({one, done / whole, std::min(1.0, (done + length) / whole)});
         done += length + gap;
     }
@@ -48,8 +46,8 @@ double TimelineAxis::placeOf(Time at) const {
         if (at < part.stretch.from)
             return m_parts.front().stretch.from > at ? 0.0 : 0.5 * (before + part.from);
         if (at <= part.stretch.to) {
-            const double length = secondsOf(part.stretch.to - part.stretch.from);
-            const double share = length > 0.0 ? secondsOf(at - part.stretch.from) / length : 0.0;
+            const double length = toSeconds(part.stretch.to - part.stretch.from);
+            const double share = length > 0.0 ? toSeconds(at - part.stretch.from) / length : 0.0;
             return part.from + share * (part.to - part.from);
         }
         before = part.to;
@@ -68,7 +66,7 @@ Time TimelineAxis::timeAt(double place) const {
         }
         if (place <= part.to && part.to > part.from) {
             const double share = (place - part.from) / (part.to - part.from);
-            return part.stretch.from + nanosecondsOf(share * secondsOf(part.stretch.to - part.stretch.from));
+            return part.stretch.from + nanosecondsOf(share * toSeconds(part.stretch.to - part.stretch.from));
         }
         before = &part;
     }
@@ -96,7 +94,7 @@ std::vector<TimelineAxis::Tick> TimelineAxis::ticks(double apart) const {
     std::vector<Tick> ticks;
     if (m_parts.empty() || !(apart > 0.0)) return ticks;
     double recorded = 0.0;
-    for (const Part& part : m_parts) recorded += secondsOf(part.stretch.to - part.stretch.from);
+    for (const Part& part : m_parts) recorded += toSeconds(part.stretch.to - part.stretch.from);
     const auto found =
         std::find_if(Steps.begin(), Steps.end(), [&](int step) { return step >= apart * recorded; });
     const auto step = std::chrono::seconds(found == Steps.end() ? Steps.back() : *found);

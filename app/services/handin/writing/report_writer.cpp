@@ -14,6 +14,7 @@
 #include "app/services/handin/writing/earlier_report.h"
 #include "app/services/handin/writing/report_files.h"
 #include "app/services/progress_part.h"
+#include "core/base/time.h"
 #include "core/base/words.h"
 #include "core/handin/file_names.h"
 #include "core/io/clouds/ply.h"
@@ -263,7 +264,7 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
     if (writing.failure()) return *writing.failure();
     progress.done(0.9);
     outcome.files = checked(writing, progress);
-    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    outcome.seconds = toSeconds(std::chrono::steady_clock::now() - started);
     return outcome;
 }
 

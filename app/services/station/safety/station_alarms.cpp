@@ -9,6 +9,7 @@
 #include <pthread.h>
 
 #include "app/services/log/sequencer.h"
+#include "core/base/time.h"
 #include "core/station/alarms/alarm_says.h"
 #include "core/station/alarms/logged_alarm.h"
 
@@ -109,8 +110,7 @@ std::vector<AlarmCause> StationAlarms::causes(const MissionState& mission, Time 
         }
         const std::lock_guard lock(m_mutex);
         if (const auto bump = m_bumps.find(robot.name); bump != m_bumps.end() && bump->second.at) {
-            watch.bumpAge =
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - *bump->second.at).count();
+            watch.bumpAge = toSeconds(std::chrono::steady_clock::now() - *bump->second.at);
             watch.bumper = bump->second.newest;
         }
         std::vector<AlarmCause> some = alarmsOf(watch, m_book, now, m_setup.limits);

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "app/services/log/sequencer.h"
+#include "core/base/time.h"
 #include "core/io/robot/brake_file.h"
 
 namespace leitstand {
@@ -16,10 +17,6 @@ using Verdict = BrakeResult::Verdict;
 
 constexpr milliseconds LooksAhead(200);  ///< what is ahead is worked out so often
 constexpr milliseconds SilentFor(400);   ///< after the last step; somebody looks five times a second
-
-SteadyTime steadyNow() {
-    return std::chrono::steady_clock::now();
-}
 
 std::int64_t count(SteadyTime time) {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();

@@ -11,6 +11,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/input/selection.h"
 #include "app/window/live/live_bridge.h"
+#include "app/window/live/map/goal_question.h"
 #include "app/window/live/map/map_gestures.h"
 #include "app/window/live/map/robots_on_map.h"
 #include "core/mapping/live/map/moved_places.h"
@@ -38,7 +39,8 @@ bool moves(const RobotState& said) {
 
 }  // namespace
 
-GoTo::GoTo(const LiveContext& context, MapGestures& gestures, RobotsOnMap& robots, QObject* parent)
+GoTo::GoTo(const LiveContext& context, MapView& map, MapGestures& gestures, RobotsOnMap& robots,
+           QObject* parent)
     : QObject(parent),
       m_context(context),
       m_gestures(gestures),
@@ -51,8 +53,10 @@ GoTo::GoTo(const LiveContext& context, MapGestures& gestures, RobotsOnMap& robot
                "Click where the selected robot shall go by itself, drag its heading; a double click on the "
                "floor does the same"),
            .keys = QKeySequence(Qt::Key_O),
-           .checkable = true})) {
+           .checkable = true})),
+      m_question(new GoalQuestion(context.commands, map, this)) {
     connect(m_action, &QAction::triggered, this, &GoTo::arm);
+    connect(m_question, &GoalQuestion::confirmed, this, &GoTo::begin);
     connect(&context.selection, &Selection::changed, this, &GoTo::showSelected);
     connect(&context.bridge, &LiveBridge::ticked, this, &GoTo::follow);
     connect(&context.bridge, &LiveBridge::scansChanged, this, &GoTo::followMap);
@@ -88,16 +92,20 @@ void GoTo::go(const GroundPose& pose) {
         emit told(tr("%1 is not in the map yet").arg(m_context.selection.face().title));
         return;
     }
-    // Before another station is asked for its grant.
-    if (const auto may = m_context.bridge.station().maySend(robot->name); !may)
-        return emit told(QString::fromStdString(may.error().text));
     const Eigen::Vector3d from = m_robots.mark(robot->name).baseInMap.translation();
     const Eigen::Vector3d way = pose.place - from;
     const double heading = pose.heading.value_or(std::atan2(way.y(), way.x()));
-    const Pose goal = poseFrom(pose.place, 0, 0, heading);
-    m_context.bridge.station().ask(robot->name);
-    m_ways[robot->name] = {goal, m_context.bridge.moment().now};
-    m_robots.setGoal(robot->name, goal);
+    begin(robot->name, poseFrom(pose.place, 0, 0, heading));
+}
+
+void GoTo::begin(const std::string& robot, const Pose& goalInMap) {
+    // Before another station is asked for its grant.
+    if (const auto may = m_context.bridge.station().maySend(robot); !may)
+        return emit told(QString::fromStdString(may.error().text));
+    m_context.bridge.station().ask(robot);
+    m_ways[robot] = {goalInMap, m_context.bridge.moment().now};
+    m_robots.setGoal(robot, goalInMap);
+    m_question->forget(robot);
 }
 
 void GoTo::takeBack() {
@@ -188,14 +196,15 @@ bool GoTo::underWay(const std::string& robot, const Way& way) const {
     return !offers(said, DrivesByItself) || (said.mode && said.mode->sample.mode == DrivesByItself);
 }
 
-void GoTo::withdraw(const std::string& robot, const Way& way) {
+void GoTo::withdraw(const std::string& robot, const Way& way, const Pose& correction) {
     if (underWay(robot, way)) {
         // It has come to where it is: a robot knows goals, not that one is none any more.
         if (const auto place = placeOf(robot))
             (void)send(robot, {.goalInMap = place->baseInMap}, m_context.bridge.moment());
     }
     m_robots.setGoal(robot, std::nullopt);
-    emit told(tr("%1: the map moved under its goal, which is withdrawn; send it again").arg(titleOf(robot)));
+    const Pose goal = correction * way.goalInMap;
+    m_question->ask(robot, titleOf(robot), goal, distanceBetween(goal, way.goalInMap));
 }
 
 void GoTo::followMap(const LiveMapPtr& map) {
@@ -207,7 +216,7 @@ void GoTo::followMap(const LiveMapPtr& map) {
         const Pose correction = places.at(way.goalInMap.translation());
         const GoalMove move = goalMove(way.goalInMap, correction, underWay(robot, way));
         if (move == GoalMove::Withdrawn) {
-            withdraw(robot, way);
+            withdraw(robot, way, correction);
             one = m_ways.erase(one);
             continue;
         }

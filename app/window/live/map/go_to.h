@@ -17,7 +17,9 @@ class QAction;
 
 namespace leitstand {
 
+class GoalQuestion;
 class MapGestures;
+class MapView;
 class RobotsOnMap;
 struct LiveMoment;
 
@@ -26,7 +28,8 @@ struct LiveMoment;
 class GoTo final : public QObject {
     Q_OBJECT
 public:
-    GoTo(const LiveContext& context, MapGestures& gestures, RobotsOnMap& robots, QObject* parent);
+    GoTo(const LiveContext& context, MapView& map, MapGestures& gestures, RobotsOnMap& robots,
+         QObject* parent);
 
     /// Sends the selected robot there.
     void go(const GroundPose& pose);
@@ -45,11 +48,13 @@ private:
         Time moved{};  ///< last, as its odometry tells
     };
     void arm(bool on);
+    void begin(const std::string& robot, const Pose& goalInMap);
     void follow(const LiveMoment& moment);
     /// Scans moved: goals move with those about them, or are withdrawn.
     void followMap(const LiveMapPtr& map);
     [[nodiscard]] bool underWay(const std::string& robot, const Way& way) const;
-    void withdraw(const std::string& robot, const Way& way);
+    /// @p correction: how the map moved at its goal, to put before poses there.
+    void withdraw(const std::string& robot, const Way& way, const Pose& correction);
     /// Where the robot is, by the newest scan and by odometry of one and the same moment; empty: nobody
     /// knows.
     [[nodiscard]] std::optional<RobotInMap> placeOf(const std::string& robot) const;
@@ -63,6 +68,7 @@ private:
     MapGestures& m_gestures;
     RobotsOnMap& m_robots;
     QAction* m_action;
+    GoalQuestion* m_question;
     std::map<std::string, Way> m_ways;
     LiveMapPtr m_map;  ///< newest
 };

@@ -18,7 +18,7 @@
 namespace leitstand {
 
 MapActions::MapActions(const LiveContext& context, MapFeature& map) : QObject(&map) {
-    m_going = new GoTo(context, map.gestures(), map.robots(), this);
+    m_going = new GoTo(context, map.view(), map.gestures(), map.robots(), this);
     connect(m_going, &GoTo::told, this, &MapActions::told);
     connect(&map.view(), &MapView::groundActivated, m_going, [this](const Eigen::Vector3d& place) {
         m_going->go({place, std::nullopt});

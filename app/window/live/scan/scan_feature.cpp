@@ -12,6 +12,7 @@
 #include "app/window/live/frame/pane_docks.h"
 #include "app/window/live/input/selection.h"
 #include "app/window/live/moment_source.h"
+#include "core/base/time.h"
 #include "widgets/virtual_scan/virtual_scan_pane.h"
 
 namespace leitstand {
@@ -22,7 +23,7 @@ double scanAge(const RobotState& said, Time now) {
     double age = std::numeric_limits<double>::infinity();
     for (const auto& [topic, stream] : said.streams) {
         if (stream.role != StreamRole::Points && stream.role != StreamRole::Ranges) continue;
-        age = std::min(age, std::chrono::duration<double>(now - stream.received).count());
+        age = std::min(age, toSeconds(now - stream.received));
     }
     return age;
 }

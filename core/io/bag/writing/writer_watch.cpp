@@ -1,4 +1,5 @@
 // The watching half of WriterCore: statistics and alarms.
+#include "core/base/time.h"
 #include "core/io/bag/writing/writer_core.h"
 
 namespace leitstand::detail {
@@ -38,7 +39,7 @@ DiskReading WriterCore::reading() {
     reading.full = m_diskFull;
     if (!m_diskFull) reading.failure = m_failure;
     if (m_committing) {
-        reading.secondsBehind = std::chrono::duration<double>(reading.now - m_oldestTaken).count();
+        reading.secondsBehind = toSeconds(reading.now - m_oldestTaken);
     }
     return reading;
 }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/time.h"
+
 namespace leitstand::simulation {
 
 PlaneLaserSettings hokuyoUrg() {
@@ -44,7 +46,7 @@ RangesSample PlaneLaser::turn(const World& world, int robot, Time stamp) {
     ranges.header = {stamp, m_settings.frame};
     ranges.angleMin = m_settings.first;
     ranges.angleStep = m_settings.step;
-    ranges.timeStep = std::chrono::duration<double>(shotAfter(1)).count();
+    ranges.timeStep = toSeconds(shotAfter(1));
     ranges.turnTime = 1.0 / m_settings.rate;
     ranges.rangeMin = m_settings.laser.nearest;
     ranges.rangeMax = m_settings.laser.farthest;

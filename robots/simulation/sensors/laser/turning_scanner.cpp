@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/time.h"
+
 namespace leitstand::simulation {
 namespace {
 
@@ -77,8 +79,8 @@ void TurningScanner::tellFan(std::span<const LaserEcho> echoes, std::vector<Hard
     ranges.header = header;
     ranges.angleMin = pattern.lowest;
     ranges.angleStep = pattern.step;
-    ranges.timeStep = std::chrono::duration<double>(pattern.shotAfter(1)).count();
-    ranges.turnTime = std::chrono::duration<double>(pattern.turn).count() / pattern.rawScans;
+    ranges.timeStep = toSeconds(pattern.shotAfter(1));
+    ranges.turnTime = toSeconds(pattern.turn) / pattern.rawScans;
     ranges.rangeMin = m_settings.laser.nearest;
     ranges.rangeMax = m_settings.laser.farthest;
     for (const LaserEcho& echo : echoes) ranges.ranges.push_back(echo.range);
@@ -130,7 +132,7 @@ bool TurningScanner::configure(StreamRole role, const std::string& sensor, const
         m_enabled = settings.enabled;
         // It turns as it turns. At a lower rate slices are longer, and raw scans are left out of them, so
         // that turns stay whole and have fewer columns.
-        const double usual = 1.0 / std::chrono::duration<double>(m_settings.pattern.slice).count();
+        const double usual = 1.0 / toSeconds(m_settings.pattern.slice);
         m_every =
             settings.rate > 0.0 ? std::max(1, static_cast<int>(std::ceil(usual / settings.rate - 1e-6))) : 1;
         if (!isThinned()) m_sent = {};

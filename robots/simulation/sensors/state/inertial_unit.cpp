@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/rotation/heading.h"
+#include "core/base/time.h"
 
 namespace leitstand::simulation {
 namespace {
@@ -59,7 +60,7 @@ void InertialUnit::feelAcceleration(const World& world, int robot) {
     const BodyState& state = world.state(robot);
     const Eigen::Matrix3d& rotation = state.baseInArena.linear();
     const Eigen::Vector3d velocity = rotation * state.linear;
-    const double seconds = std::chrono::duration<double>(world.now() - m_lastRun).count();
+    const double seconds = toSeconds(world.now() - m_lastRun);
     Eigen::Vector3d inArena(0.0, 0.0, Gravity);
     if (m_begun && seconds > 0.0) inArena += (velocity - m_lastVelocity) / seconds;
     if (!m_begun || seconds > 0.0) m_acceleration = rotation.transpose() * inArena;

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/time.h"
+
 namespace leitstand::simulation {
 namespace {
 
@@ -53,9 +55,9 @@ void WheelOdometry::run(const World& world, int robot, std::vector<HardwareSampl
     const Encoders now{world.now(), state.travelledLeft, state.travelledRight};
     if (!m_begun) m_before = m_told = now;
     m_begun = true;
-    const double seconds = std::chrono::duration<double>(now.at - m_before.at).count();
+    const double seconds = toSeconds(now.at - m_before.at);
     for (const MeasuredAttitude& attitude : m_unit.attitudes()) {
-        const double after = std::chrono::duration<double>(attitude.stamp - m_before.at).count();
+        const double after = toSeconds(attitude.stamp - m_before.at);
         const double share = seconds > 0.0 ? std::clamp(after / seconds, 0.0, 1.0) : 1.0;
         const Encoders here{attitude.stamp, std::lerp(m_before.left, now.left, share),
                             std::lerp(m_before.right, now.right, share)};

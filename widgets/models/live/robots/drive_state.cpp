@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include "core/base/time.h"
 #include "widgets/models/live/robots/proximity.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/live/texts/link_text.h"
@@ -167,7 +168,7 @@ BatteryFigures batteryOf(const RobotState& said, Time now, const AlarmLimits& li
     }
     const double minutes = minutesLeft(said);
     if (!isFresh(said.battery, now, BatteryAge)) {
-        const double age = std::chrono::duration<double>(now - said.battery->received).count();
+        const double age = toSeconds(now - said.battery->received);
         figures.left = lossText({.arrival = age});
         figures.charge.tone = Tone::Muted;
     } else if (battery.status == BatterySample::Status::Charging) {
@@ -203,7 +204,7 @@ GasFigures gasOf(const RobotDescription& description, const RobotState& said, co
     }
     figures.value.value = numberText(said.gas->sample.ppm, 0);
     if (!isFresh(said.gas, now, 5.0)) {
-        const double age = std::chrono::duration<double>(now - said.gas->received).count();
+        const double age = toSeconds(now - said.gas->received);
         figures.caption = lossText({.arrival = age});
         return figures;
     }

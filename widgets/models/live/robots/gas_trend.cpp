@@ -3,14 +3,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/time.h"
+
 namespace leitstand {
-namespace {
-
-double secondsBetween(Time earlier, Time later) {
-    return std::chrono::duration<double>(later - earlier).count();
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void GasTrend::add(Time at, double ppm) {
     if (!std::isfinite(ppm)) return;

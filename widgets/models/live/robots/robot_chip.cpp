@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include "core/base/time.h"
 #include "core/station/robot_figures.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/live/texts/link_text.h"
@@ -36,7 +37,7 @@ QString batteryDetails(const RobotState& said, Time now) {
     const QString charge = batteryOf(said, now);
     if (charge.isEmpty()) return charge;
     if (isFresh(said.battery, now, BatteryAge)) return ChipTexts::tr("battery %1").arg(charge);
-    const double age = std::chrono::duration<double>(now - said.battery->received).count();
+    const double age = toSeconds(now - said.battery->received);
     return ChipTexts::tr("battery %1, %2")
         .arg(percentText(said.battery->sample.fraction), lossText({.arrival = age}));
 }

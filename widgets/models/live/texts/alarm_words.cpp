@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 
 #include "core/base/pose.h"
+#include "core/base/time.h"
 #include "core/robot/link/hearing.h"
 #include "core/robot/link/link_reasons.h"
 #include "core/station/alarms/log_says.h"
@@ -68,10 +69,6 @@ QString loggedText(const AlarmCause& cause) {
     const QString said = colon < 0 ? text : text.mid(colon + 2);
     return said.isEmpty() ? QString::fromStdString(cause.id.key).replace(QLatin1Char('_'), QLatin1Char(' '))
                           : said;
-}
-
-double secondsBetween(Time earlier, Time later) {
-    return std::chrono::duration<double>(later - earlier).count();
 }
 
 /// What is wrong is what is read first; the message names the file.

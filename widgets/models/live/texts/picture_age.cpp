@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "core/base/time.h"
+
 namespace leitstand {
 
 void PictureAge::arrived(std::uint64_t content, SteadyTime now) {
@@ -12,7 +14,7 @@ void PictureAge::arrived(std::uint64_t content, SteadyTime now) {
 
 DataAge PictureAge::at(SteadyTime now) const {
     if (!m_content) return {};
-    const auto since = [now](SteadyTime then) { return std::chrono::duration<double>(now - then).count(); };
+    const auto since = [now](SteadyTime then) { return toSeconds(now - then); };
     return {.arrival = since(m_arrival), .content = since(m_change)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "core/base/time.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/others_text.h"
@@ -30,7 +31,7 @@ QString textOf(StopStage stage, const StopStatus& stop) {
             return {};
         case StopStage::Sent: {
             if (!stop.supported) return StopTexts::tr("held by zeros");
-            const double seconds = std::chrono::duration<double>(stop.unanswered).count();
+            const double seconds = toSeconds(stop.unanswered);
             return seconds < Unanswered ? StopTexts::tr("sent")
                                         : StopTexts::tr("sent · no answer for %1").arg(secondsText(seconds));
         }
@@ -65,7 +66,7 @@ QString briefOf(StopStage stage, const StopStatus& stop) {
             return {};
         case StopStage::Sent: {
             if (!stop.supported) return StopTexts::tr("held", "by zeros");
-            const double seconds = std::chrono::duration<double>(stop.unanswered).count();
+            const double seconds = toSeconds(stop.unanswered);
             return seconds < Unanswered ? StopTexts::tr("sent", "where there is little room")
                                         : briefSilence(seconds);
         }

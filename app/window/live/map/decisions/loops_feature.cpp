@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QKeySequence>
+#include <QStringList>
 
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
@@ -15,14 +16,29 @@
 #include "app/window/live/map/decisions/robot_title.h"
 #include "app/window/live/moment_source.h"
 #include "core/mission/loops/moved_finds.h"
+#include "widgets/map_decisions/loop_notice.h"
 #include "widgets/map_decisions/map_question.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/numbers.h"
+#include "widgets/models/victims/victim_rows.h"
 
 namespace leitstand {
 namespace {
 
 constexpr double NoticedOfFinds = 0.05;  ///< [m]
+
+/// "victim 3, hazard 1, and 4 more".
+QString namesOf(const std::vector<FindKey>& finds) {
+    constexpr std::size_t Named = 4;
+    QStringList names;
+    for (const auto& [kind, number] : finds) {
+        if (static_cast<std::size_t>(names.size()) == Named) break;
+        names += kindText(kind) + QLatin1Char(' ') + QString::number(number);
+    }
+    const QString text = names.join(QStringLiteral(", "));
+    if (finds.size() <= Named) return text;
+    return LoopsFeature::tr("%1 and %2 more").arg(text).arg(finds.size() - Named);
+}
 
 }  // namespace
 
@@ -30,8 +46,8 @@ LoopsFeature::LoopsFeature(const MapContext& context, MapView& view, QObject* pa
     : QObject(parent), m_context(context), m_view(view) {
     addCommands();
     m_question = new MapQuestion(QStringLiteral("loopQuestion"), {m_close, m_refuse}, m_view);
-    connect(&context.source, &MomentSource::ticked, this,
-            [this](const LiveMoment& moment) { follow(*moment.mission); });
+    m_notice = new LoopNotice(*m_open, m_view, this);
+    connect(&context.source, &MomentSource::ticked, this, &LoopsFeature::follow);
 }
 
 void LoopsFeature::addCommands() {
@@ -65,13 +81,16 @@ void LoopsFeature::answer(bool same) {
     if (!done) emit told(QString::fromStdString(done.error().text));
 }
 
-void LoopsFeature::follow(const MissionState& mission) {
+void LoopsFeature::follow(const LiveMoment& moment) {
+    const MissionState& mission = *moment.mission;
     const std::uint64_t newest = mission.decisions->empty() ? 0 : mission.decisions->back().sequence;
     const bool same = newest == m_shown;
     m_shown = newest;
     if (!same) ask(openLoop(mission));
     nameParts();
     showPreview(mission);
+    const ClosedLoops loops = m_context.mapping.closedLoops();
+    m_notice->follow(loops.count, loops.largest, moment.steady, m_asked.has_value());
     if (same) return;
     m_question->ask(question(mission));
     const bool closed = m_context.mapping.loop().has_value();
@@ -154,7 +173,7 @@ QString LoopsFeature::question(const MissionState& mission) const {
                                            .arg(m_preview->moved.size())
                                            .arg(metres(m_preview->largest));
     const auto finds = findsMovedBy(mission, m_preview->moved, NoticedOfFinds);
-    if (!finds.empty()) text += QLatin1Char(' ') + tr("Finds moved: %1.").arg(finds.size());
+    if (!finds.empty()) text += QLatin1Char(' ') + tr("Finds moved: %1.").arg(namesOf(finds));
     if (m_preview->parted > 0)
         text +=
             QLatin1Char(' ') + tr("Links of other loops that speak against it: %1.").arg(m_preview->parted);

@@ -14,8 +14,10 @@ class QAction;
 
 namespace leitstand {
 
+class LoopNotice;
 class MapQuestion;
 class MapView;
+struct LiveMoment;
 struct MissionState;
 
 /// Where the map meets itself: what the operator is asked, answers, and takes back.
@@ -30,7 +32,7 @@ signals:
 private:
     void addCommands();
     void answer(bool same);
-    void follow(const MissionState& mission);
+    void follow(const LiveMoment& moment);
     /// Names the parts of the map of which nobody knows how they lie to its first one.
     void nameParts();
     /// Whether the parts of the map that @p loop would join have not come together otherwise meanwhile.
@@ -44,6 +46,7 @@ private:
     MapView& m_view;
     QAction *m_close = nullptr, *m_refuse = nullptr, *m_open = nullptr;
     MapQuestion* m_question = nullptr;
+    LoopNotice* m_notice = nullptr;
     std::optional<OpenLoop> m_asked;
     LoopPreviewPtr m_preview;   ///< of it, that is shown; null: none yet
     LiveMapPtr m_named;         ///< the map whose parts are named

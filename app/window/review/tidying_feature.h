@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/window/live/live_context.h"
+#include "app/window/review/tidy_progress.h"
+
+class QAction;
+
+namespace leitstand {
+
+class MapQuestion;
+class MapView;
+class ReviewBridge;
+struct MissionState;
+
+/// Tidies the map of a mission, takes that back, and shows where scans lay before it.
+class TidyingFeature final : public QObject {
+    Q_OBJECT
+public:
+    TidyingFeature(const ViewContext& context, ReviewBridge& bridge, MapView& view, QObject* parent);
+
+signals:
+    void told(const QString& text);
+    void wanted(leitstand::MapTidying what);
+
+private:
+    QAction* add(const char* id, const QString& text, const QString& hint);
+    void ask(MapTidying what);
+    void follow();
+    void compare(bool on);
+
+    const ViewContext m_context;
+    ReviewBridge& m_bridge;
+    MapView& m_view;
+    QAction *m_tidy, *m_back, *m_before;
+    MapQuestion* m_notice;
+};
+
+}  // namespace leitstand

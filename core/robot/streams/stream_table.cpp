@@ -1,0 +1,311 @@
+#include "core/robot/streams/stream_table.h"
+
+#include <array>
+#include <cstddef>
+
+namespace leitstand {
+namespace {
+
+using Type = std::string_view;
+
+constexpr Type Cloud[] = {"sensor_msgs/msg/PointCloud2"};
+constexpr Type Scan[] = {"sensor_msgs/msg/LaserScan"};
+constexpr Type Odom[] = {"nav_msgs/msg/Odometry"};
+constexpr Type Inertia[] = {"sensor_msgs/msg/Imu"};
+constexpr Type Joint[] = {"sensor_msgs/msg/JointState"};
+constexpr Type Transform[] = {"tf2_msgs/msg/TFMessage"};
+constexpr Type Image[] = {"sensor_msgs/msg/CompressedImage", "sensor_msgs/msg/Image"};
+constexpr Type Info[] = {"sensor_msgs/msg/CameraInfo"};
+constexpr Type Gases[] = {"leitstand_msgs/msg/GasConcentration", "std_msgs/msg/Float32",
+                          "std_msgs/msg/Float64"};
+constexpr Type Batteries[] = {"sensor_msgs/msg/BatteryState"};
+constexpr Type Diagnostic[] = {"diagnostic_msgs/msg/DiagnosticArray"};
+constexpr Type Modes[] = {"leitstand_msgs/msg/Mode"};
+constexpr Type Bumpers[] = {"leitstand_msgs/msg/Bumps"};
+constexpr Type Seen[] = {"leitstand_msgs/msg/Sightings"};
+constexpr Type Stopped[] = {"leitstand_msgs/msg/StopState"};
+constexpr Type Answer[] = {"leitstand_msgs/msg/Pong"};
+constexpr Type Velocity[] = {"geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped"};
+constexpr Type Stop[] = {"leitstand_msgs/msg/StopCommand"};
+constexpr Type ModeWish[] = {"leitstand_msgs/msg/ModeCommand"};
+constexpr Type Goal[] = {"geometry_msgs/msg/PoseStamped"};
+constexpr Type StreamWish[] = {"leitstand_msgs/msg/StreamCommand"};
+constexpr Type Question[] = {"leitstand_msgs/msg/Ping"};
+
+constexpr std::string_view OfHeat[] = {"ir", "thermal", "lepton", "flir"};
+constexpr std::string_view OfGas[] = {"co2", "gas"};
+constexpr std::string_view OfDriving[] = {"cmd", "command"};
+constexpr std::string_view OfGoals[] = {"goal"};
+
+constexpr Qos qos(Qos::Reliability reliability, Qos::Durability durability, int depth,
+                  double lifespan = 0.0) {
+    return {reliability, durability, depth, lifespan, 0.0};
+}
+constexpr Qos::Reliability BestEffort = Qos::Reliability::BestEffort, Reliable = Qos::Reliability::Reliable;
+constexpr Qos::Durability Volatile = Qos::Durability::Volatile, Stays = Qos::Durability::TransientLocal;
+constexpr Qos Steady = qos(BestEffort, Volatile, 10), OnChange = qos(Reliable, Stays, 10);
+constexpr Qos Command = qos(Reliable, Volatile, 1), Stick = qos(Reliable, Volatile, 1, 0.2);
+
+constexpr StreamRow Table[] = {
+    // from the robot
+    {.role = StreamRole::Points,
+     .types = Cloud,
+     .topic = "points",
+     .qos = qos(Reliable, Volatile, 600),
+     .steady = true,
+     .quick = true,
+     .needed = true,
+     .stampRank = 4,
+     .thinRank = ThinRank::Scans,
+     .usualRate = 10.0,
+     .usualMegabits = 1.5,
+     .thinnedAs = ThinnedAs::Cloud,
+     .tellsRobot = true},
+    {.role = StreamRole::Ranges,
+     .types = Scan,
+     .topic = "scan",
+     .qos = Steady,
+     .steady = true,
+     .quick = true,
+     .needed = true,
+     .stampRank = 3,
+     .thinRank = ThinRank::Scans,
+     .usualRate = 10.0,
+     .usualMegabits = 0.3,
+     .thinnedAs = ThinnedAs::Ranges,
+     .tellsRobot = true},
+    {.role = StreamRole::Odometry,
+     .types = Odom,
+     .topic = "odom",
+     .qos = Steady,
+     .single = true,
+     .steady = true,
+     .quick = true,
+     .alwaysOn = true,
+     .needed = true,
+     .stampRank = 0,
+     .usualRate = 30.0,
+     .usualMegabits = 0.05,
+     .thinnedAs = ThinnedAs::Motion,
+     .tellsRobot = true},
+    {.role = StreamRole::Imu,
+     .types = Inertia,
+     .topic = "imu",
+     .qos = Steady,
+     .steady = true,
+     .quick = true,
+     .alwaysOn = true,
+     .needed = true,
+     .stampRank = 1,
+     .thinRank = ThinRank::Telemetry,
+     .usualRate = 30.0,
+     .usualMegabits = 0.05,
+     .thinnedAs = ThinnedAs::Other,
+     .inLog = "IMU",
+     .tellsRobot = true},
+    {.role = StreamRole::Joints,
+     .types = Joint,
+     .topic = "joint_states",
+     .qos = Steady,
+     .steady = true,
+     .quick = true,
+     .stampRank = 2,
+     .thinRank = ThinRank::Telemetry,
+     .usualRate = 30.0,
+     .usualMegabits = 0.05,
+     .thinnedAs = ThinnedAs::Other,
+     .tellsRobot = true},
+    {.role = StreamRole::Transforms,
+     .types = Transform,
+     .topic = "tf",
+     .qos = Steady,
+     .shared = true,
+     .steady = true,
+     .quick = true,
+     .thinRank = ThinRank::Telemetry,
+     .usualRate = 30.0,
+     .usualMegabits = 0.05,
+     .thinnedAs = ThinnedAs::Motion,
+     .tellsRobot = true},
+    {.role = StreamRole::StaticTransforms,
+     .types = Transform,
+     .topic = "tf_static",
+     .qos = qos(Reliable, Stays, 100),
+     .shared = true,
+     .inLog = "static transforms",
+     .toldBy = ToldBy::Name},
+    {.role = StreamRole::Picture,
+     .types = Image,
+     .topic = "image/compressed",
+     .qos = Steady,
+     .ofCamera = true,
+     .picture = true,
+     .steady = true,
+     .quick = true,
+     .thinRank = ThinRank::Pictures,
+     .usualRate = 10.0,
+     .usualMegabits = 1.2,
+     .thinnedAs = ThinnedAs::Picture,
+     .inLog = "pictures"},
+    {.role = StreamRole::CameraInfo,
+     .types = Info,
+     .topic = "camera_info",
+     .qos = Steady,
+     .ofCamera = true,
+     .steady = true,
+     .quick = true,
+     .thinRank = ThinRank::Telemetry,
+     .thinnedAs = ThinnedAs::Other,
+     .inLog = "camera info"},
+    {.role = StreamRole::Thermal,
+     .types = Image,
+     .topic = "image/compressed",
+     .qos = Steady,
+     .ofCamera = true,
+     .picture = true,
+     .steady = true,
+     .quick = true,
+     .thinRank = ThinRank::Pictures,
+     .usualRate = 9.0,
+     .usualMegabits = 1.2,
+     .thinnedAs = ThinnedAs::Picture,
+     .inLog = "thermal pictures",
+     .toldBy = ToldBy::Words,
+     .words = OfHeat},
+    {.role = StreamRole::Gas,
+     .types = Gases,
+     .topic = "co2",
+     .qos = Steady,
+     .steady = true,
+     .needed = true,
+     .words = OfGas},
+    {.role = StreamRole::Battery,
+     .types = Batteries,
+     .topic = "battery_state",
+     .qos = Steady,
+     .steady = true,
+     .needed = true,
+     .stampRank = 5,
+     .tellsRobot = true},
+    {.role = StreamRole::Diagnostics,
+     .types = Diagnostic,
+     .topic = "/diagnostics",
+     .qos = Steady,
+     .shared = true,
+     .steady = true},
+    {.role = StreamRole::Mode,
+     .types = Modes,
+     .topic = "mode",
+     .qos = OnChange,
+     .single = true,
+     .toldBy = ToldBy::Name,
+     .tellsRobot = true},
+    {.role = StreamRole::Bumps,
+     .types = Bumpers,
+     .topic = "bumps",
+     .qos = OnChange,
+     .single = true,
+     .toldBy = ToldBy::Name},
+    {.role = StreamRole::Sightings,
+     .types = Seen,
+     .topic = "sightings",
+     .qos = OnChange,
+     .single = true,
+     .toldBy = ToldBy::Name},
+    {.role = StreamRole::StopState,
+     .types = Stopped,
+     .topic = "stop_state",
+     .qos = OnChange,
+     .single = true,
+     .inLog = "stop state",
+     .toldBy = ToldBy::Name,
+     .tellsRobot = true},
+    {.role = StreamRole::Pong,
+     .types = Answer,
+     .topic = "pong",
+     .qos = qos(Reliable, Volatile, 10),
+     .single = true,
+     .thinnedAs = ThinnedAs::Other,
+     .toldBy = ToldBy::Name},
+    // to the robot
+    {.role = StreamRole::DriveCommand,
+     .types = Velocity,
+     .topic = "cmd_vel",
+     .qos = Stick,
+     .single = true,
+     .thinnedAs = ThinnedAs::Other,
+     .toldBy = ToldBy::Words,
+     .words = OfDriving,
+     .tellsRobot = true},
+    {.role = StreamRole::TrackCommand,
+     .types = Joint,
+     .topic = "track_cmd",
+     .qos = Stick,
+     .single = true,
+     .thinnedAs = ThinnedAs::Other,
+     .toldBy = ToldBy::Name},
+    {.role = StreamRole::StopCommand,
+     .types = Stop,
+     .topic = "stop_cmd",
+     .qos = qos(Reliable, Stays, 1),
+     .single = true,
+     .toldBy = ToldBy::Name},
+    {.role = StreamRole::ModeCommand,
+     .types = ModeWish,
+     .topic = "mode_cmd",
+     .qos = Command,
+     .single = true,
+     .toldBy = ToldBy::Name},
+    {.role = StreamRole::GoalPose,
+     .types = Goal,
+     .topic = "goal_pose",
+     .qos = Command,
+     .single = true,
+     .toldBy = ToldBy::Words,
+     .words = OfGoals},
+    {.role = StreamRole::PanTiltCommand,
+     .types = Joint,
+     .topic = "ptu_cmd",
+     .qos = Command,
+     .single = true,
+     .toldBy = ToldBy::Name},
+    {.role = StreamRole::StreamCommand,
+     .types = StreamWish,
+     .topic = "stream_cmd",
+     .qos = Command,
+     .single = true,
+     .toldBy = ToldBy::Name},
+    {.role = StreamRole::Ping,
+     .types = Question,
+     .topic = "ping",
+     .qos = Command,
+     .single = true,
+     .thinnedAs = ThinnedAs::Other,
+     .toldBy = ToldBy::Name},
+};
+
+/// Whether each row stands where its role wants it.
+constexpr bool isInOrder() {
+    for (std::size_t i = 0; i < std::size(Table); ++i) {
+        if (Table[i].role != static_cast<StreamRole>(i) || Table[i].types.empty() || Table[i].topic.empty())
+            return false;
+    }
+    return true;
+}
+static_assert(isInOrder(), "a row for each role, in the order of their declaration");
+
+}  // namespace
+
+std::span<const StreamRow> streamTable() {
+    return Table;
+}
+
+const StreamRow& streamRow(StreamRole role) {
+    return Table[static_cast<std::size_t>(role)];
+}
+
+std::span<const std::string_view> typesOf(StreamRole role) {
+    return streamRow(role).types;
+}
+
+}  // namespace leitstand
