@@ -8,7 +8,7 @@
 
 #include "core/io/bag/topic_info.h"
 #include "core/robot/streams/stream_defaults.h"
-#include "core/robot/streams/stream_types.h"
+#include "core/robot/streams/stream_table.h"
 #include "tests/compat/expected.h"
 #include "tests/compat/lines.h"
 #include "transport/convert/message_catalog.h"
@@ -20,7 +20,8 @@ namespace {
 TEST(CompatWire, StreamsHaveTheirTopicsTypesAndQuality) {
     std::vector<std::string> lines;
     for (const StreamRole role : allStreamRoles()) {
-        const StreamDescription stream = defaultStream(role, "ROBOT", belongsToCamera(role) ? "CAMERA" : "");
+        const StreamDescription stream =
+            defaultStream(role, "ROBOT", streamFacts(role).ofCamera ? "CAMERA" : "");
         std::string line = toString(role) + (isCommand(role) ? " to " : " from ") + stream.topic;
         for (const std::string_view type : typesOf(role)) line += ' ' + std::string(type);
         line += stream.qos.reliability == Qos::Reliability::Reliable ? " reliable" : " best_effort";

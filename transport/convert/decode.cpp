@@ -5,13 +5,13 @@
 
 #include "core/event/station_topics.h"
 #include "core/robot/frame_names.h"
+#include "core/robot/streams/stream_table.h"
 #include "transport/convert/detail/from_wire.h"
 
 namespace leitstand {
 namespace {
 
 using namespace wire;  // packages of messages
-using Role = StreamRole;
 using Decoder = Result<Sample> (*)(const RawEvent&, const StreamDescription*);
 
 template <class Message>
@@ -26,70 +26,75 @@ Result<Sample> decodeAs(const RawEvent& event, const StreamDescription* stream) 
     return Sample(std::move(sample));
 }
 
-/// A type of message and the streams of robots on which it is understood; none: the stations' own.
+/// A type of message; which streams of robots may have it is in the table of streams.
 struct Entry {
     std::string_view type;
     Decoder decode;
-    std::vector<Role> roles;
+    bool ofStations = false;  ///< it is of the stations' own topics
 };
 
 template <class Message>
-Entry entry(std::vector<Role> roles = {}) {
-    return {Message::RosName, &decodeAs<Message>, std::move(roles)};
+Entry entry() {
+    return {Message::RosName, &decodeAs<Message>};
+}
+template <class Message>
+Entry stationEntry() {
+    return {Message::RosName, &decodeAs<Message>, true};
 }
 
 const std::vector<Entry>& entries() {
     static const std::vector<Entry> all = {
-        entry<sensor_msgs::PointCloud2>({Role::Points}),
-        entry<sensor_msgs::LaserScan>({Role::Ranges}),
-        entry<nav_msgs::Odometry>({Role::Odometry}),
-        entry<sensor_msgs::Imu>({Role::Imu}),
-        entry<sensor_msgs::JointState>({Role::Joints, Role::TrackCommand, Role::PanTiltCommand}),
-        entry<tf2_msgs::TFMessage>({Role::Transforms, Role::StaticTransforms}),
-        entry<sensor_msgs::Image>({Role::Picture, Role::Thermal}),
-        entry<sensor_msgs::CompressedImage>({Role::Picture, Role::Thermal}),
-        entry<sensor_msgs::CameraInfo>({Role::CameraInfo}),
-        entry<leitstand_msgs::GasConcentration>({Role::Gas}),
-        entry<std_msgs::Float32>({Role::Gas}),
-        entry<std_msgs::Float64>({Role::Gas}),
-        entry<sensor_msgs::BatteryState>({Role::Battery}),
-        entry<diagnostic_msgs::DiagnosticArray>({Role::Diagnostics}),
-        entry<leitstand_msgs::Mode>({Role::Mode}),
-        entry<leitstand_msgs::Bumps>({Role::Bumps}),
-        entry<leitstand_msgs::Sightings>({Role::Sightings}),
-        entry<leitstand_msgs::StopState>({Role::StopState}),
-        entry<leitstand_msgs::Pong>({Role::Pong}),
-        entry<geometry_msgs::Twist>({Role::DriveCommand}),
-        entry<geometry_msgs::TwistStamped>({Role::DriveCommand}),
-        entry<leitstand_msgs::StopCommand>({Role::StopCommand}),
-        entry<leitstand_msgs::ModeCommand>({Role::ModeCommand}),
-        entry<geometry_msgs::PoseStamped>({Role::GoalPose}),
-        entry<leitstand_msgs::StreamCommand>({Role::StreamCommand}),
-        entry<leitstand_msgs::Ping>({Role::Ping}),
-        entry<leitstand_msgs::Grant>(),
-        entry<leitstand_msgs::Victim>(),
-        entry<leitstand_msgs::Candidate>(),
-        entry<leitstand_msgs::KeyScan>(),
-        entry<leitstand_msgs::ScanPoses>(),
-        entry<leitstand_msgs::ScanLinks>(),
-        entry<leitstand_msgs::ScanBodies>(),
-        entry<leitstand_msgs::MapCrop>(),
-        entry<leitstand_msgs::RobotPlace>(),
-        entry<leitstand_msgs::MissionClock>(),
-        entry<leitstand_msgs::MissionInfo>(),
-        entry<leitstand_msgs::ClockOffset>(),
-        entry<leitstand_msgs::Undo>(),
-        entry<leitstand_msgs::Checkpoint>(),
-        entry<leitstand_msgs::Note>(),
-        entry<leitstand_msgs::Session>(),
-        entry<leitstand_msgs::Alarm>(),
+        entry<sensor_msgs::PointCloud2>(),
+        entry<sensor_msgs::LaserScan>(),
+        entry<nav_msgs::Odometry>(),
+        entry<sensor_msgs::Imu>(),
+        entry<sensor_msgs::JointState>(),
+        entry<tf2_msgs::TFMessage>(),
+        entry<sensor_msgs::Image>(),
+        entry<sensor_msgs::CompressedImage>(),
+        entry<sensor_msgs::CameraInfo>(),
+        entry<leitstand_msgs::GasConcentration>(),
+        entry<std_msgs::Float32>(),
+        entry<std_msgs::Float64>(),
+        entry<sensor_msgs::BatteryState>(),
+        entry<diagnostic_msgs::DiagnosticArray>(),
+        entry<leitstand_msgs::Mode>(),
+        entry<leitstand_msgs::Bumps>(),
+        entry<leitstand_msgs::Sightings>(),
+        entry<leitstand_msgs::StopState>(),
+        entry<leitstand_msgs::Pong>(),
+        entry<geometry_msgs::Twist>(),
+        entry<geometry_msgs::TwistStamped>(),
+        entry<leitstand_msgs::StopCommand>(),
+        entry<leitstand_msgs::ModeCommand>(),
+        entry<geometry_msgs::PoseStamped>(),
+        entry<leitstand_msgs::StreamCommand>(),
+        entry<leitstand_msgs::Ping>(),
+        stationEntry<leitstand_msgs::Grant>(),
+        stationEntry<leitstand_msgs::Victim>(),
+        stationEntry<leitstand_msgs::Candidate>(),
+        stationEntry<leitstand_msgs::KeyScan>(),
+        stationEntry<leitstand_msgs::ScanPoses>(),
+        stationEntry<leitstand_msgs::ScanLinks>(),
+        stationEntry<leitstand_msgs::ScanBodies>(),
+        stationEntry<leitstand_msgs::MapCrop>(),
+        stationEntry<leitstand_msgs::RobotPlace>(),
+        stationEntry<leitstand_msgs::MissionClock>(),
+        stationEntry<leitstand_msgs::MissionInfo>(),
+        stationEntry<leitstand_msgs::ClockOffset>(),
+        stationEntry<leitstand_msgs::Undo>(),
+        stationEntry<leitstand_msgs::Checkpoint>(),
+        stationEntry<leitstand_msgs::Note>(),
+        stationEntry<leitstand_msgs::Session>(),
+        stationEntry<leitstand_msgs::Alarm>(),
     };
     return all;
 }
 
 bool serves(const Entry& entry, const StreamDescription* stream) {
-    if (stream == nullptr) return entry.roles.empty();
-    return std::find(entry.roles.begin(), entry.roles.end(), stream->role) != entry.roles.end();
+    if (stream == nullptr || entry.ofStations) return stream == nullptr && entry.ofStations;
+    const auto types = typesOf(stream->role);
+    return std::find(types.begin(), types.end(), entry.type) != types.end();
 }
 
 /// The types that @p stream may have, for a message.
@@ -137,16 +142,6 @@ void nameFrames(TransformsSample& sample, const RobotDescription& robot) {
 }
 
 }  // namespace
-
-std::vector<std::string_view> typesFor(StreamRole role) {
-    StreamDescription stream;
-    stream.role = role;
-    std::vector<std::string_view> types;
-    for (const Entry& entry : entries()) {
-        if (serves(entry, &stream)) types.push_back(entry.type);
-    }
-    return types;
-}
 
 Result<Sample> decode(const RawEvent& event, const StreamDescription& stream) {
     return decodeFor(event, &stream);

@@ -10,9 +10,6 @@
 
 namespace leitstand {
 
-/// ROS types that a stream of @p role may have.
-[[nodiscard]] std::vector<std::string_view> typesFor(StreamRole role);
-
 /// What a sample on @p stream of a robot says, checked from end to end: its bytes against its counts, its
 /// fields and dimensions, its numbers. The error names topic, type and expectation. Frames stay as they were
 /// sent; nothing big is allocated that the sample's own size does not justify.

@@ -11,6 +11,7 @@
 
 #include "core/base/time.h"
 #include "core/event/station_topics.h"
+#include "core/robot/streams/stream_table.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 #include "transport/link/grant_keeper.h"
@@ -146,7 +147,7 @@ Result<void> RobotCommands::State::open(Node& node) {
         if (found == nullptr) {
             return Error{fmt::format("{}: expected a stream {}, found none", robot.name, toString(role))};
         }
-        const auto types = typesFor(role);
+        const auto types = typesOf(role);
         if (std::find(types.begin(), types.end(), found->type) == types.end()) {
             return Error{fmt::format("{}: {} is no type for {}", found->topic, found->type, toString(role))};
         }

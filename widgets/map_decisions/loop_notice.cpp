@@ -13,18 +13,17 @@ constexpr double Noticed = 0.05;  ///< what moves the map by less interrupts nob
 }  // namespace
 
 LoopNotice::LoopNotice(QAction& open, QWidget& over, QObject* parent)
-    : QObject(parent),
-      m_keep(tr("Keep")),
-      m_notice(*new MapQuestion(QStringLiteral("loopNotice"), {&open, &m_keep}, over)) {
+    : QObject(parent), m_keep(tr("Keep")) {
     m_keep.setObjectName(QStringLiteral("loop.keep"));
     m_keep.setToolTip(tr("The loop stays closed; the menu Map opens it later, too"));
+    m_notice = new MapQuestion(QStringLiteral("loopNotice"), {&open, &m_keep}, over);
     connect(&m_keep, &QAction::triggered, this, &LoopNotice::dismiss);
     connect(&open, &QAction::triggered, this, &LoopNotice::dismiss);
 }
 
 void LoopNotice::dismiss() {
     m_until = {};
-    m_notice.ask({});
+    m_notice->ask({});
 }
 
 void LoopNotice::follow(std::uint64_t closed, double largest, SteadyTime now, bool asked) {
@@ -32,7 +31,7 @@ void LoopNotice::follow(std::uint64_t closed, double largest, SteadyTime now, bo
         m_closed = closed;
         if (largest < Noticed) return;
         m_until = now + Shown;
-        m_notice.ask(tr("The map met itself and closed the loop: scans moved by up to %1 m.")
+        m_notice->ask(tr("The map met itself and closed the loop: scans moved by up to %1 m.")
                          .arg(numberText(largest, 2)));
     }
     if (asked || now >= m_until) dismiss();

@@ -25,7 +25,7 @@ private:
     void dismiss();
 
     QAction m_keep;
-    MapQuestion& m_notice;  ///< of the map
+    MapQuestion* m_notice;  ///< of the map
     std::uint64_t m_closed = 0;
     SteadyTime m_until = {};
 };

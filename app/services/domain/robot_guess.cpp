@@ -10,6 +10,7 @@
 
 #include "core/event/station_topics.h"
 #include "core/robot/streams/stream_defaults.h"
+#include "core/robot/streams/stream_table.h"
 #include "transport/convert/message_catalog.h"
 
 namespace leitstand {
@@ -37,52 +38,36 @@ bool hasPart(std::string_view name, std::initializer_list<std::string_view> word
     return false;
 }
 
-/// Types that a robot says, and their roles.
-const std::map<std::string_view, StreamRole>& rolesOfTypes() {
-    static const std::map<std::string_view, StreamRole> roles = {
-        {"sensor_msgs/msg/PointCloud2", StreamRole::Points},
-        {"sensor_msgs/msg/LaserScan", StreamRole::Ranges},
-        {"nav_msgs/msg/Odometry", StreamRole::Odometry},
-        {"sensor_msgs/msg/Imu", StreamRole::Imu},
-        {"sensor_msgs/msg/JointState", StreamRole::Joints},
-        {"tf2_msgs/msg/TFMessage", StreamRole::Transforms},
-        {"sensor_msgs/msg/Image", StreamRole::Picture},
-        {"sensor_msgs/msg/CompressedImage", StreamRole::Picture},
-        {"sensor_msgs/msg/CameraInfo", StreamRole::CameraInfo},
-        {"leitstand_msgs/msg/GasConcentration", StreamRole::Gas},
-        {"sensor_msgs/msg/BatteryState", StreamRole::Battery},
-        {"diagnostic_msgs/msg/DiagnosticArray", StreamRole::Diagnostics},
-    };
-    return roles;
+/// Whether @p name has one of the words of @p row, which has some.
+bool hasWord(std::string_view name, const StreamFacts& row) {
+    return std::any_of(row.words.begin(), row.words.end(),
+                       [name](std::string_view word) { return hasPart(name, {word}); });
 }
 
-/// Names of the robot's own topics of leitstand_msgs, and of what it listens to (design, section 4).
-const std::map<std::string_view, StreamRole>& rolesOfNames() {
-    static const std::map<std::string_view, StreamRole> roles = {
-        {"mode", StreamRole::Mode},
-        {"bumps", StreamRole::Bumps},
-        {"sightings", StreamRole::Sightings},
-        {"stop_state", StreamRole::StopState},
-        {"pong", StreamRole::Pong},
-        {"stop_cmd", StreamRole::StopCommand},
-        {"mode_cmd", StreamRole::ModeCommand},
-        {"stream_cmd", StreamRole::StreamCommand},
-        {"ping", StreamRole::Ping},
-    };
-    return roles;
-}
-
-std::optional<StreamRole> commandRole(const SeenTopic& topic) {
+/// Whether @p topic, whose type @p row has, is what the row says.
+bool isToldBy(const StreamFacts& row, const SeenTopic& topic) {
     const std::string_view leaf = leafOf(topic.name);
-    if (topic.type == "geometry_msgs/msg/Twist" || topic.type == "geometry_msgs/msg/TwistStamped") {
-        if (hasPart(leaf, {"cmd", "command"})) return StreamRole::DriveCommand;
-    } else if (topic.type == "geometry_msgs/msg/PoseStamped" && hasPart(leaf, {"goal"})) {
-        return StreamRole::GoalPose;
-    } else if (topic.type == "sensor_msgs/msg/JointState") {
-        if (leaf == "track_cmd") return StreamRole::TrackCommand;
-        if (leaf == "ptu_cmd") return StreamRole::PanTiltCommand;
+    switch (row.toldBy) {
+        case ToldBy::Name:
+            return leaf == row.topic;
+        case ToldBy::Words:
+            return hasWord(isCommand(row.role) ? leaf : std::string_view(topic.name), row);
+        case ToldBy::Type:
+            break;
     }
-    return std::nullopt;
+    return row.words.empty() || topic.type == row.types.front() || hasWord(topic.name, row);
+}
+
+/// The role that the table of streams tells for @p topic, of commands or of what robots say. What a name
+/// tells goes before what a type does.
+std::optional<StreamRole> roleInTable(const SeenTopic& topic, bool commands) {
+    const StreamFacts* found = nullptr;
+    for (const StreamFacts& row : streamTable()) {
+        const bool known = std::find(row.types.begin(), row.types.end(), topic.type) != row.types.end();
+        if (isCommand(row.role) != commands || !known || !isToldBy(row, topic)) continue;
+        if (found == nullptr || (found->toldBy == ToldBy::Type && row.toldBy != ToldBy::Type)) found = &row;
+    }
+    return found == nullptr ? std::nullopt : std::optional(found->role);
 }
 
 /// Camera or sensor that a picture topic belongs to: "/kurt3d/left/image/compressed" -> "left".
@@ -95,10 +80,9 @@ std::string sensorOf(const std::string& name, const std::string& robot) {
 
 /// Whether topics of this name tell that their namespace is a robot's.
 bool tellsARobot(std::string_view leaf) {
-    static const std::set<std::string_view> leaves = {
-        "odom", "cmd_vel",      "scan",          "points",     "tf",
-        "imu",  "joint_states", "battery_state", "stop_state", "mode"};
-    return leaves.contains(leaf);
+    const auto table = streamTable();
+    return std::any_of(table.begin(), table.end(),
+                       [leaf](const StreamFacts& row) { return row.tellsRobot && row.topic == leaf; });
 }
 
 std::string letterFor(const std::string& name, std::set<std::string>& taken) {
@@ -126,8 +110,7 @@ void addTopic(RobotGuess& guess, const SeenTopic& topic) {
                                  .qos = topic.qos,
                                  .thermal = {},
                                  .hardwareId = {}};
-        const bool picture = *verdict.role == StreamRole::Picture || *verdict.role == StreamRole::Thermal ||
-                             *verdict.role == StreamRole::CameraInfo;
+        const bool picture = streamFacts(*verdict.role).ofCamera;
         if (picture) stream.sensor = sensorOf(topic.name, guess.robot.name);
         // DDS does not tell how deep a history is.
         stream.qos.depth = defaultStream(stream.role, guess.robot.name, stream.sensor).qos.depth;
@@ -178,36 +161,31 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
         remark = "not a topic of ROS 2";
         return std::nullopt;
     }
-    if (const auto command = commandRole(topic)) {
-        if (!topic.read) remark = "nobody listens to it";
+    const bool ours = topic.type.starts_with("leitstand_msgs/");
+    if (const auto command = roleInTable(topic, true)) {
+        if (!topic.read && !ours) remark = "nobody listens to it";
         return command;
     }
-    if (topic.type.starts_with("leitstand_msgs/")) {
-        if (const auto role = rolesOfNames().find(leaf); role != rolesOfNames().end()) return role->second;
-    }
+    const auto role = roleInTable(topic, false);
+    if (ours && role && streamFacts(*role).toldBy == ToldBy::Name) return role;
     if (!topic.written) {
         remark = "nobody publishes it, and the station has nothing to say there";
         return std::nullopt;
     }
-    if (topic.type == "std_msgs/msg/Float32" && hasPart(name, {"co2", "gas"})) return StreamRole::Gas;
     if (leaf == "compressedDepth" || leaf == "theora" || leaf == "zstd") {
         remark = fmt::format(
             "pictures of the transport \"{}\" are not understood, expected raw or compressed", leaf);
         return std::nullopt;
     }
-    const auto role = rolesOfTypes().find(topic.type);
-    if (role == rolesOfTypes().end()) {
+    if (!role) {
         remark = findMessageType(topic.type) != nullptr
                      ? "nothing in the station shows it"
                      : fmt::format("type {} is not known: it can be recorded, not shown", topic.type);
         return std::nullopt;
     }
-    if (role->second == StreamRole::Transforms && leaf == "tf_static") return StreamRole::StaticTransforms;
-    if (role->second == StreamRole::Picture && hasPart(name, {"ir", "thermal", "lepton", "flir"})) {
+    if (*role == StreamRole::Thermal)
         remark = "taken as infrared: check scale and offset in the robot's file";
-        return StreamRole::Thermal;
-    }
-    return role->second;
+    return role;
 }
 
 std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {

@@ -17,6 +17,7 @@
 #include "core/io/bag/bag_writer.h"
 #include "core/io/detail/unfinished.h"
 #include "core/robot/robot_description.h"
+#include "core/robot/streams/stream_table.h"
 #include "transport/convert/decode.h"
 
 namespace leitstand {
@@ -58,28 +59,21 @@ std::set<std::uint64_t> evidenceOf(BagReader& bag, const std::vector<RobotDescri
 
 /// How often a topic of @p role is kept [1/s]; negative: always.
 double rateOf(StreamRole role, const ThinSettings& settings) {
-    switch (role) {
-        case StreamRole::Points:
-            return settings.clouds;
-        case StreamRole::Ranges:
-            return settings.ranges;
-        case StreamRole::Picture:
-        case StreamRole::Thermal:
-            return settings.pictures;
-        case StreamRole::Odometry:
-        case StreamRole::Transforms:
-            return settings.motion;
-        case StreamRole::Imu:
-        case StreamRole::Joints:
-        case StreamRole::CameraInfo:
-        case StreamRole::DriveCommand:
-        case StreamRole::TrackCommand:
-        case StreamRole::Ping:
-        case StreamRole::Pong:
-            return settings.others;
-        default:
+    switch (streamFacts(role).thinnedAs) {
+        case ThinnedAs::Kept:
             return -1.0;
+        case ThinnedAs::Cloud:
+            return settings.clouds;
+        case ThinnedAs::Ranges:
+            return settings.ranges;
+        case ThinnedAs::Picture:
+            return settings.pictures;
+        case ThinnedAs::Motion:
+            return settings.motion;
+        case ThinnedAs::Other:
+            return settings.others;
     }
+    return -1.0;
 }
 
 /// Decides event by event.

@@ -73,6 +73,9 @@ void TidyingFeature::compare(bool on) {
         m_view.setGhosts({});
         return m_notice->ask({});
     }
+    // Both are as the mission ended.
+    if (m_bridge.player().map() != ReviewMap::Finished)
+        m_context.commands.trigger(QStringLiteral("review.finished"));
     const MissionState& finished = *m_bridge.index()->finished;
     std::map<std::uint64_t, Pose> before = posesBeforeTidying(finished);
     double largest = 0.0;

@@ -1,5 +1,7 @@
 #include "core/io/robot/robot_words.h"
 
+#include "core/robot/streams/stream_table.h"
+
 namespace leitstand::detail {
 namespace {
 
@@ -22,7 +24,11 @@ const Words<SensorMotion>& motionWords() {
 }
 
 const Words<StreamRole>& roleWords() {
-    static const Words<StreamRole> words = wordsUpTo(StreamRole::Ping);
+    static const Words<StreamRole> words = [] {
+        Words<StreamRole> all;
+        for (const StreamFacts& row : streamTable()) all.emplace_back(toString(row.role), row.role);
+        return all;
+    }();
     return words;
 }
 

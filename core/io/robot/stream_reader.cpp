@@ -8,7 +8,7 @@
 #include "core/io/robot/robot_keys.h"
 #include "core/io/robot/robot_words.h"
 #include "core/robot/streams/stream_defaults.h"
-#include "core/robot/streams/stream_types.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand::detail {
 namespace {
@@ -29,21 +29,6 @@ bool isTopic(std::string_view text) {
         if (before == '_' && c == '_') return false;  // ROS 2 keeps that to itself
     }
     return true;
-}
-
-/// Whether a robot has at most one stream of @p role: which one would be obeyed, or believed?
-bool isSingle(StreamRole role) {
-    switch (role) {
-        case StreamRole::Odometry:
-        case StreamRole::Mode:
-        case StreamRole::Bumps:
-        case StreamRole::Sightings:
-        case StreamRole::StopState:
-        case StreamRole::Pong:
-            return true;
-        default:
-            return isCommand(role);
-    }
 }
 
 class StreamReader {
@@ -72,7 +57,7 @@ public:
         if (fields.has("qos")) readQos(fields.at("qos"), stream);
         readSpecials(fields, stream);
         fields.flag("record", stream.record);
-        if (isSingle(role))
+        if (streamFacts(role).single)
             once(fields, m_roles, toString(role), "role",
                  translatable("leitstand::Error",
                               "expected one stream of this role, found {} of line {} again"));
@@ -97,7 +82,7 @@ private:
     void readSensor(const YamlFields& fields, StreamRole role, std::string& sensor) {
         if (!fields.text("sensor", sensor)) return;
         if (!fields.has("sensor")) {
-            if (belongsToCamera(role))
+            if (streamFacts(role).ofCamera)
                 fields.fail(
                     "sensor",
                     translate("leitstand::Error",

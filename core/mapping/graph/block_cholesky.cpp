@@ -56,17 +56,8 @@ bool factorBlock(std::array<double, 48>& block, std::array<double, 48>& inverse)
     return true;
 }
 
-/// to -= left * right^T, each 6 x 6 in columns of eight.
-inline void subtract(double* to, const double* left, const double* right) {
-    for (std::size_t c = 0; c < Side; ++c) {
-        std::array<double, Stride> sum{};
-        for (std::size_t m = 0; m < Side; ++m) {
-            const double factor = right[m * Stride + c];
-            for (std::size_t r = 0; r < Stride; ++r) sum[r] += left[m * Stride + r] * factor;
-        }
-        for (std::size_t r = 0; r < Stride; ++r) to[c * Stride + r] -= sum[r];
-    }
-}
+/// Eight numbers in as many registers as they need.
+using Column = double __attribute__((vector_size(Stride * sizeof(double))));
 
 }  // namespace
 
@@ -80,9 +71,10 @@ BlockCholesky::BlockCholesky(std::size_t size, std::span<const std::pair<std::si
     m_factor.resize(m_rows.size());
     m_inverse.resize(size);
     m_slot.resize(size);
-    m_next.resize(size);
-    m_cursor.resize(size);
-    m_first.resize(size);
+    const std::size_t panels = m_panels.size() - 1;
+    m_next.resize(panels);
+    m_cursor.resize(panels);
+    m_first.resize(panels);
 }
 
 void BlockCholesky::analyse(std::span<const std::pair<std::size_t, std::size_t>> pairs) {
@@ -111,6 +103,12 @@ void BlockCholesky::analyse(std::span<const std::pair<std::size_t, std::size_t>>
         m_begin.push_back(m_rows.size());
         rows = {};
     }
+    m_panelOf.resize(m_size);
+    for (std::size_t column = 0; column < m_size; ++column) {
+        if (column == 0 || !continuesPanel(column)) m_panels.push_back(column);
+        m_panelOf[column] = m_panels.size() - 1;
+    }
+    m_panels.push_back(m_size);
     for (const auto& [row, column] : pairs) {
         const auto [low, high] = std::minmax(m_place[row], m_place[column]);
         const auto begin = m_rows.begin() + std::ptrdiff_t(m_begin[low]),
@@ -118,6 +116,13 @@ void BlockCholesky::analyse(std::span<const std::pair<std::size_t, std::size_t>>
         m_pairEntry.push_back(static_cast<std::size_t>(std::lower_bound(begin, end, high) - m_rows.begin()));
         m_pairTurned.push_back(m_place[row] < m_place[column]);
     }
+}
+
+bool BlockCholesky::continuesPanel(std::size_t column) const {
+    constexpr std::size_t Widest = 16;  // whose rows stay in the cache
+    const std::size_t before = column - 1, rows = m_begin[column] - m_begin[before];
+    return rows == m_begin[column + 1] - m_begin[column] + 1 && m_rows[m_begin[before] + 1] == column &&
+           column - m_panels.back() < Widest;
 }
 
 void BlockCholesky::clear() {
@@ -151,49 +156,107 @@ BlockCholesky::Vector BlockCholesky::diagonal(std::size_t at) const {
 
 // Sanitizers are not up yet when the loader chooses a clone.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-__attribute__((target_clones("avx2,fma", "default")))
+#define LEITSTAND_CLONES __attribute__((target_clones("avx512f", "avx2,fma", "default")))
+#else
+#define LEITSTAND_CLONES
 #endif
-void subtractColumns(BlockCholesky::Columns& columns, std::size_t column) {
-    for (std::size_t k = columns.first[column]; k != None;) {
-        const std::size_t following = columns.next[k], at = columns.cursor[k], end = columns.begin[k + 1];
-        const double* const right = columns.factor[at].at.data();
-        for (std::size_t i = at; i < end; ++i) {
-            subtract(columns.factor[columns.slot[columns.rows[i]]].at.data(), columns.factor[i].at.data(),
-                     right);
+
+/// Subtracts L_i L_j^T from the block of row i and column j of the panel @p to, for all rows j of the panel
+/// @p from, between its @p first and @p last, that are columns of the other, and all rows i from there on.
+/// @p slot: of each row of the matrix, its place in the panel @p to.
+LEITSTAND_CLONES
+void subtractPanel(const BlockCholesky::Panel& from, std::size_t first, std::size_t last,
+                   const BlockCholesky::Panel& to, const std::size_t* slot) {
+    for (std::size_t j = first; j < last; ++j) {
+        const std::size_t column = slot[from.rows[j]];
+        for (std::size_t i = j; i < from.size; ++i) {
+            Column sums[Side] = {};
+            for (std::size_t k = 0; k < from.width; ++k) {
+                const double* const left = from.block(i, k).at.data();
+                const double* const right = from.block(j, k).at.data();
+                for (std::size_t m = 0; m < Side; ++m) {
+                    const Column values = *reinterpret_cast<const Column*>(left + m * Stride);
+                    for (std::size_t c = 0; c < Side; ++c) sums[c] += values * right[m * Stride + c];
+                }
+            }
+            double* const block = to.block(slot[from.rows[i]], column).at.data();
+            for (std::size_t c = 0; c < Side; ++c) {
+                for (std::size_t r = 0; r < Stride; ++r) block[c * Stride + r] -= sums[c][r];
+            }
         }
-        if (at + 1 < end) {
-            columns.cursor[k] = at + 1;
-            columns.next[k] = columns.first[columns.rows[at + 1]];
-            columns.first[columns.rows[at + 1]] = k;
-        }
-        k = following;
     }
+}
+
+/// The blocks of @p panel's column below its diagonal, divided by that one's lower factor.
+LEITSTAND_CLONES
+void divideColumn(const BlockCholesky::Panel& panel, std::size_t column, const double* inverse) {
+    for (std::size_t i = column + 1; i < panel.size; ++i) {
+        double* const block = panel.block(i, column).at.data();
+        Column divided[Side] = {};
+        for (std::size_t c = 0; c < Side; ++c) {
+            // Above the inverse's diagonal there are zeros.
+            for (std::size_t m = 0; m <= c; ++m)
+                divided[c] += *reinterpret_cast<const Column*>(block + m * Stride) * inverse[m * Stride + c];
+        }
+        for (std::size_t c = 0; c < Side; ++c) {
+            for (std::size_t r = 0; r < Stride; ++r) block[c * Stride + r] = divided[c][r];
+        }
+    }
+}
+
+/// The factor of @p panel from which all panels before it are subtracted.
+bool BlockCholesky::factorPanel(const Panel& panel, std::size_t first) {
+    for (std::size_t column = 0; column < panel.width; ++column) {
+        Padded& inverse = m_inverse[first + column];
+        if (!factorBlock(panel.block(column, column).at, inverse.at)) return false;
+        divideColumn(panel, column, inverse.at.data());
+        // To the panel's columns that follow it is a panel of one.
+        Panel done = panel;
+        done.begins += column;
+        done.rows += column;
+        done.size -= column;
+        done.width = 1;
+        subtractPanel(done, 1, panel.width - column, panel, m_slot.data());
+    }
+    return true;
 }
 
 bool BlockCholesky::factor(double damping) {
     std::fill(m_first.begin(), m_first.end(), None);
     std::copy(m_matrix.begin(), m_matrix.end(), m_factor.begin());
-    Columns columns{m_begin, m_rows, m_factor, m_slot, m_next, m_cursor, m_first};
     for (std::size_t column = 0; column < m_size; ++column) {
-        const std::size_t begin = m_begin[column], end = m_begin[column + 1];
-        for (std::size_t i = begin; i < end; ++i) m_slot[m_rows[i]] = i;
-        Padded& diagonal = m_factor[begin];
+        Padded& diagonal = m_factor[m_begin[column]];
         for (std::size_t i = 0; i < Side; ++i) diagonal.at[i * Stride + i] *= 1.0 + damping;
-        subtractColumns(columns, column);
-        if (!factorBlock(diagonal.at, m_inverse[column].at)) return false;
-        for (std::size_t i = begin + 1; i < end; ++i) {
-            Padded divided;
-            subtract(divided.at.data(), m_factor[i].at.data(), m_inverse[column].at.data());
-            for (double& value : divided.at) value = -value;
-            m_factor[i] = divided;
+    }
+    const auto panelOf = [this](std::size_t number) {
+        const std::size_t first = m_panels[number];
+        return Panel{m_factor.data(), m_begin.data() + first, m_rows.data() + m_begin[first],
+                     m_begin[first + 1] - m_begin[first], m_panels[number + 1] - first};
+    };
+    for (std::size_t number = 0; number + 1 < m_panels.size(); ++number) {
+        const Panel panel = panelOf(number);
+        for (std::size_t i = 0; i < panel.size; ++i) m_slot[panel.rows[i]] = i;
+        for (std::size_t other = m_first[number]; other != None;) {
+            const std::size_t following = m_next[other];
+            const Panel before = panelOf(other);
+            std::size_t last = m_cursor[other];
+            while (last < before.size && m_panelOf[before.rows[last]] == number) ++last;
+            subtractPanel(before, m_cursor[other], last, panel, m_slot.data());
+            wait(other, last, before);
+            other = following;
         }
-        if (begin + 1 < end) {
-            m_cursor[column] = begin + 1;
-            m_next[column] = m_first[m_rows[begin + 1]];
-            m_first[m_rows[begin + 1]] = column;
-        }
+        if (!factorPanel(panel, m_panels[number])) return false;
+        wait(number, panel.width, panel);
     }
     return true;
+}
+
+void BlockCholesky::wait(std::size_t number, std::size_t row, const Panel& panel) {
+    if (row == panel.size) return;
+    std::size_t& first = m_first[m_panelOf[panel.rows[row]]];
+    m_cursor[number] = row;
+    m_next[number] = first;
+    first = number;
 }
 
 std::vector<BlockCholesky::Vector> BlockCholesky::solve(std::span<const Vector> right) const {

@@ -39,20 +39,29 @@ public:
     /// Blocks of the factor.
     [[nodiscard]] std::size_t blocks() const { return m_rows.size(); }
 
-    /// Six columns of eight numbers, the last two of which stay zero: whole vectors of four.
-    struct alignas(32) Padded {
+    /// Six columns of eight numbers, the last two of which stay zero: whole vectors of eight.
+    struct alignas(64) Padded {
         std::array<double, 48> at{};
     };
-    /// The factor while it comes about: columns in one array, and in lists those whose next row is this one.
-    struct Columns {
-        const std::vector<std::size_t>&begin, &rows;
-        std::vector<Padded>& factor;
-        const std::vector<std::size_t>& slot;  ///< entry of each row in the column that is worked on
-        std::vector<std::size_t>&next, &cursor, &first;
+    /// Columns that follow each other and have the same rows below (a supernode: Ng & Peyton 1993). What they
+    /// take from another panel is worked out at once, and what is read for it serves them all.
+    struct Panel {
+        Padded* factor;
+        const std::size_t* begins;  ///< in the factor, of each of its columns
+        const std::size_t* rows;    ///< of the first one, which begin with its columns
+        std::size_t size, width;    ///< rows, columns
+        [[nodiscard]] Padded& block(std::size_t row, std::size_t column) const {
+            return factor[begins[column] + row - column];
+        }
     };
 
 private:
     void analyse(std::span<const std::pair<std::size_t, std::size_t>> pairs);
+    /// Whether @p column has the rows of the one before, without that one.
+    [[nodiscard]] bool continuesPanel(std::size_t column) const;
+    [[nodiscard]] bool factorPanel(const Panel& panel, std::size_t first);
+    /// Puts panel @p number in the list of the one that its @p row is a column of.
+    void wait(std::size_t number, std::size_t row, const Panel& panel);
     static void add(Padded& to, const Block& block, bool turned);
 
     std::size_t m_size;
@@ -60,10 +69,13 @@ private:
     std::vector<std::size_t> m_begin;           ///< of each column in m_rows, m_matrix and m_factor
     std::vector<std::size_t> m_rows;            ///< places, rising; the first of a column is the diagonal's
     std::vector<Padded> m_matrix, m_factor;
-    std::vector<std::size_t> m_pairEntry;                        ///< entry of each pair ...
-    std::vector<bool> m_pairTurned;                              ///< ... and whether its mirror is stored
-    std::vector<Padded> m_inverse;                               ///< of the diagonal's factors
-    std::vector<std::size_t> m_slot, m_next, m_cursor, m_first;  ///< as Columns
+    std::vector<std::size_t> m_pairEntry;          ///< entry of each pair ...
+    std::vector<bool> m_pairTurned;                ///< ... and whether its mirror is stored
+    std::vector<Padded> m_inverse;                 ///< of the diagonal's factors
+    std::vector<std::size_t> m_panels, m_panelOf;  ///< their first columns, and the end; of each column
+    // While the factor comes about: place of each row in the panel that is worked on; lists of panels by the
+    // one that their next row, the cursor, is a column of.
+    std::vector<std::size_t> m_slot, m_next, m_cursor, m_first;
 };
 
 }  // namespace leitstand

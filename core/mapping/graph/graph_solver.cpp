@@ -207,7 +207,7 @@ void Problem::minimise(const GraphSettings& settings, int iterations, const Prog
             result.converged = true;
             return;
         }
-        now = linearise();
+        if (i + 1 < iterations) now = linearise();
     }
 }
 
@@ -261,7 +261,8 @@ GraphResult solve(PoseGraph& graph, const GraphSettings& settings, const Progres
         return result;
     }
     if (settings.robust) {
-        constexpr double Sharper = 1.4;  // as the authors have it
+        constexpr double Sharper = 1.4;              // as the authors have it ...
+        constexpr double Blunt = 1e-3, Twice = 2.0;  // ... but while weights hardly differ
         constexpr int Rounds = 60, AtFirst = 10, Few = 3;
         const double most = settings.mostDisagreement;
         problem.minimise(settings, AtFirst, progress, result);
@@ -271,7 +272,8 @@ GraphResult solve(PoseGraph& graph, const GraphSettings& settings, const Progres
                 largest = std::max(largest, problem.disagreement(edge));
         }
         double mu = most / std::max(2.0 * largest - most, 1e-9);
-        for (int round = 0; round < Rounds && 2.0 * largest > most; ++round, mu *= Sharper) {
+        for (int round = 0; round < Rounds && 2.0 * largest > most;
+             ++round, mu *= mu < Blunt ? Twice : Sharper) {
             const bool settled = weigh(problem, graph, mu, most);
             problem.minimise(settings, settled ? settings.maxIterations : Few, progress, result);
             if (settled || progress.cancelled()) break;

@@ -10,7 +10,7 @@ namespace leitstand {
 /// How the poses of a graph are found: Levenberg-Marquardt (Madsen, Nielsen & Tingleff 2004).
 struct GraphSettings {
     int maxIterations = 100;
-    double costChange = 1e-7;  ///< it has converged when a step lowers the cost by less of itself
+    double costChange = 1e-6;  ///< it has converged when a step lowers the cost by less of itself
     double initialDamping = 1e-4;
     /// Loop links are weighed: those that contradict the others count less and less, in the end not at all
     /// (graduated non-convexity with truncated least squares: Yang, Antonante, Tzoumas & Carlone 2020).

@@ -9,6 +9,7 @@
 
 #include "core/base/said.h"
 #include "core/base/words.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
 namespace {
@@ -19,12 +20,6 @@ constexpr std::size_t MostNames = 4;
 /// A topic that was announced for longer is not worth leaving the network for [s].
 constexpr double FreshTopic = 20.0;
 
-/// Streams that come several times a second wherever they come.
-bool isQuick(StreamRole role) {
-    return comesSteadily(role) && role != StreamRole::Gas && role != StreamRole::Battery &&
-           role != StreamRole::Diagnostics;
-}
-
 bool isOwn(const StreamDescription& stream, const RobotDescription& robot) {
     return stream.role != StreamRole::Transforms || stream.topic.starts_with("/" + robot.name + "/");
 }
@@ -32,13 +27,8 @@ bool isOwn(const StreamDescription& stream, const RobotDescription& robot) {
 /// Streams that are judged by whether they are heard.
 bool isJudged(const AnnouncedWriter& writer, const RobotDescription& robot) {
     return std::any_of(robot.streams.begin(), robot.streams.end(), [&](const auto& stream) {
-        return stream.topic == writer.topic && isQuick(stream.role) && isOwn(stream, robot);
+        return stream.topic == writer.topic && streamFacts(stream.role).quick && isOwn(stream, robot);
     });
-}
-
-/// Streams that no robot switches off: those of scanners and cameras may well be.
-bool isAlwaysOn(StreamRole role) {
-    return role == StreamRole::Odometry || role == StreamRole::Imu;
 }
 
 bool isUp(LinkState link) {
@@ -110,7 +100,7 @@ std::optional<HearingFault> faultWhileUp(const RobotDescription& robot, const An
         topic.heard = topic.heard || writer.heard;
         topic.alwaysOn =
             topic.alwaysOn || std::any_of(robot.streams.begin(), robot.streams.end(), [&](const auto& one) {
-                return one.topic == writer.topic && isAlwaysOn(one.role);
+                return one.topic == writer.topic && streamFacts(one.role).alwaysOn;
             });
     }
     const bool any = isHeard(robot, announced);
@@ -128,20 +118,6 @@ std::optional<HearingFault> faultWhileUp(const RobotDescription& robot, const An
 }
 
 }  // namespace
-
-bool comesSteadily(StreamRole role) {
-    switch (role) {
-        case StreamRole::StaticTransforms:
-        case StreamRole::Mode:
-        case StreamRole::Bumps:
-        case StreamRole::Sightings:
-        case StreamRole::StopState:
-        case StreamRole::Pong:
-            return false;
-        default:
-            return !isCommand(role);
-    }
-}
 
 std::optional<HearingFault> hearingFaultOf(const RobotDescription& robot, LinkState link,
                                            const Announced& announced) {

@@ -49,9 +49,6 @@ inline constexpr double HearWithin = 2.0;
 /// ... and odometry and IMU, while others of the robot are heard [s]: a sensor may take a while to start.
 inline constexpr double HearTopicWithin = 5.0;
 
-/// Whether streams of @p role come at a rate, so that silence is a fault: events and commands do not.
-[[nodiscard]] bool comesSteadily(StreamRole role);
-
 /// What is not heard of @p robot although it is announced; empty while nothing is announced: then it is not
 /// there. Judged by the streams that come several times a second and are the robot's own: streams on events
 /// and answers to pings say nothing, and neither do gas, battery and diagnostics, which may be slow. A link

@@ -7,6 +7,7 @@
 
 #include "core/base/time.h"
 #include "core/robot/link/hearing.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
 namespace {
@@ -19,31 +20,9 @@ constexpr int NoRank = 100;
 constexpr double OnTime = 0.25;
 constexpr std::chrono::milliseconds SureEnough{200};  ///< of a clock by which delays are told
 
-/// Which streams are written by the computer whose clock matters most, and at once.
-int stampRankOf(StreamRole role) {
-    switch (role) {
-        case StreamRole::Odometry:
-            return 0;
-        case StreamRole::Imu:
-            return 1;
-        case StreamRole::Joints:
-            return 2;
-        case StreamRole::Ranges:
-            return 3;
-        case StreamRole::Points:
-            return 4;
-        case StreamRole::Battery:
-            return 5;
-        default:
-            return 6;
-    }
-}
-
 /// Topics that a robot shares with others when they are not its own: "/tf", "/diagnostics".
 bool isShared(const StreamDescription& stream, const std::string& robot) {
-    const bool global = stream.role == StreamRole::Diagnostics || stream.role == StreamRole::Transforms ||
-                        stream.role == StreamRole::StaticTransforms;
-    return global && !stream.topic.starts_with("/" + robot + "/");
+    return streamFacts(stream.role).shared && !stream.topic.starts_with("/" + robot + "/");
 }
 
 /// Over @p limit, or not yet down to @p over when it was.
@@ -61,9 +40,9 @@ LinkMonitor::LinkMonitor(const RobotDescription& robot, const LinkRules& rules)
         its.role = stream.role;
         its.sensor = stream.sensor;
         its.topic = stream.topic;
-        its.steadyRole = comesSteadily(stream.role);
+        its.steadyRole = streamFacts(stream.role).steady;
         its.shared = isShared(stream, robot.name);
-        its.stampRank = its.shared ? NoRank : stampRankOf(stream.role);
+        its.stampRank = its.shared ? NoRank : streamFacts(stream.role).stampRank;
     }
     m_byTopic.resize(m_streams.size());
     std::iota(m_byTopic.begin(), m_byTopic.end(), 0U);

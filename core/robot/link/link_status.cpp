@@ -9,34 +9,20 @@
 
 #include "core/base/said.h"
 #include "core/robot/link/link_reasons.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
 namespace {
 
 std::string wordsOf(StreamRole role) {
-    switch (role) {
-        case StreamRole::Imu:
-            return "IMU";
-        case StreamRole::Picture:
-            return "pictures";
-        case StreamRole::Thermal:
-            return "thermal pictures";
-        case StreamRole::CameraInfo:
-            return "camera info";
-        case StreamRole::StaticTransforms:
-            return "static transforms";
-        case StreamRole::StopState:
-            return "stop state";
-        default:
-            return toString(role);
-    }
+    const std::string_view words = streamFacts(role).inLog;
+    return words.empty() ? toString(role) : std::string(words);
 }
 
 std::string streamOf(const LinkReason& reason) {
-    const bool camera = reason.role == StreamRole::Picture || reason.role == StreamRole::Thermal ||
-                        reason.role == StreamRole::CameraInfo;
-    return camera && !reason.sensor.empty() ? reason.sensor + " " + wordsOf(reason.role)
-                                            : wordsOf(reason.role);
+    return streamFacts(reason.role).ofCamera && !reason.sensor.empty()
+               ? reason.sensor + " " + wordsOf(reason.role)
+               : wordsOf(reason.role);
 }
 
 constexpr std::pair<LinkReason::Kind, const char*> Sentences[] = {

@@ -6,9 +6,6 @@
 
 namespace leitstand {
 
-/// Whether streams of @p role belong to a camera: pictures, infrared, camera_info.
-[[nodiscard]] bool belongsToCamera(StreamRole role);
-
 /// The stream of @p role that a robot called @p robot has when its file says nothing else: topic, type and
 /// QoS of design section 4. @p sensor names the camera of pictures ("left"); unless robots are told by their
 /// topics (@p prefix), transforms are on /tf.

@@ -46,7 +46,7 @@ constexpr Qos::Durability Volatile = Qos::Durability::Volatile, Stays = Qos::Dur
 constexpr Qos Steady = qos(BestEffort, Volatile, 10), OnChange = qos(Reliable, Stays, 10);
 constexpr Qos Command = qos(Reliable, Volatile, 1), Stick = qos(Reliable, Volatile, 1, 0.2);
 
-constexpr StreamRow Table[] = {
+constexpr StreamFacts Table[] = {
     // from the robot
     {.role = StreamRole::Points,
      .types = Cloud,
@@ -296,16 +296,16 @@ static_assert(isInOrder(), "a row for each role, in the order of their declarati
 
 }  // namespace
 
-std::span<const StreamRow> streamTable() {
+std::span<const StreamFacts> streamTable() {
     return Table;
 }
 
-const StreamRow& streamRow(StreamRole role) {
+const StreamFacts& streamFacts(StreamRole role) {
     return Table[static_cast<std::size_t>(role)];
 }
 
 std::span<const std::string_view> typesOf(StreamRole role) {
-    return streamRow(role).types;
+    return streamFacts(role).types;
 }
 
 }  // namespace leitstand

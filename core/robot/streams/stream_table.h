@@ -17,14 +17,14 @@ enum class ThinnedAs : std::uint8_t { Kept, Cloud, Ranges, Picture, Motion, Othe
 
 /// By what the role of a topic is told that no robot's file names.
 enum class ToldBy : std::uint8_t {
-    /// The first of StreamRow::types; another one, if there are words, with one of them in its name.
+    /// The first of StreamFacts::types; another one, if there are words, with one of them in its name.
     Type,
-    Name,   ///< its name ends with StreamRow::topic, and its type is one of them
-    Words,  ///< a word of its name is one of StreamRow::words, and its type is one of them
+    Name,   ///< its name ends with StreamFacts::topic, and its type is one of them
+    Words,  ///< a word of its name is one of StreamFacts::words, and its type is one of them
 };
 
 /// All that is known of the streams of one role.
-struct StreamRow {
+struct StreamFacts {
     StreamRole role = StreamRole::Points;
     std::span<const std::string_view> types;  ///< ROS types that it may have, the usual one first
     std::string_view topic;                   ///< usual one, below the robot's name; with a slash as it is
@@ -50,8 +50,8 @@ struct StreamRow {
 };
 
 /// A row for each role, in the order of their declaration.
-[[nodiscard]] std::span<const StreamRow> streamTable();
-[[nodiscard]] const StreamRow& streamRow(StreamRole role);
+[[nodiscard]] std::span<const StreamFacts> streamTable();
+[[nodiscard]] const StreamFacts& streamFacts(StreamRole role);
 
 /// The ROS types that a stream of @p role may have; the first one is the usual one.
 [[nodiscard]] std::span<const std::string_view> typesOf(StreamRole role);

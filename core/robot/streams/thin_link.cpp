@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/robot/streams/stream_table.h"
+
 namespace leitstand {
 namespace {
 
@@ -12,7 +14,6 @@ constexpr double UsualQuality = 80.0;  ///< of their JPEGs
 /// What is left of a datagram of 1400 B for a piece of a sample, and what its headers take: IP, UDP, RTPS,
 /// time, data, and the statistics that Fast DDS appends [B].
 constexpr double Piece = 1240.0, Headers = 160.0;
-constexpr double Sign = 0.05;  ///< of life, of a camera that is not looked at [Mbit/s]
 
 /// From what the eye hardly misses to what still tells a wall from a door.
 constexpr std::array<StreamWish, 6> Rungs = {{{true, 10.0, 60, 0},
@@ -22,25 +23,21 @@ constexpr std::array<StreamWish, 6> Rungs = {{{true, 10.0, 60, 0},
                                               {true, 3.0, 25, 320},
                                               {true, 1.0, 20, 320}}};
 
-/// What is given up, the last first.
+/// What is given up, the last first: of pictures, those of the camera that is looked through last.
 enum class Rank { Kept, Telemetry, Scans, Camera, Rest };
 
 Rank rankOf(StreamRole role) {
-    switch (role) {
-        case StreamRole::Points:
-        case StreamRole::Ranges:
-            return Rank::Scans;
-        case StreamRole::Picture:
-        case StreamRole::Thermal:
-            return Rank::Rest;
-        case StreamRole::Imu:
-        case StreamRole::Joints:
-        case StreamRole::Transforms:
-        case StreamRole::CameraInfo:
-            return Rank::Telemetry;
-        default:
+    switch (streamFacts(role).thinRank) {
+        case ThinRank::Kept:
             return Rank::Kept;
+        case ThinRank::Telemetry:
+            return Rank::Telemetry;
+        case ThinRank::Scans:
+            return Rank::Scans;
+        case ThinRank::Pictures:
+            return Rank::Rest;
     }
+    return Rank::Kept;
 }
 
 /// One stream on its way to a wish.
@@ -145,23 +142,8 @@ void thin(Shares& shares, const ThinSettings& settings) {
 }  // namespace
 
 StreamCost usualCost(StreamRole role, const std::string& topic) {
-    switch (role) {
-        case StreamRole::Points:
-            return {role, topic, 10.0, 1.5};
-        case StreamRole::Ranges:
-            return {role, topic, 10.0, 0.3};
-        case StreamRole::Picture:
-            return {role, topic, 10.0, 1.2};
-        case StreamRole::Thermal:
-            return {role, topic, 9.0, 1.2};
-        case StreamRole::Odometry:
-        case StreamRole::Imu:
-        case StreamRole::Transforms:
-        case StreamRole::Joints:
-            return {role, topic, 30.0, Sign};
-        default:
-            return {role, topic, 1.0, 0.005};
-    }
+    const StreamFacts& row = streamFacts(role);
+    return {role, topic, row.usualRate, row.usualMegabits};
 }
 
 double onTheWire(double megabits, double rate) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/time.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
 namespace {
@@ -28,10 +29,6 @@ std::string joined(const std::vector<std::string>& words, const char* between = 
 std::string shortName(const RobotDescription& robot, const std::string& topic) {
     const std::string prefix = "/" + robot.name + "/";
     return topic.starts_with(prefix) ? topic.substr(prefix.size()) : topic;
-}
-
-bool isPicture(StreamRole role) {
-    return role == StreamRole::Picture || role == StreamRole::Thermal;
 }
 
 /// Collects the checks of one robot, or of the station.
@@ -75,16 +72,13 @@ void judgeStreams(Page& page, const RobotFacts& facts) {
         if (stream.paused) continue;
         const std::string name = shortName(facts.robot, stream.topic);
         if (stream.samples > 0) ++coming;
-        if (isPicture(stream.role)) {
+        if (streamFacts(stream.role).picture) {
             pictures = true;
             if (!(stream.age <= FreshPicture)) old.push_back(name);
             oldest = std::max(oldest, stream.age);
         } else if (stream.samples == 0) {
             // What is said on change, or only by a robot with that part, need not have come.
-            const bool steady = stream.role == StreamRole::Points || stream.role == StreamRole::Ranges ||
-                                stream.role == StreamRole::Odometry || stream.role == StreamRole::Imu ||
-                                stream.role == StreamRole::Battery || stream.role == StreamRole::Gas;
-            if (steady) missing.push_back(name);
+            if (streamFacts(stream.role).needed) missing.push_back(name);
         } else if (stream.stale) {
             stale.push_back(name);
         }

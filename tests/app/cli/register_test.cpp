@@ -199,21 +199,20 @@ TEST(Register, RelaxesAllThatOverlapsWhereLoopsAreToBeClosed) {
     EXPECT_FALSE(json::parse(plain.out).contains("loops"));
 }
 
-TEST(Register, WhatIsLinkedByHandCloses) {
+TEST(Register, WhatIsLinkedByHandPullsAsFarAsSurfacesLetIt) {
     const TemporaryFolder folder;
     writeRoomScans(folder.path());
-    const auto closed = [&](const std::string& line) {
+    const auto last = [&](const std::string& line) {
         writeText(folder / "hand.txt", line);
         const auto run = leitstandctl({"register", folder.path().string(), "--close-loops", "--by-hand",
                                        (folder / "hand.txt").string(), "--json"});
         EXPECT_EQ(run.exitCode, 0) << run.err;
-        return json::parse(run.out)["loops"]["closed"];
+        return poseOf(json::parse(run.out)["scans"][2]);
     };
-    const json by = closed("0 2 1.0 0.2 0 0 0 0.1045 0.9945\n");
-    ASSERT_EQ(by.size(), 1U) << "no scan came back by itself";
-    EXPECT_EQ(by.front()["from"], 0);
-    EXPECT_EQ(by.front()["to"], 2);
-    EXPECT_TRUE(closed("0 2 no\n").empty());
+    const Pose none = last(""), no = last("0 2 no\n"), far = last("0 2 1.3 0.2 0 0 0 0.1045 0.9945\n");
+    EXPECT_TRUE(none.isApprox(no, 1e-9)) << "nothing was to be taken for the same place";
+    EXPECT_GT(far.translation().x() - none.translation().x(), 1e-4) << "0.3 m too far on";
+    EXPECT_LT(distanceBetween(far, none), 0.02) << "matches know better";
 }
 
 TEST(Register, NamesWhatIsWrongWithLinksByHand) {

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/robot/streams/stream_table.h"
 #include "tests/app/recording.h"
 
 namespace leitstand::test {
@@ -31,7 +32,7 @@ RadioConditions airOf(const StartSettings& settings) {
 std::vector<std::string> steadyTopics(const RobotDescription& robot) {
     std::vector<std::string> topics;
     for (const StreamDescription& stream : robot.streams) {
-        if (comesSteadily(stream.role) && stream.record) topics.push_back(stream.topic);
+        if (streamFacts(stream.role).steady && stream.record) topics.push_back(stream.topic);
     }
     return topics;
 }

@@ -120,7 +120,8 @@ protected:
     }
     [[nodiscard]] std::vector<Pose> posesInMap() const {
         std::vector<Pose> poses;
-        for (const LiveKeyScan& scan : m_mapping->scans()->scans) poses.push_back(scan.pose.scanInMap);
+        const LiveMapPtr map = m_mapping->scans();
+        for (const LiveKeyScan& scan : map->scans) poses.push_back(scan.pose.scanInMap);
         return poses;
     }
 };

@@ -12,6 +12,7 @@
 #include "core/event/stream_role.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/robot/link/hearing.h"
+#include "core/robot/streams/stream_table.h"
 #include "tests/support/wait.h"
 #include "tests/transport/dds/test_node.h"
 
@@ -95,7 +96,7 @@ void Witness::hear(Stream& stream, const ReceivedSample& sample) {
 bool Witness::heardSome() const {
     const std::scoped_lock lock(m_mutex);
     return std::all_of(m_streams.begin(), m_streams.end(), [](const Stream& stream) {
-        return !comesSteadily(stream.description.role) || stream.heard.size() >= stream.before + Some;
+        return !streamFacts(stream.description.role).steady || stream.heard.size() >= stream.before + Some;
     });
 }
 

@@ -16,7 +16,7 @@
 #include "core/mapping/comparison/map_comparison.h"
 #include "core/perception/pictures/coding/picture_png.h"
 #include "core/robot/streams/stream_defaults.h"
-#include "core/robot/streams/stream_types.h"
+#include "core/robot/streams/stream_table.h"
 #include "tests/compat/make/fixtures.h"
 #include "tests/support/places.h"
 #include "tests/support/rooms.h"
@@ -53,7 +53,7 @@ RobotDescription every(const std::string& name, const std::string& letter, std::
         const auto types = typesOf(role);
         if (nth >= types.size()) continue;
         const char* camera = role == StreamRole::Thermal ? "ir" : "left";
-        StreamDescription stream = defaultStream(role, name, belongsToCamera(role) ? camera : "");
+        StreamDescription stream = defaultStream(role, name, streamFacts(role).ofCamera ? camera : "");
         stream.type = types[nth];
         robot.streams.push_back(stream);
     }

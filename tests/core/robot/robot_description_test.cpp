@@ -8,7 +8,7 @@
 #include "core/robot/default_body.h"
 #include "core/robot/footprint.h"
 #include "core/robot/streams/stream_defaults.h"
-#include "core/robot/streams/stream_types.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand::test {
 namespace {
@@ -19,7 +19,7 @@ TEST(RobotDescription, HasAWordTypesAndATopicForEveryRole) {
     std::set<std::string> words, topics;
     for (const StreamRole role : allStreamRoles()) {
         const StreamDescription stream =
-            defaultStream(role, "kurt3d", belongsToCamera(role) ? toString(role) : "");
+            defaultStream(role, "kurt3d", streamFacts(role).ofCamera ? toString(role) : "");
         EXPECT_TRUE(words.insert(toString(role)).second) << toString(role);
         EXPECT_TRUE(topics.insert(stream.topic).second) << stream.topic;
         EXPECT_THAT(typesOf(role), testing::Contains(std::string_view(stream.type)));

@@ -10,7 +10,7 @@
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/robot_keys.h"
 #include "core/robot/streams/stream_defaults.h"
-#include "core/robot/streams/stream_types.h"
+#include "core/robot/streams/stream_table.h"
 #include "tests/io/robot/robot_texts.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

@@ -6,7 +6,7 @@
 
 #include "core/io/robot/robot_file.h"
 #include "core/robot/streams/stream_defaults.h"
-#include "core/robot/streams/stream_types.h"
+#include "core/robot/streams/stream_table.h"
 #include "tests/io/robot/robot_texts.h"
 #include "tests/support/temporary_folder.h"
 
@@ -203,7 +203,7 @@ private:
         int number = 0;
         for (const StreamRole role : allStreamRoles()) {
             if (below(3) == 0) continue;
-            const bool camera = belongsToCamera(role);
+            const bool camera = streamFacts(role).ofCamera;
             StreamDescription stream = defaultStream(role, robot.name, {});
             if (camera || below(2) == 0) {
                 stream.sensor = std::next(robot.sensors.begin(), below(int(robot.sensors.size())))->first;

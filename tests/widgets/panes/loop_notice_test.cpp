@@ -1,6 +1,8 @@
 #include "widgets/map_decisions/loop_notice.h"
 
 #include <chrono>
+#include <cstdint>
+#include <optional>
 
 #include <QAction>
 #include <QFrame>
@@ -16,18 +18,21 @@ using std::chrono::seconds;
 
 struct NoticeOverAMap {
     NoticeOverAMap() {
-        open.setObjectName(QStringLiteral("loop.undo"));
         map.resize(900, 700);
         map.show();
-        notice.follow(0, 0.0, at(0), false);
+        open.setObjectName(QStringLiteral("loop.undo"));
+        notice.emplace(open, map, nullptr);
+        follow(0, 0.0, 0);
     }
-    static SteadyTime at(int second) { return SteadyTime(seconds(1'000 + second)); }
+    void follow(std::uint64_t closed, double largest, int second, bool asked = false) {
+        notice->follow(closed, largest, SteadyTime(seconds(1'000 + second)), asked);
+    }
     [[nodiscard]] const QFrame& shown() const { return *map.findChild<QFrame*>("loopNotice"); }
     [[nodiscard]] QToolButton& button(const char* name) const { return *map.findChild<QToolButton*>(name); }
 
     QWidget map;
     QAction open{QStringLiteral("Open loop")};
-    LoopNotice notice{open, map, nullptr};
+    std::optional<LoopNotice> notice;
 };
 
 TEST(LoopNotice, ALoopThatClosedByItselfIsToldWithTheButtonThatOpensItAgain) {
@@ -35,29 +40,29 @@ TEST(LoopNotice, ALoopThatClosedByItselfIsToldWithTheButtonThatOpensItAgain) {
     EXPECT_FALSE(told.shown().isVisible());
     int opened = 0;
     QObject::connect(&told.open, &QAction::triggered, [&opened] { ++opened; });
-    told.notice.follow(1, 0.34, NoticeOverAMap::at(1), false);
+    told.follow(1, 0.34, 1);
     EXPECT_TRUE(told.shown().isVisible());
     EXPECT_TRUE(told.shown().accessibleName().contains("0.34 m"));
     told.button("button_loop.undo").click();
     EXPECT_EQ(opened, 1);
     EXPECT_FALSE(told.shown().isVisible());
-    told.notice.follow(1, 0.34, NoticeOverAMap::at(2), false);
+    told.follow(1, 0.34, 2);
     EXPECT_FALSE(told.shown().isVisible()) << "it was answered";
 }
 
 TEST(LoopNotice, GoesByItselfAndInterruptsNobodyForLittle) {
     NoticeOverAMap told;
-    told.notice.follow(1, 0.01, NoticeOverAMap::at(1), false);
+    told.follow(1, 0.01, 1);
     EXPECT_FALSE(told.shown().isVisible()) << "a centimetre";
-    told.notice.follow(2, 0.2, NoticeOverAMap::at(2), false);
-    told.notice.follow(2, 0.2, NoticeOverAMap::at(20), false);
+    told.follow(2, 0.2, 2);
+    told.follow(2, 0.2, 20);
     EXPECT_TRUE(told.shown().isVisible());
-    told.notice.follow(2, 0.2, NoticeOverAMap::at(23), false);
+    told.follow(2, 0.2, 23);
     EXPECT_FALSE(told.shown().isVisible());
-    told.notice.follow(3, 0.2, NoticeOverAMap::at(24), false);
+    told.follow(3, 0.2, 24);
     told.button("button_loop.keep").click();
     EXPECT_FALSE(told.shown().isVisible());
-    told.notice.follow(4, 0.2, NoticeOverAMap::at(25), true);
+    told.follow(4, 0.2, 25, true);
     EXPECT_FALSE(told.shown().isVisible()) << "what the map asks goes before";
 }
 

@@ -14,6 +14,7 @@
 #include "app/services/log/replay/replay_pace.h"
 #include "app/services/log/replay/replay_rules.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/robot/streams/stream_table.h"
 #include "transport/dds/node.h"
 
 namespace leitstand {
@@ -35,7 +36,10 @@ Qos offered(const TopicInfo& topic) {
 
 /// Topics that robots share, so that two on it do not disturb each other.
 bool isShared(const std::string& topic) {
-    return topic == "/tf" || topic == "/tf_static" || topic == "/diagnostics";
+    const auto table = streamTable();
+    return std::any_of(table.begin(), table.end(), [&topic](const StreamFacts& row) {
+        return row.shared && (row.topic == topic || "/" + std::string(row.topic) == topic);
+    });
 }
 
 /// The first live robot whose name is one of @p names; empty when there is none.

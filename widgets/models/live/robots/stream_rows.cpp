@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/robot/link/hearing.h"
+#include "core/robot/streams/stream_table.h"
 #include "widgets/models/others_text.h"
 
 namespace leitstand {
@@ -15,7 +16,7 @@ QString shortType(const std::string& type) {
 
 /// Whether a slower or coarser one would still be of use, and the robot can do it.
 bool isSettable(const RobotDescription& robot, StreamRole role) {
-    return comesSteadily(role) && role != StreamRole::Diagnostics &&
+    return streamFacts(role).steady && role != StreamRole::Diagnostics &&
            robot.stream(StreamRole::StreamCommand) != nullptr;
 }
 
