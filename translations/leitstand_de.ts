@@ -3552,6 +3552,10 @@ Funk: %4 %5</translation>
         <source>%1 takes no goals</source>
         <translation>%1 nimmt keine Ziele an</translation>
     </message>
+    <message>
+        <source>%1: the map moved under its goal, which is withdrawn; send it again</source>
+        <translation>%1: Die Karte rückte unter dem Ziel, das zurückgenommen ist; senden Sie es neu</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::GoalQuestion</name>
@@ -8613,7 +8617,7 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     </message>
     <message>
         <source>Sho&amp;w the map before the tidying</source>
-        <translation>Karte Karte vor dem Aufräumen &amp;zeigenamp;vor dem Aufräumen zeigen</translation>
+        <translation>Karte &amp;vor dem Aufräumen zeigen</translation>
     </message>
     <message>
         <source>In violet: where scans lay before the map was tidied</source>

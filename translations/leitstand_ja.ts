@@ -3552,6 +3552,10 @@ Link: %4 %5</source>
         <source>%1 takes no goals</source>
         <translation>%1 は目標地点を受け付けない</translation>
     </message>
+    <message>
+        <source>%1: the map moved under its goal, which is withdrawn; send it again</source>
+        <translation>%1: 目標の下で地図が動いたため、目標を取り消しました。もう一度送ってください</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::GoalQuestion</name>

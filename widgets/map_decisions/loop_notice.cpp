@@ -12,8 +12,8 @@ constexpr double Noticed = 0.05;  ///< what moves the map by less interrupts nob
 
 }  // namespace
 
-LoopNotice::LoopNotice(QAction& open, QWidget& over, QObject* parent)
-    : QObject(parent), m_keep(tr("Keep")) {
+LoopNotice::LoopNotice(QAction& open, QWidget& over, std::uint64_t closed, QObject* parent)
+    : QObject(parent), m_keep(tr("Keep")), m_closed(closed) {
     m_keep.setObjectName(QStringLiteral("loop.keep"));
     m_keep.setToolTip(tr("The loop stays closed; the menu Map opens it later, too"));
     m_notice = new MapQuestion(QStringLiteral("loopNotice"), {&open, &m_keep}, over);
@@ -29,10 +29,10 @@ void LoopNotice::dismiss() {
 void LoopNotice::follow(std::uint64_t closed, double largest, SteadyTime now, bool asked) {
     if (closed != m_closed) {
         m_closed = closed;
-        if (largest < Noticed) return;
+        if (largest < Noticed) return dismiss();  // the button would open that one
         m_until = now + Shown;
         m_notice->ask(tr("The map met itself and closed the loop: scans moved by up to %1 m.")
-                         .arg(numberText(largest, 2)));
+                          .arg(numberText(largest, 2)));
     }
     if (asked || now >= m_until) dismiss();
 }

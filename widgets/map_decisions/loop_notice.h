@@ -14,8 +14,8 @@ namespace leitstand {
 class LoopNotice final : public QObject {
     Q_OBJECT
 public:
-    /// @p open: opens the newest loop. @p over: the map.
-    LoopNotice(QAction& open, QWidget& over, QObject* parent);
+    /// @p open: opens the newest loop. @p over: the map. @p closed: loops that closed by themselves before.
+    LoopNotice(QAction& open, QWidget& over, std::uint64_t closed, QObject* parent);
 
     /// @p closed: how many loops closed by themselves so far; the newest moved scans by up to @p largest [m].
     /// @p asked: whether the map asks something, which goes before.
@@ -26,7 +26,7 @@ private:
 
     QAction m_keep;
     MapQuestion* m_notice;  ///< of the map
-    std::uint64_t m_closed = 0;
+    std::uint64_t m_closed;
     SteadyTime m_until = {};
 };
 

@@ -31,7 +31,7 @@ MapPtr shownMap(const LiveMap& live, const MapPtr& before) {
         MapScan scan;
         scan.scan = one.scan;
         scan.poseInMap = scan.guessInMap = one.pose.scanInMap;
-        scan.pointsUsed = one.reduced ? one.reduced->size() : 0;
+        scan.pointsUsed = one.reduced ? one.reduced->size().value_or(0) : 0;
         while (before && known < before->scans.size() && before->scans[known].id < one.id) ++known;
         if (before && known < before->scans.size() && before->scans[known].scan == one.scan) {
             scan.labelCounts = before->scans[known].labelCounts;
@@ -102,6 +102,9 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
         }
         followFixes();
         tellMap();
+        std::vector<MatchedCloudPtr> matched;
+        for (const LiveKeyScan& scan : m_map->scans) matched.push_back(scan.reduced);
+        makeMatched(std::move(matched));
     }
     tellRobots();
     m_solver = std::jthread([this](const std::stop_token& stop) { m_solving.work(stop); });
@@ -281,6 +284,18 @@ void LiveMapping::settle(const MapSolution& solution) {
     const Settled settled = m_mapper.settle(solution, stationTime());
     if (settled.poses) carryAlong();
     if (m_listener.onSettled && (settled.links || settled.poses)) m_listener.onSettled(settled);
+}
+
+void LiveMapping::makeMatched(std::vector<MatchedCloudPtr> left) {
+    if (left.empty()) return;
+    // One after another: who solves waits for no more.
+    m_solving.submit([this, left = std::move(left)](const std::stop_token& stop) mutable {
+        if (stop.stop_requested()) return;
+        const MatchedCloudPtr matched = std::move(left.back());
+        left.pop_back();
+        if (matched && !matched->size()) (void)matched->unpacked();
+        makeMatched(std::move(left));
+    });
 }
 
 void LiveMapping::whenCalm(std::function<void()> done) {

@@ -151,7 +151,10 @@ private:
     void work(const Look& look) { look.look(m_mapper); }
     void registerDone(Time now);
     void matched(const std::string& name, Time now);  ///< a scan of it was laid onto the map here
-    void solveLoops();                                ///< where the map meets itself, on a thread beside
+    /// Makes what is matched of scans of an earlier map, on the solver's thread: of @p left, the last one
+    /// first.
+    void makeMatched(std::vector<MatchedCloudPtr> left);
+    void solveLoops();  ///< where the map meets itself, on a thread beside
     void settle(const MapSolution& solution);
     void tellScanner(const std::string& name, Robot& robot);
     void meetMore();        ///< where two parts have met, at one more of their scans

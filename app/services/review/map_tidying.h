@@ -43,8 +43,8 @@ struct TidiedMap {
 /// What @p tidied came to, for the operator.
 [[nodiscard]] std::string tidiedText(const TidiedMap& tidied);
 
-/// Where the scans that the newest tidying moved, which canUntidy(), stood before it in a mission that ended as
-/// @p finished; by id.
+/// Where the scans that the newest tidying moved, which canUntidy(), stood before it in a mission that ended
+/// as @p finished; by id.
 [[nodiscard]] std::map<std::uint64_t, Pose> posesBeforeTidying(MissionState finished);
 
 /// Whether untidyMap() has something to take back of a mission that ended as @p finished.

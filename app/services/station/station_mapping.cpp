@@ -39,6 +39,7 @@ struct StationMapping::State {
     std::deque<Event> heldBack;           ///< scans; of the mission's thread
     MapPtr shown;                         ///< last; of the mapping's thread
     bool loopClosed = false;              ///< poses that follow it are not told yet; of the mapping's thread
+    bool closedByItself = false;          ///< likewise, and nobody decided it
     std::map<std::string, bool> certain;  ///< whether a robot's place was; of the mapping's thread
     mutable std::mutex mutex;             ///< of the following
     LiveMapPtr scans = std::make_shared<const LiveMap>();
@@ -136,6 +137,7 @@ void StationMapping::State::logLoop(const ScanLinksSample& loop) {
     sayOrTell(loop, station_topic::ScanLinks);
     const bool closes = loop.links.front().active;
     loopClosed = loopClosed || closes;
+    closedByItself = closedByItself || closes;
     const bool parts = loop.links.front().kind == LinkKind::Session;
     if (!closes) tell(parts ? mapping_words::partsMeet() : mapping_words::question());
 }
@@ -146,8 +148,9 @@ void StationMapping::State::log(const Settled& settled) {
         tell(mapping_words::contradicted());
     }
     if (settled.poses) sayOrTell(*settled.poses, station_topic::ScanPoses);
+    const bool byItself = std::exchange(closedByItself, false);
     if (!std::exchange(loopClosed, false) || settled.links) return;
-    {
+    if (byItself) {
         const std::lock_guard lock(mutex);
         closed = {closed.count + 1, settled.largest};
     }

@@ -70,13 +70,16 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     // Each of these makes its panes and commands; the layouts come last, which place and bind them.
     m_timeline = new TimelineFeature(context, bridge);
     m_finds = new FindsFeature(context, bridge);
+    addCommands();
     auto* handIn = new HandInFeature(context, bridge, *m_finds);
     connect(handIn, &HandInFeature::told, this, &ReviewWindow::tell);
     m_robots = new RobotsFeature(context);
     m_review = new ReviewPanes(context, bridge);
     m_cameras = new CameraFeature(context);
     m_map = new MapFeature(context, view);
-    addCommands(context);
+    auto* const tidying = new TidyingFeature(context, m_bridge, m_map->view(), this);
+    connect(tidying, &TidyingFeature::told, this, &ReviewWindow::tell);
+    connect(tidying, &TidyingFeature::wanted, this, &ReviewWindow::tidyingWanted);
     auto* const scan = new ScanFeature(context);
     auto* const clicks = new FindsByClick(context, bridge, *m_map, *m_cameras, *scan, *m_finds);
     connect(clicks, &FindsByClick::told, this, &ReviewWindow::tell);
@@ -126,7 +129,7 @@ void ReviewWindow::addCoverage(const ViewContext& context) {
     connect(coverage, &CoverageFeature::told, this, &ReviewWindow::tell);
 }
 
-void ReviewWindow::addCommands(const ViewContext& context) {
+void ReviewWindow::addCommands() {
     m_commands->separate(CommandMenu::Mission);
     QAction& again =
         m_commands->add({.id = "review.registerAgain",
@@ -135,9 +138,6 @@ void ReviewWindow::addCommands(const ViewContext& context) {
                          .hint = tr("Registers the mission's scans anew, in a window of its own, "
                                     "with settings of your own; the mission stays as it is")});
     connect(&again, &QAction::triggered, this, &ReviewWindow::registerAgainWanted);
-    auto* const tidying = new TidyingFeature(context, m_bridge, m_map->view(), this);
-    connect(tidying, &TidyingFeature::told, this, &ReviewWindow::tell);
-    connect(tidying, &TidyingFeature::wanted, this, &ReviewWindow::tidyingWanted);
     addByHand();
     addMerging();
 }

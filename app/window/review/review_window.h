@@ -64,7 +64,7 @@ protected:
 
 private:
     void build();
-    void addCommands(const ViewContext& context);
+    void addCommands();
     void addByHand();
     void addMerging();
     void askToMerge();

@@ -39,6 +39,11 @@ TidyingFeature::TidyingFeature(const ViewContext& context, ReviewBridge& bridge,
     connect(m_tidy, &QAction::triggered, this, [this] { ask(MapTidying::Tidy); });
     connect(m_back, &QAction::triggered, this, [this] { ask(MapTidying::TakeBack); });
     connect(m_before, &QAction::toggled, this, &TidyingFeature::compare);
+    if (QAction* const finished = m_context.commands.find(QStringLiteral("review.finished"))) {
+        connect(finished, &QAction::toggled, this, [this](bool on) {
+            if (!on) m_before->setChecked(false);  // what is shown is of before the tidying
+        });
+    }
     connect(&m_bridge, &ReviewBridge::opened, this, &TidyingFeature::follow);
     if (m_bridge.index()) follow();
 }
@@ -64,8 +69,8 @@ void TidyingFeature::follow() {
     const bool tidied = ours && canUntidy(finished);
     m_tidy->setEnabled(ours && !finished.keyScans->empty());
     m_back->setEnabled(tidied);
-    m_before->setEnabled(tidied);
-    if (!tidied) m_before->setChecked(false);
+    m_before->setEnabled(tidied && !posesBeforeTidying(finished).empty());
+    m_before->setChecked(false);
 }
 
 void TidyingFeature::compare(bool on) {

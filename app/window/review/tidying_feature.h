@@ -12,7 +12,6 @@ namespace leitstand {
 class MapQuestion;
 class MapView;
 class ReviewBridge;
-struct MissionState;
 
 /// Tidies the map of a mission, takes that back, and shows where scans lay before it.
 class TidyingFeature final : public QObject {

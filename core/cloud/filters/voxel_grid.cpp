@@ -119,7 +119,8 @@ Eigen::Vector3d ownGridOrigin(std::span<const Eigen::Vector3f> points, double ed
     std::size_t taken = 0;
     for (const Eigen::Vector3f& point : points) {
         if (!point.allFinite()) continue;
-        for (const float coordinate : point) bits = mixedBits(bits ^ std::bit_cast<std::uint32_t>(coordinate));
+        for (const float coordinate : point)
+            bits = mixedBits(bits ^ std::bit_cast<std::uint32_t>(coordinate));
         if (++taken == Enough) break;
     }
     Eigen::Vector3d origin;

@@ -183,6 +183,12 @@ MatchedCloudPtr LiveMapper::State::matchedOf(LiveKeyScan& key, const PointCloud&
         reduced, [kept = key.kept, match = settings.match] { return reducedAgain(*kept->whole(), match); });
 }
 
+MatchedCloudPtr LiveMapper::State::promised(LiveKeyScan& key) const {
+    key.kept = std::make_shared<KeptScan>(key.scan);
+    return clouds.promise(
+        [kept = key.kept, match = settings.match] { return reducedAgain(*kept->whole(), match); });
+}
+
 Time LiveMapper::State::entering(Time now) {
     const bool behind = now <= entered && entered - now < ClockStep;
     entered = behind ? entered + std::chrono::nanoseconds(1) : now;

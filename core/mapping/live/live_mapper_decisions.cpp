@@ -149,7 +149,7 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     key.matched = sample.matched;
     key.enteredAt = sample.scanInMap;
     key.entered = sample.stamp;
-    key.reduced = state.matchedOf(key, reducedAgain(*sample.scan, state.settings.match));
+    key.reduced = state.promised(key);
     state.cropped.fit(key, state.clouds);
     const std::string robot = sample.scan->robot;
     const auto place =

@@ -122,6 +122,8 @@ struct LiveMapper::State {
     void goOn(const std::string& robot);
     /// What is matched of @p key, whose scan is whole yet, of the points @p reduced.
     [[nodiscard]] MatchedCloudPtr matchedOf(LiveKeyScan& key, const PointCloud& reduced) const;
+    /// Likewise, made when it is used first.
+    [[nodiscard]] MatchedCloudPtr promised(LiveKeyScan& key) const;
 
     std::string station;
     LiveSettings settings;

@@ -5,8 +5,6 @@
 #include "core/base/time.h"
 
 namespace leitstand {
-namespace {}  // namespace
-
 void RoundTrips::sent(std::uint64_t number, Time stamp, SteadyTime now) {
     Ping& ping = m_pings[m_next++ % Remembered];
     ping = {};

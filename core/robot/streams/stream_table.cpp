@@ -292,6 +292,7 @@ constexpr bool isInOrder() {
     }
     return true;
 }
+static_assert(std::size(Table) == static_cast<std::size_t>(StreamRole::Ping) + 1, "Ping is the last role");
 static_assert(isInOrder(), "a row for each role, in the order of their declaration");
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QMouseEvent>
+#include <QTemporaryDir>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,7 @@
 #include "core/event/station_topics.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
+#include "tests/support/temporary_folder.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/map_view/scene/points/map_colours.h"
 
@@ -129,6 +131,32 @@ protected:
             << told();
         station().stopAll();
         ASSERT_TRUE(soon([&] { return robot().stop.standing; }));
+    }
+};
+
+/// An empty hall: nothing warm is more important to a robot than where it was sent.
+class LiveMapOfAHall : public LiveMapOnScreen {
+protected:
+    LiveMapOfAHall() : LiveMapOnScreen(hall()) {}
+
+private:
+    static QString hall() {
+        static const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("hall.yaml"));
+        writeText(file.toStdString(), R"(name: empty_hall
+from: [-3, -2]
+to: [3, 2]
+starts:
+  kurt3d: {position: [-1.8, 0.6, 0]}
+  crawler: {position: [-1.8, -0.6, 0]}
+elements:
+  - {kind: floor, position: [0, 0, 0], size: [6, 4, 0.1]}
+  - {kind: wall, name: north, position: [0, 2, 0], size: [6, 0.05, 1.2]}
+  - {kind: wall, name: south, position: [0, -2, 0], size: [6, 0.05, 1.2]}
+  - {kind: wall, name: east, position: [3, 0, 0], turn: [0, 0, 90], size: [4, 0.05, 1.2]}
+  - {kind: wall, name: west, position: [-3, 0, 0], turn: [0, 0, 90], size: [4, 0.05, 1.2]}
+)");
+        return file;
     }
 };
 

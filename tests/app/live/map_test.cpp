@@ -21,37 +21,10 @@
 #include "core/mapping/placement/placement.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/map_on_screen.h"
-#include "tests/support/temporary_folder.h"
 #include "widgets/models/map/robot_mark.h"
 
 namespace leitstand::test {
 namespace {
-
-/// An empty hall: nothing warm is more important to a robot than where it was sent.
-class LiveMapOfAHall : public LiveMapOnScreen {
-protected:
-    LiveMapOfAHall() : LiveMapOnScreen(hall()) {}
-
-private:
-    static QString hall() {
-        static const QTemporaryDir folder;
-        const QString file = folder.filePath(QStringLiteral("hall.yaml"));
-        writeText(file.toStdString(), R"(name: empty_hall
-from: [-3, -2]
-to: [3, 2]
-starts:
-  kurt3d: {position: [-1.8, 0.6, 0]}
-  crawler: {position: [-1.8, -0.6, 0]}
-elements:
-  - {kind: floor, position: [0, 0, 0], size: [6, 4, 0.1]}
-  - {kind: wall, name: north, position: [0, 2, 0], size: [6, 0.05, 1.2]}
-  - {kind: wall, name: south, position: [0, -2, 0], size: [6, 0.05, 1.2]}
-  - {kind: wall, name: east, position: [3, 0, 0], turn: [0, 0, 90], size: [4, 0.05, 1.2]}
-  - {kind: wall, name: west, position: [-3, 0, 0], turn: [0, 0, 90], size: [4, 0.05, 1.2]}
-)");
-        return file;
-    }
-};
 
 TEST_F(LiveMapOfAHall, GoesToAPlaceThatWasClicked) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <future>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,10 @@
 
 #include "core/base/time.h"
 #include "core/event/station_topics.h"
+#include "core/io/bag/bag_reader.h"
 #include "tests/app/services/mapped_station.h"
 #include "tests/support/child_process.h"
+#include "transport/convert/decode.h"
 
 namespace leitstand::test {
 namespace {
@@ -99,24 +102,30 @@ protected:
             const ScanLinksSample loop{
                 Time(1'700'002'000s),
                 "us",
-                {linkOf(++links, first, first + Scans / 2, LinkKind::Loop, {}),
-                 linkOf(++links, first + 1, first + 1 + Scans / 2, LinkKind::Loop, {})}};
+                {linkOf(++links, first, first + Scans / 2, LinkKind::Loop, Pose::Identity()),
+                 linkOf(++links, first + 1, first + 1 + Scans / 2, LinkKind::Loop, Pose::Identity())}};
             ASSERT_TRUE(mission.say(loop, station_topic::ScanLinks));
         }
         ASSERT_TRUE(mission.close());
     }
     void becomesCalm() {
-        std::promise<void> calm;
-        m_mapping->whenCalm([&calm] { calm.set_value(); });
-        calm.get_future().wait();
+        const auto calm = std::make_shared<std::promise<void>>();
+        m_mapping->whenCalm([calm] { calm->set_value(); });
+        ASSERT_EQ(calm->get_future().wait_for(60s), std::future_status::ready);
     }
-    /// Whether the log had poses of closed loops as the mission was opened.
+    /// Whether the log has poses of closed loops.
     [[nodiscard]] bool hasSolved() const {
-        const MissionStatePtr mission = m_mission->state();
-        return std::any_of(mission->decisions->begin(), mission->decisions->end(), [](const Decision& one) {
-            const auto* const poses = std::get_if<ScanPosesSample>(&one.content);
-            return poses != nullptr && poses->cause == ScanPosesSample::Cause::LoopClosure;
-        });
+        const auto bag = BagReader::open(m_folder / "mission");
+        if (!bag) return false;
+        BagQuery query;
+        query.topics = {std::string(station_topic::ScanPoses)};
+        BagCursor cursor = (*bag)->read(query);
+        while (const auto event = cursor.next()) {
+            const auto decoded = decodeStationEvent(*event);
+            const auto* const poses = decoded ? std::get_if<ScanPosesSample>(&decoded->sample) : nullptr;
+            if (poses != nullptr && poses->cause == ScanPosesSample::Cause::LoopClosure) return true;
+        }
+        return false;
     }
     [[nodiscard]] std::vector<Pose> posesInMap() const {
         std::vector<Pose> poses;
@@ -142,15 +151,16 @@ TEST_F(MapResumeLong, AThousandScansAnd200ClosuresAreBackInFiveSeconds) {
     EXPECT_LT(took, 5.0);
     becomesCalm();
     const std::vector<Pose> after = posesInMap();
-    for (std::size_t i = 0; i < solved.size(); ++i) EXPECT_EQ(after[i].matrix(), solved[i].matrix()) << i;
+    for (std::size_t i = 0; i < solved.size(); ++i) EXPECT_TRUE(after[i].isApprox(solved[i], 1e-9)) << i;
 }
 
 TEST_F(MapResumeLong, WhatIsKilledWhileItSolvesComesToTheSameMap) {
     if (const char* const folder = std::getenv(FolderTold)) {
         fs::create_directory_symlink(folder, m_folder / "mission");
-        begin();
+        ASSERT_NO_FATAL_FAILURE(begin());
         std::puts("began");
         std::fflush(stdout);
+        becomesCalm();
         std::this_thread::sleep_for(1min);
         return;
     }
@@ -163,7 +173,7 @@ TEST_F(MapResumeLong, WhatIsKilledWhileItSolvesComesToTheSameMap) {
     end();
     ASSERT_EQ(whole.size(), std::size_t{Scans});
     int before = 0;
-    for (const int wait : {0, 5, 10, 20, 40, 80, 160, 1'000}) {
+    for (const int wait : {0, 5, 10, 20, 40, 80, 160, 3'000}) {
         fs::remove_all(m_folder / "mission");
         fs::copy(unsolved, m_folder / "mission", fs::copy_options::recursive);
         {
@@ -175,17 +185,18 @@ TEST_F(MapResumeLong, WhatIsKilledWhileItSolvesComesToTheSameMap) {
             std::this_thread::sleep_for(std::chrono::milliseconds(wait));
             station.signal(SIGKILL);
         }
-        begin();
         before += hasSolved() ? 0 : 1;
+        begin();
         becomesCalm();
         const std::vector<Pose> after = posesInMap();
         ASSERT_EQ(after.size(), whole.size());
         for (std::size_t i = 0; i < whole.size(); ++i)
-            ASSERT_EQ(after[i].matrix(), whole[i].matrix()) << i << ", killed after " << wait << " ms";
+            ASSERT_TRUE(after[i].isApprox(whole[i], 1e-9)) << i << ", killed after " << wait << " ms";
         end();
     }
     std::printf("%d of 8 were killed before the log had what was solved\n", before);
     EXPECT_GE(before, 1);
+    EXPECT_LT(before, 8) << "none of them ever solved it";
 }
 
 }  // namespace

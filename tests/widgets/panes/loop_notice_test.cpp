@@ -21,7 +21,7 @@ struct NoticeOverAMap {
         map.resize(900, 700);
         map.show();
         open.setObjectName(QStringLiteral("loop.undo"));
-        notice.emplace(open, map, nullptr);
+        notice.emplace(open, map, 0, nullptr);
         follow(0, 0.0, 0);
     }
     void follow(std::uint64_t closed, double largest, int second, bool asked = false) {
@@ -57,12 +57,15 @@ TEST(LoopNotice, GoesByItselfAndInterruptsNobodyForLittle) {
     told.follow(2, 0.2, 2);
     told.follow(2, 0.2, 20);
     EXPECT_TRUE(told.shown().isVisible());
-    told.follow(2, 0.2, 23);
+    told.follow(3, 0.01, 21);
+    EXPECT_FALSE(told.shown().isVisible()) << "the button would open the newest one";
+    told.follow(4, 0.2, 22);
+    told.follow(4, 0.2, 43);
     EXPECT_FALSE(told.shown().isVisible());
-    told.follow(3, 0.2, 24);
+    told.follow(5, 0.2, 44);
     told.button("button_loop.keep").click();
     EXPECT_FALSE(told.shown().isVisible());
-    told.follow(4, 0.2, 25, true);
+    told.follow(6, 0.2, 45, true);
     EXPECT_FALSE(told.shown().isVisible()) << "what the map asks goes before";
 }
 

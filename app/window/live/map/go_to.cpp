@@ -54,7 +54,8 @@ GoTo::GoTo(const LiveContext& context, MapView& map, MapGestures& gestures, Robo
                "floor does the same"),
            .keys = QKeySequence(Qt::Key_O),
            .checkable = true})),
-      m_question(new GoalQuestion(context.commands, map, this)) {
+      m_question(new GoalQuestion(context.commands, map, this)),
+      m_map(context.bridge.station().mapping().scans()) {
     connect(m_action, &QAction::triggered, this, &GoTo::arm);
     connect(m_question, &GoalQuestion::confirmed, this, &GoTo::begin);
     connect(&context.selection, &Selection::changed, this, &GoTo::showSelected);
@@ -110,6 +111,7 @@ void GoTo::begin(const std::string& robot, const Pose& goalInMap) {
 
 void GoTo::takeBack() {
     const std::string robot = m_context.selection.name().toStdString();
+    m_question->forget(robot);
     const auto way = m_ways.find(robot);
     if (way == m_ways.end() || way->second.sent) return;
     m_robots.setGoal(robot, std::nullopt);
@@ -178,6 +180,11 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
 }
 
 void GoTo::follow(const LiveMoment& moment) {
+    for (const std::string& robot : m_question->robots()) {
+        const StopStatus& stop = moment.view(robot).stop;
+        if (stop.sent || stop.stopped || stop.releasing || !moment.view(robot).grant.mine)
+            m_question->forget(robot);
+    }
     for (auto way = m_ways.begin(); way != m_ways.end();) {
         if (!over(way->first, way->second, moment)) {
             ++way;
@@ -193,24 +200,41 @@ bool GoTo::underWay(const std::string& robot, const Way& way) const {
     const StopStatus& stop = moment.view(robot).stop;
     if (!way.sent || stop.sent || stop.stopped || stop.releasing) return false;
     const RobotState& said = moment.said(robot);
-    return !offers(said, DrivesByItself) || (said.mode && said.mode->sample.mode == DrivesByItself);
+    const bool drives = said.mode && said.mode->sample.mode == DrivesByItself;
+    // Told, and not heard of since: it is about to.
+    const bool begins = !way.began && (!said.mode || said.mode->received <= way.asked);
+    return drives || begins || !offers(said, DrivesByItself);
+}
+
+void GoTo::stay(const std::string& robot) {
+    // It has come to where it is: a robot knows goals, not that one is none any more. By its odometry: its
+    // place in a map that moves may be doubted.
+    const RobotState& said = m_context.bridge.moment().said(robot);
+    const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
+    if (!said.odometry || known == nullptr) return;
+    PoseSample here;
+    here.header.frame = known->odomFrame.empty() ? said.odometry->sample.header.frame : known->odomFrame;
+    here.poseInFrame = said.odometry->sample.baseInOdom;
+    if (const auto done = m_context.bridge.station().goTo(robot, here); !done)
+        emit told(QString::fromStdString(done.error().text));
 }
 
 void GoTo::withdraw(const std::string& robot, const Way& way, const Pose& correction) {
-    if (underWay(robot, way)) {
-        // It has come to where it is: a robot knows goals, not that one is none any more.
-        if (const auto place = placeOf(robot))
-            (void)send(robot, {.goalInMap = place->baseInMap}, m_context.bridge.moment());
-    }
+    const bool goes = underWay(robot, way);
+    if (goes) stay(robot);
     m_robots.setGoal(robot, std::nullopt);
-    const Pose goal = correction * way.goalInMap;
-    m_question->ask(robot, titleOf(robot), goal, distanceBetween(goal, way.goalInMap));
+    if (goes || !way.sent)
+        m_question->ask(robot, titleOf(robot), way.goalInMap, correction * way.goalInMap);
+    else
+        emit told(
+            tr("%1: the map moved under its goal, which is withdrawn; send it again").arg(titleOf(robot)));
 }
 
 void GoTo::followMap(const LiveMapPtr& map) {
     const LiveMapPtr before = std::exchange(m_map, map);
-    if (!before || m_ways.empty()) return;
+    if (!before || (m_ways.empty() && m_question->robots().empty())) return;
     const MovedPlaces places(*before, *map);
+    if (places.any()) m_question->follow(places);
     for (auto one = m_ways.begin(); places.any() && one != m_ways.end();) {
         auto& [robot, way] = *one;
         const Pose correction = places.at(way.goalInMap.translation());

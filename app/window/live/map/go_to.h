@@ -53,6 +53,7 @@ private:
     /// Scans moved: goals move with those about them, or are withdrawn.
     void followMap(const LiveMapPtr& map);
     [[nodiscard]] bool underWay(const std::string& robot, const Way& way) const;
+    void stay(const std::string& robot);  ///< where it is
     /// @p correction: how the map moved at its goal, to put before poses there.
     void withdraw(const std::string& robot, const Way& way, const Pose& correction);
     /// Where the robot is, by the newest scan and by odometry of one and the same moment; empty: nobody

@@ -5,6 +5,7 @@
 #include <QAction>
 
 #include "app/window/commands/command_table.h"
+#include "core/mapping/live/map/moved_places.h"
 #include "widgets/map_decisions/map_question.h"
 #include "widgets/models/numbers.h"
 
@@ -27,9 +28,23 @@ GoalQuestion::GoalQuestion(CommandTable& commands, QWidget& map, QObject* parent
     show();
 }
 
-void GoalQuestion::ask(const std::string& robot, const QString& title, const Pose& goalInMap, double shift) {
-    m_asked[robot] = {title, goalInMap, shift};
+void GoalQuestion::ask(const std::string& robot, const QString& title, const Pose& wasInMap,
+                       const Pose& goalInMap) {
+    m_asked[robot] = {title, wasInMap, goalInMap};
     show();
+}
+
+void GoalQuestion::follow(const MovedPlaces& places) {
+    if (m_asked.empty()) return;
+    for (auto& [robot, asked] : m_asked)
+        asked.goalInMap = places.at(asked.goalInMap.translation()) * asked.goalInMap;
+    show();
+}
+
+std::vector<std::string> GoalQuestion::robots() const {
+    std::vector<std::string> all;
+    for (const auto& [robot, asked] : m_asked) all.push_back(robot);
+    return all;
 }
 
 void GoalQuestion::forget(const std::string& robot) {
@@ -39,9 +54,8 @@ void GoalQuestion::forget(const std::string& robot) {
 void GoalQuestion::answer(bool again) {
     if (m_asked.empty()) return;
     const auto [robot, withdrawn] = *m_asked.begin();
-    m_asked.erase(m_asked.begin());
-    show();
-    if (again) emit confirmed(robot, withdrawn.goalInMap);
+    if (again) return emit confirmed(robot, withdrawn.goalInMap);  // it may be refused, and is asked then
+    forget(robot);
 }
 
 void GoalQuestion::show() {
@@ -54,7 +68,7 @@ void GoalQuestion::show() {
     const Withdrawn& first = m_asked.begin()->second;
     m_question->ask(tr("%1: the map moved by %2 m under its goal, which is withdrawn. Send it to where that "
                        "place lies now?")
-                        .arg(first.title, numberText(first.shift, 2)));
+                        .arg(first.title, numberText(distanceBetween(first.wasInMap, first.goalInMap), 2)));
 }
 
 }  // namespace leitstand

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <QObject>
 #include <QString>
@@ -15,6 +16,7 @@ namespace leitstand {
 
 class CommandTable;
 class MapQuestion;
+class MovedPlaces;
 
 /// Asks over the map whether a robot is to go on to a place that moved with the map while it was on its way,
 /// or about to go.
@@ -23,11 +25,14 @@ class GoalQuestion final : public QObject {
 public:
     GoalQuestion(CommandTable& commands, QWidget& map, QObject* parent);
 
-    /// The goal of @p robot, known as @p title, is withdrawn; the same place lies at @p goalInMap now, @p
-    /// shift aside [m].
-    void ask(const std::string& robot, const QString& title, const Pose& goalInMap, double shift);
-    /// Whatever was asked of @p robot is over: it was sent elsewhere.
+    /// The goal @p wasInMap of @p robot, known as @p title, is withdrawn; the same place is at @p goalInMap
+    /// now.
+    void ask(const std::string& robot, const QString& title, const Pose& wasInMap, const Pose& goalInMap);
+    /// Whatever was asked of @p robot is over: it was sent elsewhere, halted, or is not ours to send.
     void forget(const std::string& robot);
+    /// The map moved on.
+    void follow(const MovedPlaces& places);
+    [[nodiscard]] std::vector<std::string> robots() const;  ///< of which something is asked
 
 signals:
     void confirmed(const std::string& robot, const leitstand::Pose& goalInMap);
@@ -35,8 +40,7 @@ signals:
 private:
     struct Withdrawn {
         QString title;
-        Pose goalInMap;
-        double shift = 0.0;  ///< [m]
+        Pose wasInMap, goalInMap;
     };
     void answer(bool again);
     void show();  ///< of several robots the first one's

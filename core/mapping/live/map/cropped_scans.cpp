@@ -40,11 +40,13 @@ PointCloud insideCrop(PointCloud cloud, const MapCrop& crop, const Pose& scanInM
 MatchedCloudPtr insideCrop(const MatchedCloudPtr& whole, const MapCrop& crop, const Pose& scanInMap,
                            const std::vector<PlacedBody>& others, const MatchedClouds& clouds) {
     if (!whole) return nullptr;
-    const PointCloud inside = insideCrop(whole->unpacked(), crop, scanInMap, others);
-    if (inside.size() == whole->size()) return whole;
-    return clouds.keep(inside, [whole, crop, scanInMap, others] {
+    const auto make = [whole, crop, scanInMap, others] {
         return insideCrop(whole->unpacked(), crop, scanInMap, others);
-    });
+    };
+    if (!whole->size()) return clouds.promise(make);
+    const PointCloud inside = make();
+    if (inside.size() == whole->size()) return whole;
+    return clouds.keep(inside, make);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place, const L
     LocalMap local;
     PointCloud all;
     std::size_t points = 0;
-    for (const Candidate& candidate : candidates) points += candidate.scan->reduced->size();
+    for (const Candidate& candidate : candidates) points += candidate.scan->reduced->size().value_or(0);
     all.points.reserve(points);
     all.normals.reserve(points);
     for (const Candidate& candidate : candidates) {

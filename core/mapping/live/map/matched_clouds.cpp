@@ -14,7 +14,8 @@ using PackedPtr = std::shared_ptr<const PackedCloud>;
 
 /// Where a cloud is: in memory, in the store, or both. Guarded by the shelf's mutex.
 struct MatchedCloud::Place {
-    PackedPtr packed;                   ///< null: only in the store
+    std::optional<std::size_t> size;    ///< points; empty: it was never made
+    PackedPtr packed;                   ///< null: only in the store, if it was made
     std::optional<std::uint64_t> page;  ///< in the store; what was put there once stays the same
     std::size_t pageBytes = 0;
     std::list<Place*>::iterator used;  ///< only while packed
@@ -52,8 +53,10 @@ PackedPtr MatchedCloud::Shelf::use(Place& place) {
             take(place, std::make_shared<const PackedCloud>(*std::move(packed)));
         } else {
             lock.unlock();  // others of the shelf may be needed for it
-            auto made = std::make_shared<const PackedCloud>(place.again());
+            const PointCloud cloud = place.again();
+            auto made = std::make_shared<const PackedCloud>(cloud);
             lock.lock();
+            place.size = cloud.size();
             if (!place.packed) take(place, std::move(made));
         }
     } else {
@@ -89,21 +92,29 @@ std::optional<PackedCloud> MatchedCloud::Shelf::read(const Place& place) const {
     return PackedCloud::fromBytes(bytes);
 }
 
-MatchedCloud::MatchedCloud(const PointCloud& cloud)
-    : m_size(cloud.size()), m_place(std::make_unique<Place>()) {
+MatchedCloud::MatchedCloud(const PointCloud& cloud) : m_place(std::make_unique<Place>()) {
+    m_place->size = cloud.size();
     m_place->packed = std::make_shared<const PackedCloud>(cloud);
 }
 
-MatchedCloud::MatchedCloud(const PointCloud& cloud, std::shared_ptr<Shelf> shelf,
+MatchedCloud::MatchedCloud(const PointCloud* cloud, std::shared_ptr<Shelf> shelf,
                            std::function<PointCloud()> again)
-    : m_size(cloud.size()), m_place(std::make_unique<Place>()), m_shelf(std::move(shelf)) {
+    : m_place(std::make_unique<Place>()), m_shelf(std::move(shelf)) {
     m_place->again = std::move(again);
+    if (cloud == nullptr) return;
+    m_place->size = cloud->size();
     const std::lock_guard lock(m_shelf->mutex);
-    m_shelf->take(*m_place, std::make_shared<const PackedCloud>(cloud));
+    m_shelf->take(*m_place, std::make_shared<const PackedCloud>(*cloud));
 }
 
 MatchedCloud::~MatchedCloud() {
     if (m_shelf) m_shelf->forget(*m_place);
+}
+
+std::optional<std::size_t> MatchedCloud::size() const {
+    if (!m_shelf) return m_place->size;
+    const std::lock_guard lock(m_shelf->mutex);
+    return m_place->size;
 }
 
 PointCloud MatchedCloud::unpacked() const {
@@ -127,7 +138,11 @@ MatchedClouds::MatchedClouds(MatchedClouds&&) noexcept = default;
 MatchedClouds& MatchedClouds::operator=(MatchedClouds&&) noexcept = default;
 
 MatchedCloudPtr MatchedClouds::keep(const PointCloud& cloud, std::function<PointCloud()> again) const {
-    return MatchedCloudPtr(new MatchedCloud(cloud, m_shelf, std::move(again)));
+    return MatchedCloudPtr(new MatchedCloud(&cloud, m_shelf, std::move(again)));
+}
+
+MatchedCloudPtr MatchedClouds::promise(std::function<PointCloud()> make) const {
+    return MatchedCloudPtr(new MatchedCloud(nullptr, m_shelf, std::move(make)));
 }
 
 }  // namespace leitstand

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/base/page_store.h"
 #include "core/cloud/packed_cloud.h"
@@ -10,7 +11,7 @@
 
 namespace leitstand {
 
-/// What is matched of a key scan. Any thread; how many points it has is known without waiting for the disk.
+/// What is matched of a key scan. Any thread.
 class MatchedCloud {
 public:
     /// Stays in memory.
@@ -19,7 +20,8 @@ public:
     MatchedCloud(const MatchedCloud&) = delete;
     MatchedCloud& operator=(const MatchedCloud&) = delete;
 
-    [[nodiscard]] std::size_t size() const { return m_size; }
+    /// Points; known without waiting for the disk. Empty: nobody has used it yet, and it is not made before.
+    [[nodiscard]] std::optional<std::size_t> size() const;
     /// The cloud, bit for bit the same wherever it waited; read again where it is out of memory.
     [[nodiscard]] PointCloud unpacked() const;
     /// Bytes of memory that it takes now.
@@ -29,9 +31,9 @@ private:
     friend class MatchedClouds;
     struct Shelf;
     struct Place;
-    MatchedCloud(const PointCloud& cloud, std::shared_ptr<Shelf> shelf, std::function<PointCloud()> again);
+    /// @p cloud: null: it is made when it is used first.
+    MatchedCloud(const PointCloud* cloud, std::shared_ptr<Shelf> shelf, std::function<PointCloud()> again);
 
-    std::size_t m_size;
     std::unique_ptr<Place> m_place;
     std::shared_ptr<Shelf> m_shelf;  ///< null: stays in memory
 };
@@ -52,6 +54,8 @@ public:
 
     /// @p again makes one like it where the store does not give it back.
     [[nodiscard]] MatchedCloudPtr keep(const PointCloud& cloud, std::function<PointCloud()> again) const;
+    /// One that @p make makes when it is used first: of most scans of an earlier map nothing is ever matched.
+    [[nodiscard]] MatchedCloudPtr promise(std::function<PointCloud()> make) const;
 
 private:
     std::shared_ptr<MatchedCloud::Shelf> m_shelf;

@@ -102,6 +102,24 @@ TEST(MatchedClouds, WhatCannotBeReadIsMadeAgain) {
     EXPECT_EQ(made, 1);
 }
 
+TEST(MatchedClouds, WhatIsPromisedIsMadeOnceWhenItIsUsedFirst) {
+    const auto store = std::make_shared<PageMemory>();
+    const MatchedClouds clouds(store, 1);
+    int made = 0;
+    const MatchedCloudPtr promised = clouds.promise([&made] {
+        ++made;
+        return cloudOf(1);
+    });
+    EXPECT_FALSE(promised->size()) << "nobody knows yet";
+    EXPECT_EQ(promised->memory(), 0U);
+    EXPECT_EQ(made, 0);
+    EXPECT_TRUE(same(promised->unpacked(), MatchedCloud(cloudOf(1)).unpacked()));
+    EXPECT_EQ(promised->size(), 100U);
+    const MatchedCloudPtr newest = clouds.keep(cloudOf(2), &lost);
+    EXPECT_TRUE(same(promised->unpacked(), MatchedCloud(cloudOf(1)).unpacked())) << "from the store";
+    EXPECT_EQ(made, 1);
+}
+
 TEST(MatchedClouds, WithoutAStoreAllStay) {
     const MatchedClouds clouds(nullptr, 1);
     const MatchedCloudPtr first = clouds.keep(cloudOf(1), &lost), second = clouds.keep(cloudOf(2), &lost);

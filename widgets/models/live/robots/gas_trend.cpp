@@ -6,8 +6,6 @@
 #include "core/base/time.h"
 
 namespace leitstand {
-namespace {}  // namespace
-
 void GasTrend::add(Time at, double ppm) {
     if (!std::isfinite(ppm)) return;
     if (!m_samples.empty()) {

@@ -46,7 +46,7 @@ LoopsFeature::LoopsFeature(const MapContext& context, MapView& view, QObject* pa
     : QObject(parent), m_context(context), m_view(view) {
     addCommands();
     m_question = new MapQuestion(QStringLiteral("loopQuestion"), {m_close, m_refuse}, m_view);
-    m_notice = new LoopNotice(*m_open, m_view, this);
+    m_notice = new LoopNotice(*m_open, m_view, context.mapping.closedLoops().count, this);
     connect(&context.source, &MomentSource::ticked, this, &LoopsFeature::follow);
 }
 
