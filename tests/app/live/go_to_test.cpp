@@ -15,17 +15,14 @@ class GoalOnAMovingMap : public LiveMapOfAHall {
 protected:
     /// Kurt3D is on its way, and the map asks whether it meets itself @p off from there [m].
     void sendAndAsk(const Eigen::Vector3d& off) {
-        ASSERT_NO_FATAL_FAILURE(mapTwoScans());
+        ASSERT_NO_FATAL_FAILURE(mapTwoScans(Then::Waits));
         (void)askWhetherItMeetsItself(off);
         ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty() && place("kurt3d").placed; }));
         m_window->layouts().use("map");
         m_window->selection().select("kurt3d");
-        station().ask("kurt3d");
-        ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
-        ASSERT_TRUE(station().release("kurt3d").ok());
-        ASSERT_TRUE(soon([&] { return !robot().stop.standing && !robot().stop.releasing; }));
         emit map().groundActivated(place("kurt3d").baseInMap * Eigen::Vector3d(1.2, 0, 0));
-        ASSERT_TRUE(soon([&] { return goals() == 1; })) << told();
+        ASSERT_TRUE(soon([&] { return goals() == 1; }))
+            << told() << "; " << m_window->recent().join("; ").toStdString();
     }
     /// That Kurt3D was sent so far.
     [[nodiscard]] std::size_t goals() const {
@@ -36,38 +33,33 @@ protected:
     [[nodiscard]] const QFrame& asked() const { return *m_window->findChild<QFrame*>("goalQuestion"); }
 };
 
-TEST_F(GoalOnAMovingMap, ItMovesWithTheMapByALittle) {
-    ASSERT_NO_FATAL_FAILURE(sendAndAsk({0.3, 0.4, 0.0}));
-    trigger("loop.close");
-    EXPECT_TRUE(soon([&] { return goals() == 2; }))
-        << "the robot is told where its goal lies now; " << told();
-    EXPECT_FALSE(asked().isVisible());
-}
-
 TEST_F(GoalOnAMovingMap, ByMuchItIsWithdrawnAndAskedAbout) {
     ASSERT_NO_FATAL_FAILURE(sendAndAsk({1.8, 2.4, 0.0}));
+    std::size_t sent = goals();
     trigger("loop.close");
     EXPECT_TRUE(soon([&] { return asked().isVisible(); })) << told();
     EXPECT_TRUE(asked().accessibleName().startsWith("Kurt3D: the map moved by "))
         << asked().accessibleName().toStdString();
     lookAt("goal_question");
-    EXPECT_TRUE(soon([&] { return goals() == 2; })) << "it is told to stay where it is";
+    EXPECT_TRUE(soon([&] { return goals() > sent; })) << "it is told to stay where it is";
+    sent = goals();
     trigger("goal.again");
     EXPECT_FALSE(asked().isVisible());
-    EXPECT_TRUE(soon([&] { return goals() == 3; })) << "to where that place lies now";
+    EXPECT_TRUE(soon([&] { return goals() > sent; })) << "to where that place lies now";
 }
 
 TEST_F(GoalOnAMovingMap, AStoppedRobotIsSentNowhere) {
     ASSERT_NO_FATAL_FAILURE(sendAndAsk({0.3, 0.4, 0.0}));
     station().stopAll();
     ASSERT_TRUE(soon([&] { return robot().stop.standing; }));
+    const std::size_t sent = goals();
     const auto newest = [&] { return station().mapping().scans()->scans.back().pose.scanInMap; };
     const Pose before = newest();
     trigger("loop.close");
     ASSERT_TRUE(soon([&] { return distanceBetween(newest(), before) > 0.05; }));
     const Time heard = place("kurt3d").stamp;
     EXPECT_TRUE(soon([&] { return place("kurt3d").stamp > heard + std::chrono::seconds(1); }));
-    EXPECT_EQ(goals(), 1U);
+    EXPECT_EQ(goals(), sent);
     EXPECT_FALSE(asked().isVisible());
 }
 

@@ -118,8 +118,10 @@ protected:
         });
         return link;
     }
+    /// What it does once there are enough scans: it is stopped, or waits in a mode in which it is driven.
+    enum class Then { IsStopped, Waits };
     /// Kurt3D goes until the map has two scans that count, and stands.
-    void mapTwoScans() {
+    void mapTwoScans(Then then = Then::IsStopped) {
         station().ask("kurt3d");
         ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
         ASSERT_TRUE(station().setMode("kurt3d", "explore").ok());
@@ -129,6 +131,14 @@ protected:
                    2;
         })) << "it moved not: "
             << told();
+        if (then == Then::Waits) {
+            ASSERT_TRUE(station().setMode("kurt3d", "teleoperation").ok());
+            ASSERT_TRUE(soon([&] {
+                return station().mission()->robots.at("kurt3d")->mode->sample.mode == "teleoperation" &&
+                       std::abs(speed()) < 0.01;
+            })) << told();
+            return;
+        }
         station().stopAll();
         ASSERT_TRUE(soon([&] { return robot().stop.standing; }));
     }
