@@ -4,6 +4,7 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -28,7 +29,8 @@ std::string namespaceOf(std::string_view name) {
     return end == std::string_view::npos ? std::string() : std::string(name.substr(1, end - 1));
 }
 
-bool hasPart(std::string_view name, std::initializer_list<std::string_view> words) {
+/// Whether a part of @p name is one of @p words.
+bool hasPart(std::string_view name, std::span<const std::string_view> words) {
     for (std::size_t begin = 0; begin <= name.size();) {
         const auto end = std::min(name.find_first_of("/_", begin), name.size());
         const std::string_view part = name.substr(begin, end - begin);
@@ -38,12 +40,6 @@ bool hasPart(std::string_view name, std::initializer_list<std::string_view> word
     return false;
 }
 
-/// Whether @p name has one of the words of @p row, which has some.
-bool hasWord(std::string_view name, const StreamFacts& row) {
-    return std::any_of(row.words.begin(), row.words.end(),
-                       [name](std::string_view word) { return hasPart(name, {word}); });
-}
-
 /// Whether @p topic, whose type @p row has, is what the row says.
 bool isToldBy(const StreamFacts& row, const SeenTopic& topic) {
     const std::string_view leaf = leafOf(topic.name);
@@ -51,11 +47,11 @@ bool isToldBy(const StreamFacts& row, const SeenTopic& topic) {
         case ToldBy::Name:
             return leaf == row.topic;
         case ToldBy::Words:
-            return hasWord(isCommand(row.role) ? leaf : std::string_view(topic.name), row);
+            return hasPart(isCommand(row.role) ? leaf : std::string_view(topic.name), row.words);
         case ToldBy::Type:
             break;
     }
-    return row.words.empty() || topic.type == row.types.front() || hasWord(topic.name, row);
+    return row.words.empty() || topic.type == row.types.front() || hasPart(topic.name, row.words);
 }
 
 /// The role that the table of streams tells for @p topic, of commands or of what robots say. What a name

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/time.h"
-#include "core/robot/link/hearing.h"
 #include "core/robot/streams/stream_table.h"
 
 namespace leitstand {

@@ -5,6 +5,7 @@
 #include "core/base/time.h"
 
 namespace leitstand {
+
 void RoundTrips::sent(std::uint64_t number, Time stamp, SteadyTime now) {
     Ping& ping = m_pings[m_next++ % Remembered];
     ping = {};

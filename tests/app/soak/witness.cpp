@@ -11,7 +11,6 @@
 
 #include "core/event/stream_role.h"
 #include "core/io/bag/bag_reader.h"
-#include "core/robot/link/hearing.h"
 #include "core/robot/streams/stream_table.h"
 #include "tests/support/wait.h"
 #include "tests/transport/dds/test_node.h"

@@ -182,8 +182,7 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
 void GoTo::follow(const LiveMoment& moment) {
     for (const std::string& robot : m_question->robots()) {
         const StopStatus& stop = moment.view(robot).stop;
-        if (stop.sent || stop.stopped || stop.releasing || !moment.view(robot).grant.mine)
-            m_question->forget(robot);
+        if (stop.sent || stop.stopped || stop.releasing) m_question->forget(robot);
     }
     for (auto way = m_ways.begin(); way != m_ways.end();) {
         if (!over(way->first, way->second, moment)) {

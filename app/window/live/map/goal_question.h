@@ -28,7 +28,7 @@ public:
     /// The goal @p wasInMap of @p robot, known as @p title, is withdrawn; the same place is at @p goalInMap
     /// now.
     void ask(const std::string& robot, const QString& title, const Pose& wasInMap, const Pose& goalInMap);
-    /// Whatever was asked of @p robot is over: it was sent elsewhere, halted, or is not ours to send.
+    /// Whatever was asked of @p robot is over: it was sent elsewhere, or stopped.
     void forget(const std::string& robot);
     /// The map moved on.
     void follow(const MovedPlaces& places);

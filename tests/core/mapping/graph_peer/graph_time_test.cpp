@@ -62,7 +62,7 @@ TEST(GraphPeerLong, NorDoTenThousand) {
 TEST(GraphPeerLong, NorDoThePublicGraphs) {
     const char* const folder = std::getenv("LEITSTAND_GRAPHS");
     if (folder == nullptr)
-        GTEST_SKIP() << "public graphs are not compared: LEITSTAND_GRAPHS names no folder with "
+        GTEST_SKIP() << "SKIPPED: public graphs are not compared: LEITSTAND_GRAPHS names no folder with "
                         "sphere2500.g2o, torus3D.g2o, parking-garage.g2o and cubicle.g2o";
     const auto read = [folder](const std::string& name) {
         return readG2o(std::filesystem::path(folder) / (name + ".g2o"));

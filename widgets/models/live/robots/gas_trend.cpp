@@ -6,6 +6,7 @@
 #include "core/base/time.h"
 
 namespace leitstand {
+
 void GasTrend::add(Time at, double ppm) {
     if (!std::isfinite(ppm)) return;
     if (!m_samples.empty()) {

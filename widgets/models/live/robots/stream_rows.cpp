@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/robot/link/hearing.h"
 #include "core/robot/streams/stream_table.h"
 #include "widgets/models/others_text.h"
 
