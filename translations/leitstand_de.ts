@@ -8478,16 +8478,8 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Einen Teil der Karte von &amp;Hand schieben</translation>
     </message>
     <message>
-        <source>A run of scans, a robot&apos;s, a storey or a part that has not met the rest: drag it to where it belongs, Shift+drag turns it</source>
-        <translation>Scans einer Strecke, eines Roboters, ein Stockwerk oder ein Teil, der den Rest noch nicht getroffen hat: Ziehen Sie ihn dorthin, wo er hingehört; Umschalt+Ziehen dreht ihn</translation>
-    </message>
-    <message>
         <source>Move &amp;more of the map, or less</source>
         <translation>&amp;Mehr von der Karte schieben, oder weniger</translation>
-    </message>
-    <message>
-        <source>From the chosen scan on, all of its robot, its storey, its part of the map</source>
-        <translation>Vom gewählten Scan an, alles von seinem Roboter, sein Stockwerk, sein Teil der Karte</translation>
     </message>
     <message>
         <source>&amp;Snap the moved part</source>
@@ -8580,6 +8572,18 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>Left there; links to the rest of the map: %1</source>
         <translation>Dort gelassen; Verknüpfungen mit dem Rest der Karte: %1</translation>
+    </message>
+    <message>
+        <source>A run of scans, a robot&apos;s, a storey, a part that has not met the rest, or one scan alone: drag it to where it belongs, Shift+drag turns it</source>
+        <translation>Scans einer Strecke, eines Roboters, ein Stockwerk, ein Teil, der den Rest noch nicht getroffen hat, oder ein Scan allein: Ziehen Sie ihn dorthin, wo er hingehört; Umschalt+Ziehen dreht ihn</translation>
+    </message>
+    <message>
+        <source>From the chosen scan on, all of its robot, its storey, its part of the map, this scan alone</source>
+        <translation>Vom gewählten Scan an, alles von seinem Roboter, sein Stockwerk, sein Teil der Karte, dieser Scan allein</translation>
+    </message>
+    <message>
+        <source>scan %1 of %2 alone</source>
+        <translation>Scan %1 von %2 allein</translation>
     </message>
 </context>
 <context>

@@ -8478,16 +8478,8 @@ A function of this program, no certified emergency stop.</source>
         <translation>地図の一部を手で動かす(&amp;H)</translation>
     </message>
     <message>
-        <source>A run of scans, a robot&apos;s, a storey or a part that has not met the rest: drag it to where it belongs, Shift+drag turns it</source>
-        <translation>一続きのスキャン、ロボット一台分、一つの階、またはまだ残りとつながっていない部分を、あるべき場所へドラッグします。Shift+ドラッグで回します</translation>
-    </message>
-    <message>
         <source>Move &amp;more of the map, or less</source>
         <translation>動かす範囲を変える(&amp;M)</translation>
-    </message>
-    <message>
-        <source>From the chosen scan on, all of its robot, its storey, its part of the map</source>
-        <translation>選んだスキャン以降、そのロボットのすべて、その階、地図のその部分</translation>
     </message>
     <message>
         <source>&amp;Snap the moved part</source>
@@ -8580,6 +8572,18 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>Left there; links to the rest of the map: %1</source>
         <translation>そこに置きました。地図の残りとのリンク: %1</translation>
+    </message>
+    <message>
+        <source>A run of scans, a robot&apos;s, a storey, a part that has not met the rest, or one scan alone: drag it to where it belongs, Shift+drag turns it</source>
+        <translation>一続きのスキャン、ロボット一台分、一つの階、まだ残りとつながっていない部分、またはスキャン一つだけを、あるべき場所へドラッグします。Shift+ドラッグで回します</translation>
+    </message>
+    <message>
+        <source>From the chosen scan on, all of its robot, its storey, its part of the map, this scan alone</source>
+        <translation>選んだスキャン以降、そのロボットのすべて、その階、地図のその部分、このスキャンだけ</translation>
+    </message>
+    <message>
+        <source>scan %1 of %2 alone</source>
+        <translation>%2のスキャン%1のみ</translation>
     </message>
 </context>
 <context>

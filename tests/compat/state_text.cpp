@@ -258,6 +258,9 @@ template <class T>
 void put(const Lines& to, const Latest<T>& latest) {
     to("sequence", latest.sequence), to("received", latest.received), to("sample", latest.sample);
 }
+void put(const Lines& to, const CropState& crop) {
+    to("sequence", crop.sequence), to("received", crop.received), to("sample", crop.sample);
+}
 void put(const Lines& to, const Contact& one) {
     to("sequence", one.sequence), to("received", one.received), to("bumper", one.bumper),
         to("hits", one.hits);

@@ -124,15 +124,14 @@ void MapView::setFloorTint(FloorTintPtr tint) {
 
 void MapView::setMeasuring(bool on) {
     m_state->measuring = on;
-    m_state->from.reset();
-    m_state->to.reset();
+    m_state->ruler.clear();
     setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
     update();
 }
 
 std::optional<Measurement> MapView::measurement() const {
-    if (!m_state->from || !m_state->to) return std::nullopt;
-    return Measurement{*m_state->from, *m_state->to};
+    const SceneContentPtr& content = m_state->scenery.picture().content;
+    return content ? m_state->ruler.measurement(*content) : std::nullopt;
 }
 
 std::optional<PickedPoint> MapView::pick(const QPoint& position) const {
@@ -232,7 +231,8 @@ void MapView::State::paintOverlays(QPainter& painter) {
             paintCaption(painter, projection, caption.places, caption.text, overlay);
     }
     if (seam) paintMeasurement(painter, projection, seam->from, seam->to, overlay);
-    if (from) paintMeasurement(painter, projection, *from, to, overlay);
+    if (const auto from = ruler.from(content))
+        paintMeasurement(painter, projection, *from, ruler.to(content), overlay);
     const QRect scaleBar = paintScaleBar(painter, projection, gridStep, overlay);
     const QRect legend = paintLegend(painter, content, projection.size(), scaleBar, overlay);
     if (floor.tint()) paintFloorLegend(painter, *floor.tint(), projection.size(), legend, overlay);

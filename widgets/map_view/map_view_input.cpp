@@ -51,13 +51,9 @@ double MapView::State::depthAt(const QPoint& position) const {
 void MapView::State::measureAt(const QPoint& position) {
     const auto picked = view.pick(position);
     if (!picked) return;
-    if (!from || to) {
-        from = picked->pointInMap;
-        to.reset();
-    } else {
-        to = picked->pointInMap;
-        emit view.measured({*from, *to});
-    }
+    const SceneContent& content = *scenery.picture().content;
+    ruler.pick(*picked, content);
+    if (const auto measurement = ruler.measurement(content)) emit view.measured(*measurement);
     view.update();
 }
 
@@ -144,9 +140,8 @@ void MapView::keyPressEvent(QKeyEvent* event) {
         state.scenery.moveCamera(zoomed(projection, middle, depth, 1.0 / ZoomPerNotch));
     } else if (event->key() == Qt::Key_Minus) {
         state.scenery.moveCamera(zoomed(projection, middle, depth, ZoomPerNotch));
-    } else if (event->key() == Qt::Key_Escape && state.from) {
-        state.from.reset();
-        state.to.reset();
+    } else if (event->key() == Qt::Key_Escape && state.ruler.begun()) {
+        state.ruler.clear();
         update();
     } else {
         event->ignore();

@@ -9,6 +9,7 @@
 #include <QTimer>
 
 #include "widgets/map_view/gestures/ground_tools.h"
+#include "widgets/map_view/gestures/map_ruler.h"
 #include "widgets/map_view/map_scenery.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/map_view/overlays/floor_overlay.h"
@@ -66,9 +67,9 @@ struct MapView::State {
     std::map<std::uint64_t, Pose> ghosts, draggedScans;  ///< setGhosts(), setDragged()
 
     bool measuring = false;
-    bool stale = false;                       ///< the map is greyed
-    bool drawn = false;                       ///< a pose, since the button went down
-    std::optional<Eigen::Vector3d> from, to;  ///< ends of the measurement, in the map's frame [m]
+    bool stale = false;  ///< the map is greyed
+    bool drawn = false;  ///< a pose, since the button went down
+    MapRuler ruler;
 };
 
 }  // namespace leitstand

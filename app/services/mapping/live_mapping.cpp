@@ -214,6 +214,7 @@ void LiveMapping::registerDone(Time now) {
                 if (update.ready && !has(update.localisation.doubts, ScanDoubt::Points))
                     robot.newest = std::make_shared<const SeenScan>(SeenScan{scan, update.ready});
                 followFixes();
+                seekLost(name, robot, update);
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) {
                     tellRobots();  // before the map: who hears of it asks where they are in it

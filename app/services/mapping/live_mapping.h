@@ -131,6 +131,7 @@ private:
         std::shared_ptr<const SeenScan> newest;    ///< its newest scan that has enough points
         std::uint64_t put = 0;                     ///< how often somebody said where it stands
         int unplaced = 0;                          ///< its 3D scans while nobody knew where it is
+        int lost = 0;                              ///< its 3D scans, one after another, that did not fit
         std::string scanner;                       ///< its only one; empty: it has several, or none
         std::optional<ScannerCorrection> advised;  ///< that was told about it
         std::set<ScannerFault> leftAsIs;           ///< of it, by the operator
@@ -172,13 +173,19 @@ private:
     /// ... or where its scan, which came to @p update, shows them; @p before: the map without it.
     void placeSeen(const MapUpdate& update, const LiveMapPtr& before, Time now);
     void place(Robot& robot, const LiveScan& scan, Time now);
+    /// Of one whose scans fit no more, as @p update says: it is looked for unasked, and where that is in vain
+    /// for long goes on in a part of the map of its own.
+    void seekLost(const std::string& name, Robot& robot, const MapUpdate& update);
+    /// Whether somebody waits for what comes of looking for a robot.
+    enum class Search : std::uint8_t { Asked, Unasked };
     /// Looks for @p name where its scans already are, or where nobody knows how that lies: in its own part.
-    void lookInOwnPart(const std::string& name, std::uint64_t part);
+    void lookInOwnPart(const std::string& name, std::uint64_t part, Search search);
     /// Looks for @p name, whose scans make a part of the map of their own, in the others.
     void lookElsewhere(const std::string& name);
     /// It was looked for, with @p scan, in @p map: goes on from where it was found.
     void lookedFor(const std::string& name, const SeenScan& scan, const LiveMapPtr& map,
-                   const Relocalisation& found);
+                   const Relocalisation& found, Search search);
+    void lookedInVain(const std::string& name, std::size_t alike, Search search);
     void seeing(const std::string& name, Robot& robot, LaserView view, Time now);
     /// Robots that @p scan, of another one, may have points of; of robot @p only where it is named.
     [[nodiscard]] std::vector<PlacedBody> bodiesIn(const Scan& scan, const std::string& only = {}) const;

@@ -14,6 +14,8 @@ namespace {
 constexpr double AboutARobot = 0.1;      ///< so much about its corners may be of a robot, too [m]
 constexpr std::size_t MostBodies = 500;  ///< in a scan
 constexpr int Unplaced = 3;              ///< after so many 3D scans a robot maps a part of its own
+constexpr int SoughtEvery = 3;           ///< of so many that do not fit it is looked for by the newest
+constexpr int LostFor = 9;               ///< one that was looked for in vain by so many may do so, too
 constexpr double Jumped = 0.5,
                  JumpedAngle = degrees(15);  ///< more than odometry errs between two fixes [m], [rad]
 
@@ -129,38 +131,55 @@ void LiveMapping::lookFor(const std::string& name) {
         const auto& followed = m_robots.at(name).followed;
         const std::uint64_t part = followed ? followed->part : 0;
         // One that is where it says may be in another part, too; one that is lost is looked for in its own.
-        part != 0 && followed->doubts == 0 ? lookElsewhere(name) : lookInOwnPart(name, part);
+        part != 0 && followed->doubts == 0 ? lookElsewhere(name) : lookInOwnPart(name, part, Search::Asked);
     });
 }
 
-void LiveMapping::lookInOwnPart(const std::string& name, std::uint64_t part) {
-    Robot& robot = m_robots.at(name);
-    const std::uint64_t put = ++robot.put;
-    if (!robot.newest || !m_map) {
-        if (m_listener.onLookedFor) m_listener.onLookedFor(name, 0);
+void LiveMapping::seekLost(const std::string& name, Robot& robot, const MapUpdate& update) {
+    if (!update.ready) return;
+    if (update.localisation.trust == ScanTrust::Certain) {
+        robot.lost = 0;
         return;
     }
-    m_solving.submit([this, name, put, part, scan = robot.newest, map = m_map](const std::stop_token& stop) {
-        const Progress progress{{}, stop};
-        const auto own = std::make_shared<LiveMap>(LiveMap{ofPart(map->scans, part)});
-        const Relocaliser relocaliser(own, m_settings, forLostRobots(), progress);
-        const auto found = relocaliser.find(*scan->ready, reducedAgain(*scan->ready, m_settings.match),
-                                            scan->live.up, progress);
-        if (stop.stop_requested()) return;
-        post([this, name, put, scan, map, found](LiveMapper&) {
-            if (m_robots.at(name).put == put) lookedFor(name, *scan, map, found);
+    // What sees too little tells of no place.
+    if (has(update.localisation.doubts, ScanDoubt::Points) || ++robot.lost % SoughtEvery != 0) return;
+    if (m_listener.makesMap && !m_listener.makesMap()) return;
+    lookInOwnPart(name, robot.followed ? robot.followed->part : 0, Search::Unasked);
+}
+
+void LiveMapping::lookedInVain(const std::string& name, std::size_t alike, Search search) {
+    if (search == Search::Asked) {
+        if (m_listener.onLookedFor) m_listener.onLookedFor(name, alike);
+        return;
+    }
+    if (m_robots.at(name).lost >= LostFor && m_mapper.isAstray(name)) m_mapper.beginPart(name);
+}
+
+void LiveMapping::lookInOwnPart(const std::string& name, std::uint64_t part, Search search) {
+    Robot& robot = m_robots.at(name);
+    const std::uint64_t put = search == Search::Asked ? ++robot.put : robot.put;
+    if (!robot.newest || !m_map) return lookedInVain(name, 0, search);
+    m_solving.submit(
+        [this, name, put, part, search, scan = robot.newest, map = m_map](const std::stop_token& stop) {
+            const Progress progress{{}, stop};
+            const auto own = std::make_shared<LiveMap>(LiveMap{ofPart(map->scans, part)});
+            const Relocaliser relocaliser(own, m_settings, forLostRobots(), progress);
+            const auto found = relocaliser.find(*scan->ready, reducedAgain(*scan->ready, m_settings.match),
+                                                scan->live.up, progress);
+            if (stop.stop_requested()) return;
+            post([this, name, put, search, scan, map, found](LiveMapper&) {
+                if (m_robots.at(name).put == put) lookedFor(name, *scan, map, found, search);
+            });
         });
-    });
 }
 
 void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const LiveMapPtr& map,
-                            const Relocalisation& found) {
+                            const Relocalisation& found, Search search) {
     if (m_listener.makesMap && !m_listener.makesMap()) return;
-    if (!found.sure) {
-        if (m_listener.onLookedFor) m_listener.onLookedFor(name, found.places.size());
-        return;
-    }
     Robot& robot = m_robots.at(name);
+    // One that fits again meanwhile is where it says.
+    if (search == Search::Unasked && robot.lost == 0) return;
+    if (!found.sure) return lookedInVain(name, found.places.size(), search);
     const AlikePlace& place = found.places.front();
     const Pose baseThen = place.scanInMap * scan.live.sensorInBase.inverse();
     // The map may have moved meanwhile, and the robot by its odometry.
@@ -171,10 +190,8 @@ void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const
     const MotionBuffer& motion = robot.tracker.motion();
     const auto before = motion.at(end), here = motion.at(newest);
     const bool goesOn = before && here && motion.frameAt(end) == motion.frameAt(newest);
-    if (newest != end && !goesOn) {  // nobody knows where it went since that scan
-        if (m_listener.onLookedFor) m_listener.onLookedFor(name, found.places.size());
-        return;
-    }
+    if (newest != end && !goesOn)  // nobody knows where it went since that scan
+        return lookedInVain(name, found.places.size(), search);
     m_mapper.place(name, goesOn ? then * before->baseInOdom.inverse() * here->baseInOdom : then);
     tellPlace(robot.laser.foundByScan(then, end, place.overlap, stationTime()));
 }

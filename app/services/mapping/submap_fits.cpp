@@ -12,13 +12,13 @@ SubmapFits::~SubmapFits() {
     m_jobs.cancel();
 }
 
-void SubmapFits::begin(LiveMapPtr map, std::set<std::uint64_t> submap) {
+void SubmapFits::begin(LiveMapPtr map, std::set<std::uint64_t> submap, std::set<std::uint64_t> left) {
     end();
     const std::lock_guard lock(m_mutex);
-    m_jobs.submit([this, run = m_run, map = std::move(map),
-                   submap = std::move(submap)](const std::stop_token& stop) mutable {
+    m_jobs.submit([this, run = m_run, map = std::move(map), submap = std::move(submap),
+                   left = std::move(left)](const std::stop_token& stop) mutable {
         auto made =
-            std::make_shared<const SubmapOnMap>(std::move(map), std::move(submap), Progress{{}, stop});
+            std::make_shared<const SubmapOnMap>(std::move(map), std::move(submap), left, Progress{{}, stop});
         const std::lock_guard done(m_mutex);
         if (stop.stop_requested() || !counts(run)) return;
         m_submap = std::move(made);

@@ -21,8 +21,9 @@ public:
     SubmapFits(const SubmapFits&) = delete;
     SubmapFits& operator=(const SubmapFits&) = delete;
 
-    /// @p submap of @p map is moved from now on; what was asked before is left.
-    void begin(LiveMapPtr map, std::set<std::uint64_t> submap);
+    /// @p submap of @p map is moved from now on, and compared with the rest without @p left; what was asked
+    /// before is dropped.
+    void begin(LiveMapPtr map, std::set<std::uint64_t> submap, std::set<std::uint64_t> left = {});
     void end();  ///< nothing is moved any more
     /// It lies at @p moved now (SubmapOnMap::at()): how well that fits is worked out, the newest only.
     void want(const Pose& moved);

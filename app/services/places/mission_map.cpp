@@ -105,7 +105,7 @@ std::vector<ScanPose> posesOf(const MissionState& mission) {
 
 std::optional<MapCrop> cropOf(const MissionState& mission) {
     if (!mission.crop) return std::nullopt;
-    return MapCrop{mission.crop->sample.polygon, mission.crop->sample.ceiling};
+    return MapCrop{areaInMap(mission), mission.crop->sample.ceiling};
 }
 
 std::vector<Link> linksOf(const std::filesystem::path& folder, const MissionState& mission) {

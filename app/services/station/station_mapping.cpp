@@ -229,9 +229,10 @@ void StationMapping::State::hear(const Event& event) {
         if (who == station) ++heard;
         waits = waits || !settled.empty();
         // What was wished since is on its way.
-        cropMoved = cropMoved || undo != nullptr || area != nullptr;
+        cropMoved = cropMoved || undo != nullptr || area != nullptr || poses != nullptr;
         if (cropMoved && heard == said) {
-            changed = crop = cropInLog();
+            if (const MapCrop now = cropInLog(); now != crop || area != nullptr || undo != nullptr)
+                changed = crop = now;
             cropMoved = false;
         }
     }

@@ -249,6 +249,7 @@ void MissionSharing::tellMap(const MissionState& mission) {
     }
     if (mission.crop) {
         MapCropSample crop = mission.crop->sample;
+        crop.polygon = areaInMap(mission);  // as the map is that goes along with it
         crop.station = m_setup.station;
         write(crop, station_topic::MapCrop);
     }
@@ -308,6 +309,7 @@ void MissionSharing::tellUndone(const UndoSample& undo) {
     } else if (std::holds_alternative<MapCropSample>(meant->content)) {
         MapCropSample now;
         if (mission->crop) now = mission->crop->sample;
+        now.polygon = areaInMap(*mission);
         now.stamp = undo.stamp;
         now.station = m_setup.station;
         write(now, station_topic::MapCrop);

@@ -10,6 +10,8 @@
 namespace leitstand {
 namespace {
 
+constexpr double ByOdometry = 2.0;  ///< what odometry holds counts as so many times its way: it errs more
+
 std::vector<Link>::iterator placeOf(std::vector<Link>& links, std::uint64_t id) {
     return std::lower_bound(links.begin(), links.end(), id,
                             [](const Link& link, std::uint64_t wanted) { return link.id < wanted; });
@@ -19,7 +21,8 @@ std::vector<Link>::iterator placeOf(std::vector<Link>& links, std::uint64_t id) 
 
 void ScanGraph::connect(const Link& link) {
     if (!link.active || link.from == link.to || m_unheld.contains(link.id)) return;
-    const double distance = link.pose.translation().norm();
+    const double factor = link.kind == LinkKind::Odometry ? ByOdometry : 1.0;
+    const double distance = factor * link.pose.translation().norm();
     m_edges[link.from].push_back({link.to, distance, link.id});
     m_edges[link.to].push_back({link.from, distance, link.id});
 }

@@ -27,8 +27,8 @@ public:
     void beginBlock(std::uint64_t block);
 
     /// The scans that can be reached from @p id over at most @p most [m] of active links, itself included,
-    /// with that way. What was registered against each other is nearly certain to each other; what lies side
-    /// by side and is far from each other over the graph is not.
+    /// with that way; links of odometry count twice. What was registered against each other is nearly
+    /// certain to each other; what lies side by side and is far from each other over the graph is not.
     [[nodiscard]] std::map<std::uint64_t, double> within(std::uint64_t id, double most) const;
     /// The least sum of @p cost over active links from @p from to @p to; empty: they do not hang together.
     [[nodiscard]] std::optional<double> cheapest(std::uint64_t from, std::uint64_t to,

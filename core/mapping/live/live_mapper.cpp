@@ -6,6 +6,7 @@
 
 #include "core/base/time.h"
 #include "core/mapping/live/live_mapper_state.h"
+#include "core/mapping/live/loops/free_space.h"
 #include "core/mapping/live/scan_doubts.h"
 
 namespace leitstand {
@@ -80,7 +81,9 @@ Match LiveMapper::State::matched(const LiveScan& live, const RobotTrack& robot, 
 void LiveMapper::State::refine(const LiveScan& live, const RobotTrack& robot, const Pose& guess,
                                const Step& step, std::span<const PlacedBody> others, ReadyScan& ready,
                                Match& match) {
-    const bool on = settings.refinement.on || settings.refined.contains(live.scan->robot);
+    // What was pushed was put together by a motion that was none.
+    const bool on = settings.refinement.on || settings.refined.contains(live.scan->robot) ||
+                    wasPushed(live, guess, match.scanInMap, step, settings.keyScans);
     if (!on || match.doubts != 0) return;
     const auto drift = turnDrift(cleaned(live, robot.body, match.scanInMap, preparing(robot, guess), others),
                                  localAt(guess, robot), match.scanInMap, settings.refinement);
@@ -92,6 +95,20 @@ void LiveMapper::State::refine(const LiveScan& live, const RobotTrack& robot, co
     if (again.doubts != 0 || again.icp.overlap < match.icp.overlap) return;
     ready = std::move(second);
     match = again;
+}
+
+bool LiveMapper::State::isHeldByOdometry(const LiveScan& live, const RobotTrack& robot,
+                                         const ReadyScan& ready, const Pose& guess, const Step& step) {
+    const bool followed = step.measured && !live.isGuessed() && !robot.contradicted;
+    if (!followed || !canBegin(live, ready.reduced, settings.fit)) return false;
+    const LocalMap& about = localAt(guess, robot);
+    const KeyScanRule& rule = settings.keyScans;
+    if (newGround(ready.reduced, about, guess, rule.newGroundFrom) < settings.fit.leastNew) return false;
+    return std::none_of(about.scans.begin(), about.scans.end(), [&](std::uint64_t id) {
+        const LiveKeyScan& other = *find(id);
+        const Pose inOther = other.pose.scanInMap.inverse() * guess;
+        return filledShare(*other.scan, *ready.scan, inOther) > settings.loops.mostFilled;
+    });
 }
 
 bool LiveMapper::State::enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const {
@@ -239,6 +256,15 @@ void LiveMapper::beginPart(const std::string& robot) {
     m_state->robots[robot].beginsPart = true;
 }
 
+bool LiveMapper::isAstray(const std::string& name) const {
+    const auto found = m_state->robots.find(name);
+    if (found == m_state->robots.end()) return false;
+    const RobotTrack& robot = found->second;
+    if (!robot.known || !robot.lost || robot.placedInMap) return false;
+    return !robot.odometry ||
+           m_state->settings.match.odometry.share * robot.way > m_state->settings.fit.mostDeviation;
+}
+
 Pose LiveMapper::State::aside(const Eigen::Vector3d& up) const {
     Pose pose = levelled(Pose::Identity(), up, 1.0);
     pose.translation() = map.scans.front().pose.scanInMap.translation();
@@ -290,8 +316,15 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         against = local.scans;
         if (!local.scans.empty()) nearest = local.scans.front();
     }
-    here.doubts = match.doubts;
-    here.trust = match.doubts == 0 ? ScanTrust::Certain : ScanTrust::Uncertain;
+    const bool held = match.doubts != 0 && state.isHeldByOdometry(live, robot, ready, guess, step);
+    const bool lost = match.doubts != 0 && !held;
+    if (lost && robot.beginsPart && canBegin(live, ready.reduced, state.settings.fit)) {
+        robot.known = false;  // and so it begins
+        robot.placedInMap.reset();
+        return add(live, now, others);
+    }
+    here.doubts = lost ? match.doubts : std::uint8_t{0};
+    here.trust = lost ? ScanTrust::Uncertain : ScanTrust::Certain;
     here.icp = match.icp;
     const Pose baseInSensor = live.sensorInBase.inverse();
     here.baseInMap = match.scanInMap * baseInSensor;
@@ -308,9 +341,9 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
         robot.unspun = robot.unspun * robot.sensorInOdom * came * scan.sensorInOdom.inverse();
     }
     // The ground of scans that do not fit stays new.
-    const bool stillLost = match.doubts != 0 && robot.lost;
+    const bool stillLost = lost && robot.lost;
     // Also of a robot that stands the operator learns that it is lost; once, not whenever it is in doubt.
-    const bool nowLost = match.doubts != 0 && !robot.lost && !state.awaitsDecision(scan.robot);
+    const bool nowLost = lost && !robot.lost && !state.awaitsDecision(scan.robot);
     const bool pushed =
         match.doubts == 0 && wasPushed(live, guess, match.scanInMap, step, state.settings.keyScans);
     const bool wanted = state.enters(robot, match.scanInMap, stillLost ? 0.0 : fresh);
@@ -328,7 +361,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
                     match.icp.certainty,
                     match.icp.converged,
                     here.trust,
-                    here.doubts};
+                    match.doubts};
         if (live.extrapolated || live.bridged)
             key.pose.doubts |= static_cast<std::uint8_t>(ScanDoubt::Guessed);
         key.matched = nearest;
@@ -369,15 +402,20 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     robot.placedInMap.reset();
     robot.stamp = scan.end;
     robot.sensorInBase = live.sensorInBase;
-    robot.certainty = first ? 1.0 : certaintyOf(match.icp.overlap, match.icp.certainty);
-    robot.doubts = match.doubts;
+    const double mayErr = state.settings.match.odometry.share * step.way / state.settings.fit.mostDeviation;
+    robot.certainty = first  ? 1.0
+                      : held ? std::max(0.1, 1.0 - mayErr)
+                             : certaintyOf(match.icp.overlap, match.icp.certainty);
+    robot.doubts = here.doubts;
     robot.sensorInMap = update.scanInMap;
     robot.sensorInOdom = scan.sensorInOdom;
     robot.odometryFrame = live.odometryFrame;
     robot.odometry = scan.hasOdometry;
-    robot.lost = match.doubts != 0;
+    robot.lost = lost;
+    // What has too few points tells of nothing.
+    robot.contradicted = lost && (robot.contradicted || !has(match.doubts, ScanDoubt::Points));
     robot.way = robot.lost ? step.way : 0.0;
-    robot.openWay = match.icp.open > 0 ? step.openWay : 0.0;
+    robot.openWay = held || match.icp.open > 0 ? step.openWay : 0.0;
     robot.turn = robot.lost ? step.turn : 0.0;
     robot.moved = robot.lost ? step.moved : Eigen::Vector3d(Eigen::Vector3d::Zero());
     here.seconds = toSeconds(std::chrono::steady_clock::now() - start);

@@ -107,8 +107,12 @@ public:
     void place(const std::string& robot, const Pose& baseInMap);
     /// The next scan of @p robot that is whole enough begins a part of the map of its own, unless the robot
     /// is in the map, or placed, by then: nobody knows where it is. That part lies aside until a place is
-    /// found that it and another one have seen: then come a question, and links.
+    /// found that it and another one have seen: then come a question, and links. One that is in the map
+    /// begins it with its next scan that does not fit.
     void beginPart(const std::string& robot);
+    /// Whether @p robot, whose scans do not fit any more, may be so far from where odometry has it that
+    /// nothing of what it sees can be built on (FitSettings::mostDeviation), or no odometry tells.
+    [[nodiscard]] bool isAstray(const std::string& robot) const;
 
     /// Registers @p scan. The first one that is whole enough defines the map: level, with its position and
     /// heading. Scans of another robot do not enter before it is placed, or begins a part. @p others: other

@@ -228,7 +228,7 @@ Result<ScanLinksSample> LiveMapper::moveTo(std::uint64_t scan, SubmapKind kind, 
     for (const LiveKeyScan& one : state.map.scans) {
         if (submap.contains(one.id)) scansInMap.emplace(one.id, moved * one.pose.scanInMap);
     }
-    std::vector<Link> links = state.loops.moveTo(scansInMap, state.map);
+    std::vector<Link> links = state.loops.moveTo(scansInMap, leftBehind(state.map, scan, kind), state.map);
     if (links.empty())
         return Error{translate("leitstand::Station",
                                "it does not fit the rest of the map there: move it nearer to where it "

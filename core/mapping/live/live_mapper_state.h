@@ -33,6 +33,7 @@ struct RobotTrack {
     int odometryFrame = -1;                           ///< negative: of an earlier run of the station
     bool odometry = false;                            ///< whether sensorInOdom was measured
     bool lost = false;                                ///< the newest scan did not fit
+    bool contradicted = false;                        ///< nor does what is known about it: odometry erred
     bool waited = false;                              ///< ... was left out for the next one
     double certainty = 0.0;                           ///< RobotFix::certainty
     std::uint8_t doubts = 0;                          ///< of the newest scan
@@ -80,6 +81,10 @@ struct LiveMapper::State {
     /// Takes the drift within the turn out of @p ready, where that lets it fit better than @p match says.
     void refine(const LiveScan& live, const RobotTrack& robot, const Pose& guess, const Step& step,
                 std::span<const PlacedBody> others, ReadyScan& ready, Match& match);
+    /// Whether @p live, which does not fit, was taken where odometry says, at @p guess: it sees ground that
+    /// is new, and neither fills what scans about it looked through, nor do these.
+    [[nodiscard]] bool isHeldByOdometry(const LiveScan& live, const RobotTrack& robot, const ReadyScan& ready,
+                                        const Pose& guess, const Step& step);
     /// What @p live says is against gravity, as far as its scanner's lean is known.
     [[nodiscard]] static Eigen::Vector3d upOf(const LiveScan& live, const RobotTrack& robot);
     [[nodiscard]] bool enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;

@@ -45,6 +45,7 @@ struct FitSettings {
     double leastCertainty = 0.02;   ///< IcpResult::certainty, where no odometry can do instead
     double mostDeviation = 0.3;     ///< expected along open directions, of the last metres of way [m]
     double openWay = 5.0;           ///< so much of it [m]
+    double leastNew = 0.6;          ///< of what a scan sees that odometry alone holds
     int leastPoints = 200;          ///< after reduction
     double leastSeen = degrees(270);  ///< of directions, by a cut-off turn that a map begins with [rad]
 };

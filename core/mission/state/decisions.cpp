@@ -1,6 +1,9 @@
 #include "core/mission/state/decisions.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -55,7 +58,7 @@ private:
     }
 
     void effect(const Decision& decision, const MapCropSample& crop) {
-        m_state.crop = {decision.sequence, decision.received, crop};
+        m_state.crop = CropState{decision.sequence, decision.received, crop, {}};
     }
 
     void effect(const Decision& decision, const ScanLinksSample& sample) {
@@ -78,6 +81,60 @@ Decision* find(std::vector<Decision>& decisions, std::uint64_t sequence) {
         decisions.begin(), decisions.end(), sequence,
         [](const Decision& decision, std::uint64_t wanted) { return decision.sequence < wanted; });
     return found != decisions.end() && found->sequence == sequence ? &*found : nullptr;
+}
+
+/// All that follows from the decisions of @p state, but where the area hangs.
+void apply(MissionState& state) {
+    std::vector<Decision>& decisions = state.decisions.edit();
+    for (Decision& decision : decisions) decision.undone = false;
+    // An undo names an event before it: from the newest on, each is decided when its turn comes.
+    for (auto decision = decisions.rbegin(); decision != decisions.rend(); ++decision) {
+        const auto* undo = std::get_if<UndoSample>(&decision->content);
+        if (undo == nullptr || decision->undone || undo->event >= decision->sequence) continue;
+        if (Decision* target = find(decisions, undo->event)) target->undone = true;
+    }
+    state.victims.edit().clear();
+    state.keyScans.edit().clear();
+    state.loops.edit().clear();
+    state.bodies.edit().clear();
+    state.notes.edit().clear();
+    state.crop.reset();
+    Effects effects(state);
+    for (const Decision& decision : *state.decisions) {
+        if (!decision.undone) effects.apply(decision);
+    }
+}
+
+/// The corner @p at of an area that was drawn while the key scans were where @p scans say.
+AreaCorner hung(const Eigen::Vector2d& at, const std::map<std::uint64_t, KeyScanState>& scans) {
+    const KeyScanState* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [id, scan] : scans) {
+        const double distance = (scan.pose.scanInMap.translation().head<2>() - at).norm();
+        if (scan.pose.trust != ScanTrust::Certain || distance >= least) continue;
+        least = distance;
+        nearest = &scan;
+    }
+    if (nearest == nullptr) return {at, 0, Pose::Identity()};
+    return {at, nearest->entry.id, nearest->pose.scanInMap};
+}
+
+/// Hangs the area of @p state onto @p scans, which are as they were when it was drawn.
+void hangArea(MissionState& state, const std::map<std::uint64_t, KeyScanState>& scans) {
+    state.crop->corners.clear();
+    for (const Eigen::Vector2d& corner : state.crop->sample.polygon)
+        state.crop->corners.push_back(hung(corner, scans));
+}
+
+/// The same, of decisions that were read together: what was undone later stood then.
+void hangArea(MissionState& state) {
+    if (!state.crop || state.crop->sample.polygon.empty()) return;
+    MissionState then;
+    std::vector<Decision>& decisions = then.decisions.edit();
+    std::copy_if(state.decisions->begin(), state.decisions->end(), std::back_inserter(decisions),
+                 [&](const Decision& decision) { return decision.sequence < state.crop->sequence; });
+    apply(then);
+    hangArea(state, *then.keyScans);
 }
 
 /// Tells what in @p decision names something that the mission does not have.
@@ -104,6 +161,7 @@ void decide(MissionState& state, Decision decision) {
     if (undo == nullptr) {
         tellUnknown(state, decision);
         Effects(state).apply(decision);
+        if (std::holds_alternative<MapCropSample>(decision.content)) hangArea(state, *state.keyScans);
         state.decisions.edit().push_back(std::move(decision));
         return;
     }
@@ -121,24 +179,8 @@ void decide(MissionState& state, Decision decision) {
 }
 
 void reconsider(MissionState& state) {
-    std::vector<Decision>& decisions = state.decisions.edit();
-    for (Decision& decision : decisions) decision.undone = false;
-    // An undo names an event before it: from the newest on, each is decided when its turn comes.
-    for (auto decision = decisions.rbegin(); decision != decisions.rend(); ++decision) {
-        const auto* undo = std::get_if<UndoSample>(&decision->content);
-        if (undo == nullptr || decision->undone || undo->event >= decision->sequence) continue;
-        if (Decision* target = find(decisions, undo->event)) target->undone = true;
-    }
-    state.victims.edit().clear();
-    state.keyScans.edit().clear();
-    state.loops.edit().clear();
-    state.bodies.edit().clear();
-    state.notes.edit().clear();
-    state.crop.reset();
-    Effects effects(state);
-    for (const Decision& decision : *state.decisions) {
-        if (!decision.undone) effects.apply(decision);
-    }
+    apply(state);
+    hangArea(state);
 }
 
 }  // namespace leitstand

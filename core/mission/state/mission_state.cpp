@@ -24,6 +24,21 @@ Eigen::Vector3d positionInMap(const MissionState& state, const CandidateSample& 
     return placeOf(state, candidate);
 }
 
+std::vector<Eigen::Vector2d> areaInMap(const MissionState& state) {
+    std::vector<Eigen::Vector2d> area;
+    if (!state.crop) return area;
+    for (const AreaCorner& corner : state.crop->corners) {
+        area.push_back(corner.drawn);
+        const auto scan = state.keyScans->find(corner.scan);
+        if (scan == state.keyScans->end()) continue;
+        const Pose& now = scan->second.pose.scanInMap;
+        if (now.matrix() == corner.scanInMap.matrix()) continue;
+        const Eigen::Vector3d then(corner.drawn.x(), corner.drawn.y(), corner.scanInMap.translation().z());
+        area.back() = (now * corner.scanInMap.inverse() * then).head<2>();
+    }
+    return area;
+}
+
 std::vector<Link> loopsOf(const MissionState& state) {
     std::map<std::uint64_t, Link> links;
     for (const Decision& decision : *state.decisions) {

@@ -88,6 +88,22 @@ struct LoopState {
     Link link;
 };
 
+/// Where a corner of what belongs into the map is: it moves with the key scan that was nearest when it was
+/// drawn.
+struct AreaCorner {
+    Eigen::Vector2d drawn = Eigen::Vector2d::Zero();  ///< map frame, then [m]
+    std::uint64_t scan = 0;                           ///< id of that scan; 0: there was none
+    Pose scanInMap = Pose::Identity();                ///< then
+};
+
+/// What belongs into the map, as the newest decision that is not undone has it.
+struct CropState {
+    std::uint64_t sequence = 0;       ///< of that decision
+    Time received{};                  ///< station's clock
+    MapCropSample sample;             ///< as it was said: areaInMap() tells where it is now
+    std::vector<AreaCorner> corners;  ///< of its polygon
+};
+
 /// Who holds a grant.
 struct GrantState {
     std::string station, title;  ///< empty: nobody
@@ -136,7 +152,7 @@ struct MissionState {
     SharedValue<std::map<std::uint64_t, LoopState>> loops;                 ///< by id of the link
     SharedValue<std::map<std::uint64_t, std::vector<BodyInScan>>> bodies;  ///< of others, by key scan's id
     SharedValue<std::vector<Latest<NoteSample>>> notes;                    ///< that are not undone
-    std::optional<Latest<MapCropSample>> crop;                             ///< newest that is not undone
+    std::optional<CropState> crop;                                         ///< empty: nobody said
     SharedValue<std::map<GrantKey, GrantState>> grants;
     SharedValue<std::map<AlarmKey, AlarmState>> alarms;
     SharedValue<std::vector<SessionState>> sessions;
@@ -151,6 +167,8 @@ using MissionStatePtr = std::shared_ptr<const MissionState>;
 /// Where @p victim is in the map now: with the scan it hangs on, else where it was filed [m].
 [[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const VictimSample& victim);
 [[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const CandidateSample& candidate);
+/// Corners of what belongs into the map, as the map is now [m]; empty: nobody drew any.
+[[nodiscard]] std::vector<Eigen::Vector2d> areaInMap(const MissionState& state);
 /// All links that ever closed loops, as they are now: those that are taken back are not active.
 [[nodiscard]] std::vector<Link> loopsOf(const MissionState& state);
 /// The decision of @p sequence; null when there is none.

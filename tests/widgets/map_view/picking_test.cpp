@@ -136,6 +136,32 @@ TEST(MapMeasuring, ThirdClickBeginsAnewAndTurningOffForgets) {
     EXPECT_FALSE(view->measurement());
 }
 
+TEST(MapMeasuring, EndsGoWithTheScansThatHaveTheirPoints) {
+    Map map = *mapOf({blob({4, 1, 0}, Label::Wall), blob({4, -1, 0}, Label::Wall)});
+    map.scans[0].id = 7;
+    map.scans[1].id = 8;
+    ShownView view(std::make_shared<const Map>(map));
+    view->setMeasuring(true);
+    view.click(view.at({4, 1, 0}).toPoint());
+    view.click(view.at({4, -1, 0}).toPoint());
+    ASSERT_TRUE(view->measurement());
+    EXPECT_NEAR((view->measurement()->to - view->measurement()->from).norm(), 2.0, 0.15);
+    // A loop closes: the second scan moves, and one came before it.
+    map.scans[1].poseInMap = map.scans[1].guessInMap = Pose(Eigen::Translation3d(0, -1, 0));
+    map.scans.insert(map.scans.begin(), map.scans.front());
+    map.scans.front().id = 3;
+    view->setMap(std::make_shared<const Map>(map));
+    ASSERT_TRUE(view.settle());
+    EXPECT_NEAR((view->measurement()->to - view->measurement()->from).norm(), 3.0, 0.15);
+    // The operator rejects it: what was measured stays where it was.
+    map.scans.pop_back();
+    view->setMap(std::make_shared<const Map>(map));
+    ASSERT_TRUE(view.settle());
+    ASSERT_TRUE(view->measurement());
+    EXPECT_NEAR((view->measurement()->to - view->measurement()->from).norm(), 2.0, 0.15)
+        << "as it was picked";
+}
+
 TEST(MapMeasuring, DragTurnsTheMapInsteadOfMeasuring) {
     ShownView view(mapOf(gridOfPoints()));
     view->setMeasuring(true);

@@ -323,8 +323,11 @@ std::vector<Link> LoopCloser::join(const std::map<std::uint64_t, Pose>& scansInM
     return links;
 }
 
-std::vector<Link> LoopCloser::moveTo(const std::map<std::uint64_t, Pose>& scansInMap, const LiveMap& map) {
-    const auto moves = [&](const LiveKeyScan& scan) { return scansInMap.contains(scan.id); };
+std::vector<Link> LoopCloser::moveTo(const std::map<std::uint64_t, Pose>& scansInMap,
+                                     const std::set<std::uint64_t>& left, const LiveMap& map) {
+    const auto moves = [&](const LiveKeyScan& scan) {
+        return scansInMap.contains(scan.id) || left.contains(scan.id);
+    };
     struct Candidate {
         const LiveKeyScan* scan;
         const LiveKeyScan* other;

@@ -73,10 +73,10 @@ public:
     [[nodiscard]] std::vector<Link> join(const std::map<std::uint64_t, Pose>& scansInMap, const LiveMap& map);
 
     /// The operator has moved the scans of @p scansInMap together, to about there: links of those that fit
-    /// what is there of all others, active, at most LoopSettings::mostByHand of them, from all over it. None:
-    /// none fits.
+    /// what is there of all others but @p left, active, at most LoopSettings::mostByHand of them, from all
+    /// over it. None: none fits.
     [[nodiscard]] std::vector<Link> moveTo(const std::map<std::uint64_t, Pose>& scansInMap,
-                                           const LiveMap& map);
+                                           const std::set<std::uint64_t>& left, const LiveMap& map);
 
     /// A loop that the operator shows: @p scan was taken at about @p guess. Its link, not active, which is
     /// taken into the graph as a question. Errors, in words: nothing older is about there, or it does not

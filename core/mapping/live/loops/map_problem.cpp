@@ -5,7 +5,7 @@
 
 #include "core/mapping/graph/graph_solver.h"
 #include "core/mapping/graph/graph_start.h"
-#include "core/mapping/graph/link_scale.h"
+#include "core/mapping/graph/odometry_errors.h"
 
 namespace leitstand {
 
@@ -13,7 +13,7 @@ MapSolution solve(const MapProblem& problem, const Progress& progress) {
     constexpr double Outweighed = 0.5;
     PoseGraph graph = problem.graph;
     startFromLinks(graph);
-    scaleOdometry(graph);
+    correctOdometry(graph);
     startFromLinks(graph);
     GraphSettings settings;
     settings.robust = true;

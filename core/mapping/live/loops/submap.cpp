@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/cloud/filters/voxel_grid.h"
+#include "core/mapping/live/live_settings.h"
 #include "core/mapping/storeys.h"
 #include "core/registration/icp.h"
 
@@ -92,13 +93,44 @@ std::set<std::uint64_t> submapOf(const LiveMap& map, std::uint64_t id, SubmapKin
                                ? samePart && sameRobot && scan.entered >= chosen->entered
                            : kind == SubmapKind::Robot  ? samePart && sameRobot
                            : kind == SubmapKind::Storey ? samePart && storeyOf(scan) == chosenStorey
+                           : kind == SubmapKind::Scan   ? scan.id == id
                                                         : samePart;
         if (moves) submap.insert(scan.id);
     }
     return submap.size() < counting ? submap : std::set<std::uint64_t>{};
 }
 
-SubmapOnMap::SubmapOnMap(LiveMapPtr map, std::set<std::uint64_t> submap, const Progress& progress)
+std::set<std::uint64_t> leftBehind(const LiveMap& map, std::uint64_t id, SubmapKind kind) {
+    if (kind != SubmapKind::Scan) return {};
+    const double most = LoopSettings().sameAge;
+    std::vector<const LiveKeyScan*> scans;  // of that robot
+    const auto chosen = std::find_if(map.scans.begin(), map.scans.end(),
+                                     [id](const LiveKeyScan& scan) { return scan.id == id; });
+    if (chosen == map.scans.end()) return {};
+    std::size_t at = 0;
+    for (const LiveKeyScan& scan : map.scans) {
+        if (!scan.counts() || scan.scan->robot != chosen->scan->robot || scan.part != chosen->part) continue;
+        if (scan.id == id) at = scans.size();
+        scans.push_back(&scan);
+    }
+    std::set<std::uint64_t> near;
+    const auto go = [&](std::ptrdiff_t step) {
+        double way = 0.0;
+        for (auto i = static_cast<std::ptrdiff_t>(at) + step; i >= 0 && i < std::ssize(scans); i += step) {
+            const LiveKeyScan& one = *scans[static_cast<std::size_t>(i)];
+            way += distanceBetween(scans[static_cast<std::size_t>(i - step)]->pose.scanInMap,
+                                   one.pose.scanInMap);
+            if (way > most) return;
+            near.insert(one.id);
+        }
+    };
+    go(-1);
+    go(1);
+    return near;
+}
+
+SubmapOnMap::SubmapOnMap(LiveMapPtr map, std::set<std::uint64_t> submap, const std::set<std::uint64_t>& left,
+                         const Progress& progress)
     : m_map(std::move(map)), m_submap(std::move(submap)) {
     std::size_t count = 0;
     for (const LiveKeyScan& scan : m_map->scans) {
@@ -114,7 +146,7 @@ SubmapOnMap::SubmapOnMap(LiveMapPtr map, std::set<std::uint64_t> submap, const P
         if (!scan.counts()) continue;
         if (m_submap.contains(scan.id))
             moving.add(scan, m_middle);
-        else
+        else if (!left.contains(scan.id))
             rest.add(scan, Eigen::Vector3d::Zero());
     }
     m_cloud = thinned(moving.take(), MostSnapped);

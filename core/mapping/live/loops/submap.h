@@ -20,11 +20,15 @@ enum class SubmapKind : std::uint8_t {
     Robot,     ///< all that it scanned
     Storey,    ///< all on one storey
     Part,      ///< a part of the map that has not met the first one, or the first one
+    Scan,      ///< one scan alone: what hangs together with it follows by its links
 };
 
 /// The key scans of @p map that are moved with @p scan, by id; all of one part of the
 /// map. Empty: the map has no such scan that counts, or nothing of the map would be left.
 [[nodiscard]] std::set<std::uint64_t> submapOf(const LiveMap& map, std::uint64_t scan, SubmapKind kind);
+/// What these are not compared with: of one scan alone what its robot scanned shortly before and after it,
+/// which it leaves behind.
+[[nodiscard]] std::set<std::uint64_t> leftBehind(const LiveMap& map, std::uint64_t scan, SubmapKind kind);
 
 /// How a submap lies on the rest of the map.
 struct SubmapFit {
@@ -38,9 +42,10 @@ public:
     static constexpr double Near = 0.3;          ///< [m]
     static constexpr double LeastOverlap = 0.1;  ///< to be snapped
 
-    /// Of those scans of @p map that count, @p submap, and the rest. Takes about a second for 1,000 scans;
-    /// cancelled, it fits nothing.
-    SubmapOnMap(LiveMapPtr map, std::set<std::uint64_t> submap, const Progress& progress = {});
+    /// Of those scans of @p map that count, @p submap, and the rest without @p left. Takes about a second for
+    /// 1,000 scans; cancelled, it fits nothing.
+    SubmapOnMap(LiveMapPtr map, std::set<std::uint64_t> submap, const std::set<std::uint64_t>& left = {},
+                const Progress& progress = {});
 
     [[nodiscard]] const LiveMapPtr& map() const { return m_map; }
     [[nodiscard]] const std::set<std::uint64_t>& submap() const { return m_submap; }

@@ -28,6 +28,36 @@ TEST(LiveMapperParts, ARobotThatNobodyPlacedWaitsUntilItIsToBeginAPart) {
     EXPECT_EQ(room.mapper.fix("kurt3d")->part, 0U);
 }
 
+TEST(LiveMapperParts, OneThatIsLostBeginsAPartWithTheNextScanThatDoesNotFit) {
+    TwoRobotsInARoom room;
+    room.mapper.beginPart("second");
+    const auto first = room.add(room.seen(poseFrom({1.5, 1, 0.9}, 0, 0, 0)));
+    ASSERT_TRUE(first.keyScan);
+    room.mapper.beginPart("second");
+    const auto fits = room.add(room.seen(poseFrom({1.1, 1, 0.9}, 0, 0, 0)));
+    EXPECT_EQ(fits.localisation.trust, ScanTrust::Certain);
+    EXPECT_EQ(room.mapper.fix("second")->part, first.keyScan->id) << "it is not lost";
+    // Carried: its odometry has it where it was.
+    const auto carried = [&](double y) {
+        LiveScan live = room.seen(poseFrom({-1.5, y, 0.9}, 0, 0, degrees(170)));
+        auto scan = std::make_shared<Scan>(*live.scan);
+        scan->sensorInOdom = room.seen(poseFrom({1.1, 1, 0.9}, 0, 0, 0)).scan->sensorInOdom;
+        live.scan = std::move(scan);
+        return live;
+    };
+    EXPECT_EQ(room.add(carried(-1.2)).localisation.trust, ScanTrust::Uncertain);
+    EXPECT_FALSE(room.mapper.isAstray("second")) << "by odometry it did not go far";
+    room.mapper.beginPart("second");
+    const auto begun = room.add(carried(-1.2));
+    ASSERT_TRUE(begun.keyScan);
+    EXPECT_EQ(begun.localisation.trust, ScanTrust::Certain);
+    EXPECT_EQ(begun.keyScan->matched, 0U);
+    EXPECT_EQ(room.mapper.fix("second")->part, begun.keyScan->id);
+    const auto goesOn = room.add(carried(-1.2));
+    EXPECT_EQ(goesOn.localisation.trust, ScanTrust::Certain) << "and its part goes on";
+    EXPECT_EQ(room.mapper.fix("second")->part, begun.keyScan->id);
+}
+
 TEST(LiveMapperParts, ItsPartGrowsByItselfAndNothingClosesIntoTheOtherUnasked) {
     TwoRobotsInARoom room;
     room.mapper.beginPart("second");

@@ -110,7 +110,7 @@ TEST(Submaps, SnapFromWhereTheyWereDragged) {
     std::stop_source stop;
     stop.request_stop();
     EXPECT_FALSE(part.snapped(room.near(part, 0.4, degrees(10)), {{}, stop.get_token()}));
-    const SubmapOnMap cancelled(room.mapper.map(), part.submap(), {{}, stop.get_token()});
+    const SubmapOnMap cancelled(room.mapper.map(), part.submap(), {}, {{}, stop.get_token()});
     EXPECT_EQ(cancelled.at(room.truth()).overlap, 0.0);
 }
 
@@ -132,6 +132,26 @@ TEST(Submaps, WhatIsMovedIsLinkedThereAndTheMapFollows) {
     (void)room.log.undo(said, room.mapper);
     (void)room.solveAll();
     EXPECT_TRUE(alike(room.poses(), before)) << "taken back";
+}
+
+TEST(Submaps, OneScanAloneIsComparedWithTheOthersPartAndBringsItsOwnAlong) {
+    TwoParts room;
+    const std::uint64_t id = room.second.front().first;
+    const SubmapOnMap alone(room.mapper.map(), submapOf(*room.mapper.map(), id, SubmapKind::Scan),
+                            leftBehind(*room.mapper.map(), id, SubmapKind::Scan));
+    ASSERT_THAT(alone.submap(), testing::ElementsAre(id));
+    EXPECT_EQ(alone.at(Pose::Identity()).overlap, 0.0) << "what its robot scanned beside it does not count";
+    EXPECT_GT(alone.at(room.truth()).overlap, 0.6);
+    const auto snapped = alone.snapped(room.near(alone, 0.3, degrees(6)));
+    ASSERT_TRUE(snapped);
+    const auto links = room.mapper.moveTo(id, SubmapKind::Scan, alone.places(*snapped).at(id), room.now);
+    ASSERT_TRUE(links) << links.error().text;
+    ASSERT_THAT(links->links, SizeIs(1));
+    EXPECT_EQ(links->links.front().to, id);
+    (void)room.log.say(*links, "/leitstand/scan_links");
+    ASSERT_TRUE(room.solveAll());
+    EXPECT_LT(room.worst(), 0.03);
+    EXPECT_THAT(room.mapper.map()->scans, Each(Field(&LiveKeyScan::part, 0U))) << "one map";
 }
 
 TEST(Submaps, WhatDoesNotFitIsNotMoved) {

@@ -27,7 +27,8 @@
 namespace leitstand {
 namespace {
 
-constexpr std::array Kinds = {SubmapKind::FromHere, SubmapKind::Robot, SubmapKind::Storey, SubmapKind::Part};
+constexpr std::array Kinds = {SubmapKind::FromHere, SubmapKind::Robot, SubmapKind::Storey, SubmapKind::Part,
+                              SubmapKind::Scan};
 
 const LiveKeyScan* scanOf(const LiveMap& map, std::uint64_t id) {
     const auto found = std::find_if(map.scans.begin(), map.scans.end(),
@@ -52,8 +53,8 @@ void SubmapFeature::addCommands() {
          .menu = CommandMenu::Map,
          .text = tr("Move a part of the map by &hand"),
          .hint =
-             tr("A run of scans, a robot's, a storey or a part that has not met the rest: drag it to where "
-                "it belongs, Shift+drag turns it"),
+             tr("A run of scans, a robot's, a storey, a part that has not met the rest, or one scan alone: "
+                "drag it to where it belongs, Shift+drag turns it"),
          .keys = QKeySequence(Qt::SHIFT | Qt::Key_K),
          .checkable = true});
     const auto add = [this](const QString& id, const QString& text, const QString& hint,
@@ -63,9 +64,10 @@ void SubmapFeature::addCommands() {
         action.setEnabled(false);
         return &action;
     };
-    m_more = add(QStringLiteral("submap.more"), tr("Move &more of the map, or less"),
-                 tr("From the chosen scan on, all of its robot, its storey, its part of the map"),
-                 QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_K));
+    m_more =
+        add(QStringLiteral("submap.more"), tr("Move &more of the map, or less"),
+            tr("From the chosen scan on, all of its robot, its storey, its part of the map, this scan alone"),
+            QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_K));
     m_snap = add(QStringLiteral("submap.snap"), tr("&Snap the moved part"),
                  tr("Lays the moved part onto the rest of the map, from where it is"),
                  QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S));
@@ -127,7 +129,7 @@ void SubmapFeature::begin() {
 
 void SubmapFeature::take() {
     m_submap = submapOf(*m_map, m_scan, m_kind);
-    m_fits.begin(m_map, m_submap);
+    m_fits.begin(m_map, m_submap, leftBehind(*m_map, m_scan, m_kind));
     m_fits.want(m_moved);
     m_snapping = false;
     m_grabbed = m_moved;
@@ -252,6 +254,8 @@ QString SubmapFeature::what() const {
             return tr("all of %1 (scans: %2)").arg(robot, count);
         case SubmapKind::Storey:
             return tr("the storey of scan %1 (scans: %2)").arg(m_scan).arg(count);
+        case SubmapKind::Scan:
+            return tr("scan %1 of %2 alone").arg(m_scan).arg(robot);
         case SubmapKind::Part:
             break;
     }

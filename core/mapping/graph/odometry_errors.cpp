@@ -1,0 +1,232 @@
+#include "core/mapping/graph/odometry_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include <Eigen/LU>
+
+namespace leitstand {
+namespace {
+
+/// Where odometry has less of a say than that share of what matches have, surfaces hold the scan.
+constexpr double Held = 0.05;
+constexpr double LeastWay = 1e-3;  ///< shorter links tell nothing of their direction [m]
+
+constexpr double WayError = 0.015;    ///< of the length of a run, whatever the length [m]
+constexpr double UsualScale = 0.03;   ///< deviation of a scale of which nothing is known, of ways and turns
+constexpr double MostScale = 0.15;    ///< more than that is no scale
+constexpr double UsualDrift = 0.005;  ///< likewise, of the heading's drift [rad/m] ...
+constexpr double MostDrift = 0.05;    ///< ... [rad/m]
+
+/// Headings are compared over so much of the way, or of a turn: matches err by as much however long it is.
+constexpr double ComparedWay = 3.0;               ///< [m]
+constexpr double ComparedTurn = 1.0;              ///< [rad]
+constexpr double TurnError = degrees(0.3);        ///< of a match's heading, from end to end [rad] ...
+constexpr double TurnErrorOfTurn = 0.01;          ///< ... and of odometry's, by chance [rad/rad] ...
+constexpr double TurnErrorOfWay = degrees(0.15);  ///< ... [rad/m]
+
+constexpr double MatchVariance = 2.0 * 0.007 * 0.007;  ///< of a way between two matches [m^2]
+constexpr double UsualRuns = 10.0;                     ///< so many as are usual count beside what is found
+constexpr double MostLess = 0.25, MostMore = 4.0;      ///< weights change by no more than these factors
+
+/// Information on the translation of `to` along @p direction, in the frame of `to`.
+double along(const Information& information, const Eigen::Vector3d& direction) {
+    return direction.dot(information.topLeftCorner<3, 3>() * direction);
+}
+/// The same of its rotation about @p axis.
+double about(const Information& information, const Eigen::Vector3d& axis) {
+    return axis.dot(information.bottomRightCorner<3, 3>() * axis);
+}
+
+/// Turn of @p rotation about @p up [rad].
+double turnAbout(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& up) {
+    const Eigen::AngleAxisd turn(rotation);
+    return turn.angle() * turn.axis().dot(up);
+}
+
+/// How ways of odometry are scaled.
+class WayScale {
+public:
+    void add(double told, double matched) {
+        m_told += told;
+        m_matched += matched;
+    }
+    void endRun() {
+        m_products += m_told * m_matched;
+        m_squares += m_told * m_told;
+        m_told = m_matched = 0.0;
+    }
+    /// The likeliest: near 1 as long as runs are short.
+    [[nodiscard]] double factor() const {
+        const double usual = WayError * WayError / (UsualScale * UsualScale);
+        return std::clamp((m_products + usual) / (m_squares + usual), 1.0 - MostScale, 1.0 + MostScale);
+    }
+
+private:
+    double m_told = 0.0, m_matched = 0.0;  ///< of the run that goes on [m]
+    double m_products = 0.0, m_squares = 0.0;
+};
+
+/// How the heading errs: by a share of turns, and by the way.
+class HeadingErrors {
+public:
+    void add(double way, double told, double matched) {
+        m_way += way;
+        m_told += told;
+        m_matched += matched;
+        if (m_way >= ComparedWay || std::abs(m_told) >= ComparedTurn) endRun();
+    }
+    void endRun() {
+        const double chance = TurnErrorOfTurn * m_told, onTheWay = TurnErrorOfWay * m_way;
+        const double weight = 1.0 / (TurnError * TurnError + chance * chance + onTheWay * onTheWay);
+        const Eigen::Vector2d row(m_told, m_way);
+        m_normal += weight * row * row.transpose();
+        m_right += weight * (m_matched - m_told) * row;
+        m_way = m_told = m_matched = 0.0;
+    }
+    /// Share of a turn that is missing in what odometry told, and of a way [rad/m].
+    [[nodiscard]] Eigen::Vector2d shares() const {
+        const Eigen::Vector2d usual(1.0 / (UsualScale * UsualScale), 1.0 / (UsualDrift * UsualDrift));
+        const Eigen::Matrix2d normal = m_normal + Eigen::Matrix2d(usual.asDiagonal());
+        const Eigen::Vector2d found = normal.inverse() * m_right, most(MostScale, MostDrift);
+        return found.cwiseMin(most).cwiseMax(-most);
+    }
+
+private:
+    double m_way = 0.0, m_told = 0.0, m_matched = 0.0;  ///< of the run that goes on [m, rad]
+    Eigen::Matrix2d m_normal = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d m_right = Eigen::Vector2d::Zero();
+};
+
+/// How much ways err by chance.
+class WayNoise {
+public:
+    void add(double told, double matched) {
+        m_way += told;
+        m_error += matched - told;
+        if (m_way >= ComparedWay) endRun();
+    }
+    void endRun() {
+        if (m_way >= 0.5 * ComparedWay) {
+            m_sum += std::max(0.0, m_error * m_error - MatchVariance) / m_way;
+            m_runs += 1.0;
+        }
+        m_way = m_error = 0.0;
+    }
+    /// Variance [m^2/m], where @p usual is what nothing that was compared speaks against.
+    [[nodiscard]] double variance(double usual) const {
+        return (UsualRuns * usual + m_sum) / (UsualRuns + m_runs);
+    }
+
+private:
+    double m_way = 0.0, m_error = 0.0;  ///< of the run that goes on [m]
+    double m_sum = 0.0, m_runs = 0.0;
+};
+
+/// A link of odometry, and what matches say of the same step.
+struct OdometryStep {
+    std::size_t link = 0;
+    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();        ///< in the frame of `from`
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of the way, there; zero: there is none
+    double way = 0.0, turn = 0.0;                         ///< told [m, rad]
+    double matchedWay = 0.0, matchedTurn = 0.0;           ///< along the direction, about up [m, rad]
+    bool wayHeld = false, turnHeld = false;               ///< by surfaces
+};
+
+/// Information of the matches with others, by the scan that was matched.
+std::unordered_map<std::uint64_t, Information> heldScans(const PoseGraph& graph) {
+    std::unordered_map<std::uint64_t, Information> held;
+    for (const Link& link : graph.links) {
+        if (!link.active || link.kind != LinkKind::Match) continue;
+        const auto [known, added] = held.try_emplace(link.to, link.information);
+        if (!added) known->second += link.information;
+    }
+    return held;
+}
+
+OdometryStep stepOf(const Link& link, const Pose& from, const Pose& to, const Information* held) {
+    OdometryStep step;
+    step.up = from.linear().transpose() * Eigen::Vector3d::UnitZ();
+    const Pose moved = from.inverse() * to;
+    const Eigen::Vector3d way = link.pose.translation();
+    step.way = way.norm();
+    step.turn = turnAbout(link.pose.linear(), step.up);
+    step.matchedTurn = turnAbout(moved.linear(), step.up);
+    const auto inTo = [&](const Eigen::Vector3d& axis) {
+        return Eigen::Vector3d(link.pose.linear().transpose() * axis);
+    };
+    step.turnHeld =
+        held != nullptr && about(link.information, inTo(step.up)) < Held * about(*held, inTo(step.up));
+    if (step.way < LeastWay) return step;
+    step.direction = way / step.way;
+    step.matchedWay = moved.translation().dot(step.direction);
+    const Eigen::Vector3d ahead = inTo(step.direction);
+    step.wayHeld = held != nullptr && along(link.information, ahead) < Held * along(*held, ahead);
+    return step;
+}
+
+/// The steps of one chain of odometry links.
+using Chain = std::vector<OdometryStep>;
+
+std::vector<Chain> chainsOf(const PoseGraph& graph) {
+    std::unordered_map<std::uint64_t, std::size_t> places, chainOf;
+    for (std::size_t i = 0; i < graph.nodes.size(); ++i) places.emplace(graph.nodes[i].id, i);
+    const auto held = heldScans(graph);
+    std::vector<Chain> chains;
+    for (std::size_t i = 0; i < graph.links.size(); ++i) {
+        const Link& link = graph.links[i];
+        const auto from = places.find(link.from), to = places.find(link.to);
+        if (link.kind != LinkKind::Odometry || from == places.end() || to == places.end()) continue;
+        const auto before = chainOf.find(link.from);
+        if (before == chainOf.end()) chains.emplace_back();
+        const std::size_t at = before == chainOf.end() ? chains.size() - 1 : before->second;
+        chainOf[link.from] = chainOf[link.to] = at;
+        const auto matches = held.find(link.to);
+        chains[at].push_back(stepOf(link, graph.nodes[from->second].pose, graph.nodes[to->second].pose,
+                                    matches != held.end() ? &matches->second : nullptr));
+        chains[at].back().link = i;
+    }
+    return chains;
+}
+
+void correct(PoseGraph& graph, const Chain& chain) {
+    WayScale scale;
+    HeadingErrors heading;
+    for (const OdometryStep& step : chain) {
+        if (step.way >= LeastWay) step.wayHeld ? scale.add(step.way, step.matchedWay) : scale.endRun();
+        step.turnHeld ? heading.add(step.way, step.turn, step.matchedTurn) : heading.endRun();
+    }
+    scale.endRun();
+    heading.endRun();
+    const double factor = scale.factor();
+    const Eigen::Vector2d shares = heading.shares();
+    WayNoise noise;
+    for (const OdometryStep& step : chain) {
+        Pose& pose = graph.links[step.link].pose;
+        const double turn = shares.dot(Eigen::Vector2d(step.turn, step.way));
+        pose.translation() = Eigen::AngleAxisd(0.5 * turn, step.up) * (factor * pose.translation());
+        pose.linear() = Eigen::AngleAxisd(turn, step.up) * pose.linear();
+        step.wayHeld ? noise.add(factor * step.way, step.matchedWay) : noise.endRun();
+    }
+    noise.endRun();
+    for (const OdometryStep& step : chain) {
+        if (step.wayHeld || step.way < LeastWay) continue;
+        Link& link = graph.links[step.link];
+        const double told = along(link.information, link.pose.linear().transpose() * step.direction);
+        if (told <= 0.0) continue;
+        const double usual = 1.0 / (told * step.way);
+        link.information *= std::clamp(usual / noise.variance(usual), MostLess, MostMore);
+    }
+}
+
+}  // namespace
+
+void correctOdometry(PoseGraph& graph) {
+    for (const Chain& chain : chainsOf(graph)) correct(graph, chain);
+}
+
+}  // namespace leitstand
