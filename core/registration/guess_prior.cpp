@@ -51,8 +51,10 @@ void GuessTerm::add(NormalEquations& equations, const Pose& pose, std::size_t pa
             along.col(i) -= along.col(before).dot(along.col(i)) * along.col(before);
         along.col(i).normalize();
         const Eigen::Matrix<double, 6, 1> row = root.transpose() * along.col(i);
-        equations.hessian.noalias() += unit * m_weights[i] * row * row.transpose();
-        equations.gradient.noalias() += unit * m_weights[i] * row.dot(step) * row;
+        const double off = row.dot(step), outliers = off / m_prior.outlier;
+        const double weight = unit * (m_weights[i] > 1.0 ? m_weights[i] : 1.0 / (1.0 + outliers * outliers));
+        equations.hessian.noalias() += weight * row * row.transpose();
+        equations.gradient.noalias() += weight * off * row;
     }
 }
 

@@ -21,6 +21,9 @@ struct GuessPrior {
         0.1;  ///< certainty (as IcpResult::certainty) below which it has a say in a direction ...
     double heldBelow = 0.02;  ///< ... and below which it has all: noise of normals alone makes as much
     double alike = 30.0;      ///< so many pairs err alike, being of one surface
+    /// Where pairs hold a direction a little, and pull the source so many deviations away, the guess counts
+    /// half, or less (Cauchy): wheels slip.
+    double outlier = 3.0;
 };
 
 /// GuessPrior as a term of the normal equations, for one stage of an alignment.

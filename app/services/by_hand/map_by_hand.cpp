@@ -47,7 +47,7 @@ Result<std::unique_ptr<MapByHand>> MapByHand::open(const std::filesystem::path& 
     LiveMissionListener heard;
     heard.onAlarm = listener.onMessage;
     heard.onEvent = [raw = hand.get()](const Event& event) {
-        if (StationMapping* const mapping = raw->m_hears) mapping->take(event);
+        if (StationMapping* const mapping = raw->m_hears) mapping->onEvent(event);
     };
     auto mission = openAgain(*read, log, std::move(heard));
     if (!mission) return mission.error();
@@ -82,7 +82,7 @@ Result<void> MapByHand::close() {
         written = m_mission->flush();
     } while (written && state()->sequence != before);
     m_hears = nullptr;
-    m_mapping->end();
+    m_mapping->close();
     const Result<void> closed = m_mission->close();
     return written ? closed : written;
 }

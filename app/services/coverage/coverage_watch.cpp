@@ -50,12 +50,12 @@ struct CoverageWatch::Work {
         changed = book.scans() > 0;
     }
 
-    void take(const Event& event) {
+    void onEvent(const Event& event) {
         if (const auto* scan = std::get_if<KeyScanSample>(&event.sample)) {
             book.add(scanOf(*scan));
             changed = true;
         }
-        search.take(event);
+        search.onEvent(event);
         for (const SearchView& view : search.found()) changed = book.add(view) || changed;
         if (book.leftOut() == 0 || told || !setup.tell) return;
         told = true;
@@ -124,7 +124,7 @@ CoverageWatch::CoverageWatch(CoverageWatchSetup setup) : m_setup(std::move(setup
 
 CoverageWatch::~CoverageWatch() = default;
 
-void CoverageWatch::end() {
+void CoverageWatch::close() {
     m_thread.request_stop();
     if (m_thread.joinable()) m_thread.join();
 }
@@ -143,7 +143,7 @@ bool CoverageWatch::isTooSoon(const Event& picture) {
     return false;
 }
 
-void CoverageWatch::take(const Event& event) {
+void CoverageWatch::onEvent(const Event& event) {
     if (!ViewSearch::wants(event)) return;
     const bool picture = isPicture(event);
     {
@@ -179,7 +179,7 @@ void CoverageWatch::run(const std::stop_token& stop) {
         }
         for (const Event& event : taken) {
             if (stop.stop_requested()) return;
-            work.take(event);
+            work.onEvent(event);
         }
         work.followRobots();
         if (SearchedFloorPtr made = work.due()) {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/services/log/event_sink.h"
 #include "core/event/event.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mission/coverage/search_view.h"
@@ -38,17 +39,15 @@ struct CoverageWatchSetup {
 /// Keeps what was searched while a mission runs, on a thread of its own: made anew when something changed, at
 /// most every two seconds, and more rarely where that takes long. Any thread. Where it cannot
 /// keep up for minutes, or cameras looked from too many places, views are left out and the operator is told.
-class CoverageWatch {
+class CoverageWatch : public EventSink {
 public:
     static constexpr std::chrono::seconds Every{2};
 
     explicit CoverageWatch(CoverageWatchSetup setup);
-    ~CoverageWatch();
-    CoverageWatch(const CoverageWatch&) = delete;
-    CoverageWatch& operator=(const CoverageWatch&) = delete;
+    ~CoverageWatch() override;
 
-    void take(const Event& event);  ///< all events of the mission, in order
-    void end();                     ///< what waits is left
+    void onEvent(const Event& event) override;  ///< all events of the mission, in order
+    void close() override;                      ///< what waits is left
     /// What was searched, as made last; null until there is a map.
     [[nodiscard]] SearchedFloorPtr searched() const;
 

@@ -20,13 +20,13 @@ class LoggedSearch {
 public:
     explicit LoggedSearch(const std::vector<RobotDescription>& robots) : m_search(robots) {}
 
-    void take(const Event& event) {
+    void onEvent(const Event& event) {
         const bool undo = std::holds_alternative<UndoSample>(event.sample);
         if (undo || std::holds_alternative<KeyScanSample>(event.sample) ||
             std::holds_alternative<ScanPosesSample>(event.sample))
             m_decisions.add(event);
         if (undo) return m_search.follow(posesOf(m_decisions.state()));
-        m_search.take(event);
+        m_search.onEvent(event);
         for (const SearchView& view : m_search.found()) (void)m_book.add(view);
     }
     [[nodiscard]] LoggedViews views() const { return {m_book.allViews(), m_book.leftOut()}; }
@@ -73,7 +73,7 @@ LoggedViews loggedViews(BagReader& bag, EventDecoder& decoder, const Progress& p
             if (soon) continue;
             picture->second = raw->received;
         }
-        decoder.decode(*raw, [&](const Event& event) { search.take(event); });
+        decoder.decode(*raw, [&](const Event& event) { search.onEvent(event); });
         progress.done(static_cast<double>(raw->sequence) / last);
         if (progress.cancelled()) break;
     }

@@ -20,8 +20,8 @@ std::vector<FoundView> ViewFinder::found() {
     return std::exchange(m_found, {});
 }
 
-void ViewFinder::take(const Event& event) {
-    m_places.take(event);
+void ViewFinder::onEvent(const Event& event) {
+    m_places.onEvent(event);
     if (std::holds_alternative<OdometrySample>(event.sample)) {
         look(event.received);
     } else if (const auto* info = std::get_if<CameraInfoSample>(&event.sample)) {

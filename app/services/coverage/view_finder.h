@@ -33,7 +33,7 @@ public:
     ViewFinder& operator=(const ViewFinder&) = delete;
 
     /// Odometry, inertial unit, transforms, camera infos and pictures of this robot; others are passed by.
-    void take(const Event& event);
+    void onEvent(const Event& event);
     /// Where the robot was; until the first nothing can be placed.
     void correct(const MapFix& fix) { m_places.correct(fix); }
     void lose() { m_places.lose(); }  ///< nobody knows where the robot is

@@ -45,11 +45,11 @@ void ViewSearch::follow(std::span<const ScanPose> poses) {
     correct(m_scans.follow(poses));
 }
 
-void ViewSearch::take(const Event& event) {
-    if (KeyScanPlaces::wants(event)) return correct(m_scans.take(event));
+void ViewSearch::onEvent(const Event& event) {
+    if (KeyScanPlaces::wants(event)) return correct(m_scans.onEvent(event));
     const auto finder = m_finders.find(event.robot);
     if (finder == m_finders.end()) return;
-    finder->second.take(event);
+    finder->second.onEvent(event);
     for (const FoundView& view : finder->second.found()) {
         const std::uint64_t scan = m_scans.scanFor(event.robot, view.opticalInMap.translation());
         if (scan == 0) continue;

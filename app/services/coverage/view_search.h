@@ -22,7 +22,7 @@ public:
     /// Whether a search wants to know of @p event at all.
     [[nodiscard]] static bool wants(const Event& event);
     /// All events of a mission, in order.
-    void take(const Event& event);
+    void onEvent(const Event& event);
     /// Where key scans are: of earlier sessions, or after an undo.
     void follow(std::span<const ScanPose> poses);
     /// Where @p robot was, by every scan that fits: live, more than the key scans tell.

@@ -12,6 +12,7 @@
 #include "app/services/finds/mode_book.h"
 #include "app/services/finds/recent_evidence.h"
 #include "app/services/job_queue.h"
+#include "app/services/log/event_sink.h"
 #include "core/base/result.h"
 #include "core/mission/finds/find_book.h"
 #include "core/robot/robot_description.h"
@@ -47,16 +48,14 @@ struct FindDeskSetup {
 
 /// Files what the operator finds: freezes evidence, confirms, changes and takes back. Everything is an entry
 /// of the log. Any thread.
-class FindDesk {
+class FindDesk : public EventSink {
 public:
     explicit FindDesk(FindDeskSetup setup);
-    ~FindDesk() { finish(); }
-    FindDesk(const FindDesk&) = delete;
-    FindDesk& operator=(const FindDesk&) = delete;
+    ~FindDesk() override { finish(); }
 
-    void take(const Event& event) {
-        m_recent.take(event);
-        m_modes.take(event);
+    void onEvent(const Event& event) override {
+        m_recent.onEvent(event);
+        m_modes.onEvent(event);
     }
     void finish();  ///< waits until all that was frozen is filed
 

@@ -10,7 +10,7 @@ std::optional<bool> ModeBook::at(const Modes& modes, Time moment) {
     return after == modes.begin() ? std::nullopt : std::optional(std::prev(after)->second);
 }
 
-void ModeBook::take(const Event& event) {
+void ModeBook::onEvent(const Event& event) {
     const auto* const mode = std::get_if<ModeSample>(&event.sample);
     if (mode == nullptr) return;
     const std::scoped_lock lock(m_mutex);

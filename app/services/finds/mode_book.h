@@ -14,7 +14,7 @@ namespace leitstand {
 /// not when its place is worked out. Any thread.
 class ModeBook {
 public:
-    void take(const Event& event);  ///< modes; others are passed by
+    void onEvent(const Event& event);  ///< modes; others are passed by
     /// Whether @p robot drove itself at @p moment (station's clock); empty: nobody said.
     [[nodiscard]] std::optional<bool> autonomousAt(const std::string& robot, Time moment) const;
 

@@ -23,7 +23,7 @@ std::optional<Event> ifRecent(const std::optional<Event>& event, Time now) {
 
 }  // namespace
 
-void RecentEvidence::take(const Event& event) {
+void RecentEvidence::onEvent(const Event& event) {
     constexpr std::size_t MostGas = 1'000;
     if (event.robot.empty() || !event.role) return;
     const std::scoped_lock lock(m_mutex);

@@ -30,7 +30,7 @@ public:
     static constexpr std::chrono::seconds Silence{10};  ///< of CO2, scanner and the like: then they are gone
     static constexpr std::size_t MostPictures = 120;    ///< of a camera
 
-    void take(const Event& event);
+    void onEvent(const Event& event);
     /// Of @p robot, as of @p now, station's clock: what came before, from a camera or a sensor that is silent
     /// since, is left out, but not the picture of the event @p pointed, which a person looks at. Empty when
     /// the robot said nothing.

@@ -113,7 +113,7 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
 
 LiveMapping::~LiveMapping() = default;
 
-void LiveMapping::end() {
+void LiveMapping::close() {
     m_thread.request_stop();
     if (m_thread.joinable()) m_thread.join();
     m_solving.cancel();
@@ -121,7 +121,7 @@ void LiveMapping::end() {
     if (m_solver.joinable()) m_solver.join();
 }
 
-void LiveMapping::take(const Event& event) {
+void LiveMapping::onEvent(const Event& event) {
     const bool wanted = std::holds_alternative<OdometrySample>(event.sample) ||
                         std::holds_alternative<ImuSample>(event.sample) ||
                         std::holds_alternative<CloudSample>(event.sample) ||

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/services/job_queue.h"
+#include "app/services/log/event_sink.h"
 #include "app/services/places/sensor_poses.h"
 #include "core/event/event.h"
 #include "core/mapping/live/live_mapper.h"
@@ -72,18 +73,16 @@ void restore(LiveMapper& mapper, const EarlierMap& earlier);
 [[nodiscard]] LiveSettings settingsOf(const std::vector<RobotDescription>& robots, LiveSettings settings);
 
 /// Registers what robots scan while they drive, on a thread of its own. Any thread.
-class LiveMapping {
+class LiveMapping : public EventSink {
 public:
     LiveMapping(const std::vector<RobotDescription>& robots, const std::string& station,
                 const LiveSettings& settings, LiveMappingListener listener, const EarlierMap& earlier = {});
-    ~LiveMapping();
-    LiveMapping(const LiveMapping&) = delete;
-    LiveMapping& operator=(const LiveMapping&) = delete;
+    ~LiveMapping() override;
 
-    void end();  ///< what waits is left; nobody is told anything any more
+    void close() override;  ///< what waits is left; nobody is told anything any more
     /// Odometry, inertial unit, fixed frames, 3D scans, turns of a plane laser, how far robots' clocks are
     /// ahead; others are passed by.
-    void take(const Event& event);
+    void onEvent(const Event& event) override;
     /// Lets @p task have the mapper, on the mapping's thread, after what waits; the map counts as moved then.
     void post(std::function<void(LiveMapper&)> task);
     /// @p done is called, on the mapping's thread, once all that waits is done and where scans stand is

@@ -65,13 +65,13 @@ RobotSight::RobotSight(const RobotDescription& robot)
     m_hasScanner = robot.stream(StreamRole::Points) != nullptr || robot.stream(StreamRole::Ranges) != nullptr;
 }
 
-void RobotSight::take(const Event& event) {
+void RobotSight::onEvent(const Event& event) {
     // What waited in the queue came earlier than it is taken: old pictures must not look fresh.
     const auto waited = std::clamp(stationTime() - event.received, std::chrono::nanoseconds(0), LongestWait);
-    take(event, std::chrono::steady_clock::now() - waited);
+    onEvent(event, std::chrono::steady_clock::now() - waited);
 }
 
-void RobotSight::take(const Event& event, SteadyTime now) {
+void RobotSight::onEvent(const Event& event, SteadyTime now) {
     const std::lock_guard lock(m_mutex);
     if (const auto* picture = std::get_if<PictureSample>(&event.sample)) {
         takePicture(event, *picture, now);

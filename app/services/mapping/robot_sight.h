@@ -25,8 +25,8 @@ class RobotSight {
 public:
     explicit RobotSight(const RobotDescription& robot);
 
-    void take(const Event& event);  ///< what this robot said; what tells nothing here is passed by
-    void take(const Event& event, SteadyTime now);  ///< the same, as it came at another moment
+    void onEvent(const Event& event);  ///< what this robot said; what tells nothing here is passed by
+    void onEvent(const Event& event, SteadyTime now);  ///< the same, as it came at another moment
     /// The same of a whole turn of the scanner, @p scan, that a station kept: where its slices are not at
     /// hand.
     void take(const KeyScanSample& scan, SteadyTime now);

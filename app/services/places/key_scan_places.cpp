@@ -19,7 +19,7 @@ bool KeyScanPlaces::wants(const Event& event) {
            std::holds_alternative<RobotPlaceSample>(event.sample);
 }
 
-std::vector<PlaceOfRobot> KeyScanPlaces::take(const Event& event) {
+std::vector<PlaceOfRobot> KeyScanPlaces::onEvent(const Event& event) {
     std::vector<PlaceOfRobot> fixes;
     if (const auto* sample = std::get_if<KeyScanSample>(&event.sample)) {
         if (!sample->scan) return fixes;

@@ -25,7 +25,7 @@ public:
     /// Whether @p event says something of key scans' or robots' places.
     [[nodiscard]] static bool wants(const Event& event);
     /// All events of a mission that it wants, in order. Tells where robots were by them.
-    [[nodiscard]] std::vector<PlaceOfRobot> take(const Event& event);
+    [[nodiscard]] std::vector<PlaceOfRobot> onEvent(const Event& event);
     /// Where all scans are: of earlier sessions, or after an undo. Those that are not named do not count.
     [[nodiscard]] std::vector<PlaceOfRobot> follow(std::span<const ScanPose> poses);
 

@@ -8,7 +8,7 @@ Time stampOf(const Event& event, const SampleHeader& header) {
     return header.stamp == Time{} ? event.received : header.stamp;
 }
 
-void SensorPlaces::take(const Event& event) {
+void SensorPlaces::onEvent(const Event& event) {
     m_frames.add(event);
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         m_tracker.add(*odometry, event.received);

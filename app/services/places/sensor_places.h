@@ -32,7 +32,7 @@ public:
     SensorPlaces& operator=(const SensorPlaces&) = delete;
 
     /// Odometry, inertial unit and transforms of this robot; others are passed by.
-    void take(const Event& event);
+    void onEvent(const Event& event);
     /// Where the robot was; until the first nothing has a place in the map.
     void correct(const MapFix& fix);
     void lose();  ///< nobody knows where the robot is

@@ -41,7 +41,7 @@ std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots) {
 
 class Indexing {
 public:
-    void take(const Event& event);
+    void onEvent(const Event& event);
     ReviewIndex index;
     TimelineCollector marks;
 
@@ -74,7 +74,7 @@ void Indexing::follow(const Event& event, const OdometrySample& odometry) {
     track.push_back({event.received, stamp, base, std::exchange(heard.silence, {})});
 }
 
-void Indexing::take(const Event& event) {
+void Indexing::onEvent(const Event& event) {
     auto& stretches = index.stretches;
     if (stretches.empty() || event.received > stretches.back().to + Silence)
         stretches.push_back({event.received, event.received});
@@ -101,7 +101,7 @@ void Indexing::take(const Event& event) {
 
 ReviewIndexPtr indexOf(ReviewLog& log, const Progress& progress) {
     Indexing work;
-    log.all(topicsOf(log.robots()), progress, [&work](const Event& event) { work.take(event); });
+    log.all(topicsOf(log.robots()), progress, [&work](const Event& event) { work.onEvent(event); });
     if (work.index.stretches.empty()) work.index.stretches.push_back({log.first(), log.last()});
     work.index.marks = work.marks.marks();
     work.index.finished = std::make_shared<const MissionState>(log.stateAt(log.last()));

@@ -70,16 +70,16 @@ std::optional<Event> lookRound(const RobotDescription& robot, const RobotInMap& 
 /// Knows where what the robot's pictures of about @p picture show is.
 void follow(VictimSearch& search, ReviewLog& log, const RobotDescription& robot, const ReviewIndex& index,
             const Event& picture, Time until) {
-    for (const Event& event : index.fixed) search.take(event, false);
+    for (const Event& event : index.fixed) search.onEvent(event, false);
     const Time from = picture.received - Before;
     for (const StreamDescription& stream : robot.streams) {
         // What has not been said since counts still, as old as it is.
         const bool kept = stream.role == StreamRole::Joints || stream.role == StreamRole::Odometry;
         if (!kept && stream.role != StreamRole::CameraInfo) continue;
-        if (const auto event = log.newest(stream.topic, kept ? from : until)) search.take(*event, false);
+        if (const auto event = log.newest(stream.topic, kept ? from : until)) search.onEvent(*event, false);
     }
     log.events(from, until, [&](const Event& event) {
-        if (event.robot == robot.name) search.take(event, false);
+        if (event.robot == robot.name) search.onEvent(event, false);
     });
 }
 
@@ -106,7 +106,7 @@ Result<FrozenEvidence> evidenceIn(const std::filesystem::path& mission, const Re
     if (!hasSlices(index, name)) {
         // It is looked at when the odometry of its time comes.
         if (const auto around = lookRound(*robot, *place, index, shown, picture->received))
-            search.take(*around, false);
+            search.onEvent(*around, false);
     }
     follow(search, **log, *robot, index, *picture, std::max(moment.now, picture->received + Settling));
     search.correct(name, {place->stamp, place->baseInMap, place->certainty, place->certain, place->how});

@@ -107,7 +107,7 @@ void ReviewScene::watch(const std::string& robot) {
 }
 
 void ReviewScene::see(const Event& event) {
-    if (event.robot == m_watched) return m_sight->take(event, steadyOf(event.received));
+    if (event.robot == m_watched) return m_sight->onEvent(event, steadyOf(event.received));
     const auto* const scan = std::get_if<KeyScanSample>(&event.sample);
     // A mission that was thinned, or recorded on a narrow link, keeps whole turns only.
     if (scan != nullptr && !m_scanned && scan->scan && scan->scan->robot == m_watched)

@@ -191,7 +191,7 @@ void StationMapping::State::hear(const KeyScanSample& scan) {
 }
 
 void StationMapping::State::hear(const Event& event) {
-    if (std::holds_alternative<ClockOffsetSample>(event.sample)) return mapping->take(event);
+    if (std::holds_alternative<ClockOffsetSample>(event.sample)) return mapping->onEvent(event);
     if (const auto* scan = std::get_if<KeyScanSample>(&event.sample)) return hear(*scan);
     if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
         if (place->station != station) mapping->follow(*place);
@@ -342,8 +342,8 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
 
 StationMapping::~StationMapping() = default;
 
-void StationMapping::end() {
-    m_state->mapping->end();
+void StationMapping::close() {
+    m_state->mapping->close();
 }
 
 void StationMapping::whenCalm(std::function<void()> done) {
@@ -354,18 +354,18 @@ bool StationMapping::makesMap() const {
     return m_state->mayMap();
 }
 
-void StationMapping::take(const Event& event) {
+void StationMapping::onEvent(const Event& event) {
     State& state = *m_state;
     if (event.robot.empty()) return state.hear(event);
     // How robots move, and where their sensors sit, is known before the scans.
     const bool scan = std::holds_alternative<CloudSample>(event.sample),
                laser = std::holds_alternative<RangesSample>(event.sample);
     if (laser && !state.mayMap()) return;
-    if (!scan) return state.mapping->take(event);
+    if (!scan) return state.mapping->onEvent(event);
     auto& waiting = state.heldBack;
     if (state.mayMap()) {
-        for (const Event& one : std::exchange(waiting, {})) state.mapping->take(one);
-        return state.mapping->take(event);
+        for (const Event& one : std::exchange(waiting, {})) state.mapping->onEvent(one);
+        return state.mapping->onEvent(event);
     }
     state.mapping->heard(event.robot, event.received);
     waiting.push_back(event);

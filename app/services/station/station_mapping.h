@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/services/log/event_sink.h"
 #include "app/services/mapping/scanner_advice.h"
 #include "core/base/result.h"
 #include "core/base/time.h"
@@ -51,20 +52,18 @@ struct StationMappingSetup {
 /// the mission's log, and the map follows what the log takes back. Only the station that holds the map's
 /// grant registers and decides; scans that come while nobody has it wait, the newest ten seconds of them. Any
 /// thread; nothing waits for the mapping: errors that show later are told as messages.
-class StationMapping {
+class StationMapping : public EventSink {
 public:
-    /// @p mission must outlive end(). @p mayMap: whether the station holds the map's grant.
+    /// @p mission must outlive close(). @p mayMap: whether the station holds the map's grant.
     StationMapping(LiveMission& mission, std::function<bool()> mayMap, StationMappingSetup setup,
                    StationMappingListener listener);
-    ~StationMapping();
-    StationMapping(const StationMapping&) = delete;
-    StationMapping& operator=(const StationMapping&) = delete;
+    ~StationMapping() override;
 
-    void end();  ///< as of LiveMapping
+    void close() override;  ///< as of LiveMapping
     /// @p done is called, on the mapping's thread, once all that waits is done and no poses are worked out
     /// any more; not where that ends before. What waits until the log has what was said is not waited for.
     void whenCalm(std::function<void()> done);
-    void take(const Event& event);  ///< all events of the mission, in order, from its thread
+    void onEvent(const Event& event) override;  ///< all events of the mission, in order, from its thread
 
     /// Decisions on key scans (docs/live-mapping.md). Errors, in words: another station has the map, the map
     /// has no such scan, nothing to be decided.

@@ -1,6 +1,7 @@
 #include "app/services/station/station_state.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -29,14 +30,10 @@ Station::State::~State() {
     }
     if (cameras) cameras->snapshots().finish();  // they are told in the log
     if (finds) finds->finish();                  // what the operator saw is in the log
-    if (alarms) alarms->end();
     hearing.reset();
-    if (feed) feed->end();
-    if (sharing) sharing->end();
     // Events that wait still go into the log; what would come of them in the map does not.
-    if (mapping) mapping->end();
-    if (victims) victims->end();
-    if (coverage) coverage->end();
+    services.close();
+    if (feed) feed->end();
     clock.reset();
     mission.reset();  // its thread looks at the lines and hands over to the mapping
     mapping.reset();
@@ -170,6 +167,13 @@ void Station::State::share() {
     telling.sharesMap = [this] { return intake->sharesMap(); };
     telling.isAdopted = [this](std::uint64_t scan) { return intake->isAdopted(scan); };
     sharing = std::make_unique<MissionSharing>(*node, *mission, std::move(telling));
+}
+
+void Station::State::follow() {
+    const auto all = std::to_array<EventSink*>({brakes.get(), alarms.get(), mapping.get(), victims.get(),
+                                                coverage.get(), finds.get(), &cameras->turning(), intake.get(),
+                                                sharing.get()});
+    for (EventSink* const service : all) services.add(*service);
 }
 
 void Station::State::listen() {
@@ -319,16 +323,8 @@ Result<void> Station::State::start() {
     log.onAlarm = [this](const std::string& text) { say(text); };
     log.onEvent = [this](const Event& event) {
         if (!open) return;
-        if (RobotLine* const known = line(event.robot)) known->sight().take(event);
-        brakes->take(event);
-        alarms->take(event);
-        mapping->take(event);
-        victims->take(event);
-        coverage->take(event);
-        finds->take(event);
-        cameras->turning().take(event);
-        intake->know(event);
-        sharing->take(event);
+        if (RobotLine* const known = line(event.robot)) known->sight().onEvent(event);
+        services.onEvent(event);
         if (listener.onEvent) listener.onEvent(event);
     };
     std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
@@ -360,6 +356,7 @@ Result<void> Station::State::start() {
     });
     share();
     watchHearing();
+    follow();
     {
         const std::lock_guard lock(mutex);
         open = true;

@@ -22,6 +22,7 @@
 #include "app/services/station/station.h"
 #include "app/services/station/station_clock.h"
 #include "app/services/station/station_mapping.h"
+#include "app/services/station/station_services.h"
 #include "app/services/station/station_streams.h"
 #include "app/services/team/mission_sharing.h"
 #include "app/services/team/shared_intake.h"
@@ -59,6 +60,7 @@ struct Station::State {
     std::unique_ptr<MissionSharing> sharing;
     std::unique_ptr<MissionFeed> feed;
     std::unique_ptr<HearingWatch> hearing;
+    StationServices services;  ///< of these, who follow the mission; fixed once open
     std::mutex mutex;                                        ///< of the next three
     std::atomic<bool> open = false;                          ///< all is there; changed under the mutex
     std::set<std::string> told;                              ///< mismatches; under the mutex
@@ -79,6 +81,7 @@ struct Station::State {
     void watch();
     void file();
     void share();
+    void follow();      ///< lets who follow the mission hear of it
     void fileAgain(VictimSample find);  ///< under the next number: its own is another station's
     void listen();
     void watchHearing();

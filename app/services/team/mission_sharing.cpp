@@ -86,10 +86,10 @@ MissionSharing::MissionSharing(Node& node, LiveMission& mission, MissionSharingS
 }
 
 MissionSharing::~MissionSharing() {
-    end();
+    close();
 }
 
-void MissionSharing::end() {
+void MissionSharing::close() {
     m_jobs.cancel();
     m_thread.request_stop();
     if (m_thread.joinable()) m_thread.join();
@@ -136,7 +136,7 @@ void MissionSharing::say(const Sample& sample, std::string_view topic) {
     if (isHeard()) submit(sample, topic);
 }
 
-void MissionSharing::take(const Event& event) {
+void MissionSharing::onEvent(const Event& event) {
     if (!event.robot.empty() || !isHeard()) return;
     if (const auto* undo = std::get_if<UndoSample>(&event.sample)) {
         if (undo->station != m_setup.station) return;

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/services/job_queue.h"
+#include "app/services/log/event_sink.h"
 #include "app/services/log/live_mission.h"
 #include "core/event/event.h"
 #include "core/mapping/live/robot_in_map.h"
@@ -33,22 +34,20 @@ struct MissionSharingSetup {
 /// (docs/stations.md): each as it enters the log, and everything that counts now to who comes later. Nothing
 /// is written while nobody listens. What the operator took back is said as what counts instead: the numbers
 /// of events are each log's own. Any thread; node and mission outlive it.
-class MissionSharing {
+class MissionSharing : public EventSink {
 public:
     MissionSharing(Node& node, LiveMission& mission, MissionSharingSetup setup);
-    ~MissionSharing();  ///< as end()
-    MissionSharing(const MissionSharing&) = delete;
-    MissionSharing& operator=(const MissionSharing&) = delete;
+    ~MissionSharing() override;  ///< as close()
 
     /// An event of the log.
-    void take(const Event& event);
+    void onEvent(const Event& event) override;
     /// What the operator said of clock or mission.
     void say(const Sample& sample, std::string_view topic);
     /// Who listens, or who makes the map, may have changed.
     void look();
     /// Tells all finds: they lie in a map that others know, too.
     void tellFindsAgain();
-    void end();  ///< what waits is left
+    void close() override;  ///< what waits is left
 
 private:
     void submit(const Sample& sample, std::string_view topic);

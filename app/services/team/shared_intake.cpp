@@ -70,7 +70,7 @@ SharedIntake::SharedIntake(SharedIntakeSetup setup) : m_setup(std::move(setup)),
     for (const auto& [id, scan] : *mission->keyScans) m_scans[id] = {scan.entry.robot, scan.entry.stamp};
 }
 
-void SharedIntake::know(const Event& event) {
+void SharedIntake::onEvent(const Event& event) {
     if (const auto* links = std::get_if<ScanLinksSample>(&event.sample)) {
         const std::lock_guard lock(m_mutex);
         for (const Link& link : links->links) m_links[link.id] = link.active;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/services/log/event_sink.h"
 #include "core/base/time.h"
 #include "core/event/event.h"
 #include "core/event/raw_event.h"
@@ -52,7 +53,7 @@ struct SharedIntakeSetup {
 ///   from the first on.)
 ///
 /// Any thread.
-class SharedIntake {
+class SharedIntake : public EventSink {
 public:
     explicit SharedIntake(SharedIntakeSetup setup);
 
@@ -61,7 +62,7 @@ public:
     /// Takes what @p from said, on one of station_topic.
     void take(RawEvent event, const Sender& from, SteadyTime now);
     /// An event of our log: key scans and their links are known from then on.
-    void know(const Event& event);
+    void onEvent(const Event& event) override;
     /// Whether this station's finds lie in the map that others know: it makes it, has none, or shares theirs.
     [[nodiscard]] bool sharesMap() const;
     /// Whether key scan @p id came from another station in this session.

@@ -58,8 +58,8 @@ Cue CueFinder::cueOf(const Event& event, const char* kind, Time stamp) const {
     return cue;
 }
 
-void CueFinder::take(const Event& event) {
-    m_places.take(event);
+void CueFinder::onEvent(const Event& event) {
+    m_places.onEvent(event);
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         if (odometry->linear.norm() > Still || odometry->angular.norm() > 3.0 * Still)
             m_movedAt = stampOf(event, odometry->header);

@@ -51,7 +51,7 @@ public:
 
     /// Odometry, inertial unit, transforms, scans, pictures, camera infos, gas, sightings of this robot;
     /// others are passed by.
-    void take(const Event& event);
+    void onEvent(const Event& event);
     /// Where the robot was; until the first nothing can be placed.
     void correct(const MapFix& fix) { m_places.correct(fix); }
     /// What was found since the last call, without the key scan.

@@ -79,7 +79,7 @@ void VictimSearch::restore(const VictimSample& find) {
     m_book.discarded(find.kind, find.number, none);
 }
 
-void VictimSearch::take(const Event& event, bool search) {
+void VictimSearch::onEvent(const Event& event, bool search) {
     if (const auto* find = std::get_if<VictimSample>(&event.sample)) return restore(*find);
     if (const auto* info = std::get_if<MissionInfoSample>(&event.sample))
         return m_book.tags(m_tags.of(info->profile));
@@ -90,7 +90,7 @@ void VictimSearch::take(const Event& event, bool search) {
         if (const auto* moved = std::get_if<ScanPosesSample>(&event.sample)) {
             for (const ScanPose& pose : moved->poses) m_book.scanAt(pose.scan, pose.scanInMap);
         }
-        return correct(m_scans.take(event));
+        return correct(m_scans.onEvent(event));
     }
     const auto finder = m_finders.find(event.robot);
     if (finder == m_finders.end()) return;
@@ -100,9 +100,9 @@ void VictimSearch::take(const Event& event, bool search) {
         return;
     }
     if (search) {
-        if (const auto late = m_unheard.extract(event.robot)) finder->second.take(late.mapped());
+        if (const auto late = m_unheard.extract(event.robot)) finder->second.onEvent(late.mapped());
     }
-    finder->second.take(event);
+    finder->second.onEvent(event);
     for (PlacedCue& cue : finder->second.found()) {
         if (!search || isRobot(cue)) continue;
         cue.scan = scanFor(cue);

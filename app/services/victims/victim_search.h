@@ -33,7 +33,7 @@ public:
                  const CueSettings& cues = {}, const CandidateSettings& candidates = {});
 
     /// All events of a mission, in order. @p search false: only where robots are is followed.
-    void take(const Event& event, bool search = true);
+    void onEvent(const Event& event, bool search = true);
     /// Where key scans are: of earlier sessions, or after an undo.
     void follow(std::span<const ScanPose> poses);
     /// Where @p robot was, by every scan that fits: live, more than the key scans tell. Of a robot that is

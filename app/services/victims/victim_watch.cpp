@@ -56,7 +56,7 @@ VictimWatch::VictimWatch(VictimWatchSetup setup)
 
 VictimWatch::~VictimWatch() = default;
 
-void VictimWatch::end() {
+void VictimWatch::close() {
     m_thread.request_stop();
     if (m_thread.joinable()) m_thread.join();
 }
@@ -71,7 +71,7 @@ std::size_t VictimWatch::waiting() const {
     return m_waiting.size() + m_atWork;
 }
 
-void VictimWatch::take(const Event& event) {
+void VictimWatch::onEvent(const Event& event) {
     if (!isWanted(event)) return;
     {
         const std::lock_guard lock(m_mutex);
@@ -149,7 +149,7 @@ void VictimWatch::run(const std::stop_token& stop) {
                 restoreFinds();
                 continue;
             }
-            m_search.take(event, may);
+            m_search.onEvent(event, may);
         }
         followRobots();
         for (const Question& one : questions) one(m_search);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/services/log/event_sink.h"
 #include "app/services/victims/victim_search.h"
 #include "core/event/event.h"
 #include "core/robot/robot_description.h"
@@ -34,21 +35,19 @@ struct VictimWatchSetup {
 
 /// VictimSearch on a thread of its own, live. Any thread. Where it cannot keep up, pictures are left out (the
 /// log has them all); nothing else is.
-class VictimWatch {
+class VictimWatch : public EventSink {
 public:
     explicit VictimWatch(VictimWatchSetup setup);
-    ~VictimWatch();
-    VictimWatch(const VictimWatch&) = delete;
-    VictimWatch& operator=(const VictimWatch&) = delete;
+    ~VictimWatch() override;
 
-    void take(const Event& event);  ///< all events of the mission, in order
+    void onEvent(const Event& event) override;  ///< all events of the mission, in order
     /// Tells @p answer where what a picture shows is, on the watch's thread, after what waits; empty: nobody
     /// can tell. Not answered when the watch ends before.
     void locate(LookedAt looked, std::function<void(const std::optional<PlacedCue>&)> answer);
     /// Tells @p answer, likewise, which of @p pictures show the place @p inMap [m].
     void seen(std::vector<Event> pictures, const Eigen::Vector3d& inMap,
               std::function<void(const std::vector<bool>&)> answer);
-    void end();  ///< what waits is left; nobody is told anything any more
+    void close() override;  ///< what waits is left; nobody is told anything any more
     [[nodiscard]] std::chrono::nanoseconds worked() const;  ///< time of the processor so far
     [[nodiscard]] std::size_t waiting() const;              ///< events, with those it works on
 

@@ -90,7 +90,7 @@ Result<std::unique_ptr<LiveBridge>> LiveBridge::open(const StationSettings& sett
             [raw](const ShownPicturePtr& one) { raw->hop([raw, one] { emit raw->pictured(one); }); }, tell});
     StationListener listener;
     listener.onMessage = tell;
-    listener.onEvent = [raw](const Event& event) { raw->m_pictures->take(event); };
+    listener.onEvent = [raw](const Event& event) { raw->m_pictures->onEvent(event); };
     listener.onMap = [raw](const MapPtr& map) { raw->hop([raw, map] { emit raw->mapChanged(map); }); };
     listener.onScans = [raw](const LiveMapPtr& map) {
         raw->hop([raw, map] { emit raw->scansChanged(map); });

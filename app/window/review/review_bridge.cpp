@@ -168,7 +168,7 @@ void ReviewBridge::showPictures(const ReviewMoment& moment) {
     for (const Event& event : moment.pictures) {
         const auto [fed, fresh] = m_fed.try_emplace(event.topic, event.sequence);
         if (!fresh && std::exchange(fed->second, event.sequence) == event.sequence) continue;
-        m_pictures->take(event);
+        m_pictures->onEvent(event);
     }
     for (const RobotDescription& robot : robots()) {
         if (robot.name != m_watched) continue;

@@ -81,9 +81,12 @@ Match LiveMapper::State::matched(const LiveScan& live, const RobotTrack& robot, 
 void LiveMapper::State::refine(const LiveScan& live, const RobotTrack& robot, const Pose& guess,
                                const Step& step, std::span<const PlacedBody> others, ReadyScan& ready,
                                Match& match) {
-    // What was pushed was put together by a motion that was none.
-    const bool on = settings.refinement.on || settings.refined.contains(live.scan->robot) ||
-                    wasPushed(live, guess, match.scanInMap, step, settings.keyScans);
+    // Where odometry erred from scan to scan it did within the turn, too.
+    const TurnRefinementSettings& refinement = settings.refinement;
+    const bool erred = step.trusted && live.end != TurnEnd::Sweep &&
+                       (distanceBetween(guess, match.scanInMap) > refinement.from ||
+                        angleBetween(guess, match.scanInMap) > refinement.fromAngle);
+    const bool on = refinement.on || settings.refined.contains(live.scan->robot) || erred;
     if (!on || match.doubts != 0) return;
     const auto drift = turnDrift(cleaned(live, robot.body, match.scanInMap, preparing(robot, guess), others),
                                  localAt(guess, robot), match.scanInMap, settings.refinement);
@@ -95,6 +98,37 @@ void LiveMapper::State::refine(const LiveScan& live, const RobotTrack& robot, co
     if (again.doubts != 0 || again.icp.overlap < match.icp.overlap) return;
     ready = std::move(second);
     match = again;
+}
+
+void LiveMapper::State::stand(const LiveScan& live, const RobotTrack& robot, const Pose& guess,
+                              const Step& step, std::span<const PlacedBody> others, ReadyScan& ready,
+                              Match& match) {
+    const Scan& scan = *live.scan;
+    const bool turns = scan.organised() && live.end != TurnEnd::Sweep && live.motionKnown;
+    const bool fits = match.doubts == 0,
+               asTold = fits && !wasPushed(live, guess, match.scanInMap, step, settings.keyScans);
+    if (asTold || match.spun || !turns || !step.measured || live.isGuessed() ||
+        step.moved.norm() <= settings.fit.jump)
+        return;
+    Eigen::Vector3d way(live.velocity.x(), live.velocity.y(), 0.0);
+    way *= secondsBetween(scan.start, scan.end);
+    TurnDrift drift;
+    drift.whole.head<3>() = -(live.sensorInBase.linear().transpose() * way);
+    LiveScan stood = live;
+    stood.scan = std::make_shared<const Scan>(straightened(scan, drift));
+    Pose there = guess;
+    there.translation() -= step.moved;
+    Step turned = step;
+    turned.trusted = true;
+    turned.way = 0.0;
+    turned.moved.setZero();
+    ReadyScan second = readyScan(stood, robot.body, there, preparing(robot, there), others);
+    Match found = matched(stood, robot, second.reduced, there, turned);
+    if (found.doubts != 0 || found.icp.open > 0 || found.icp.overlap < settings.fit.spunOverlap) return;
+    if (fits && (found.icp.overlap < match.icp.overlap || found.icp.rms >= match.icp.rms)) return;
+    found.spun = true;
+    ready = std::move(second);
+    match = found;
 }
 
 bool LiveMapper::State::isHeldByOdometry(const LiveScan& live, const RobotTrack& robot,
@@ -311,6 +345,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     if (!first) {
         match = state.matched(live, robot, ready.reduced, guess, step);
         state.refine(live, robot, guess, step, others, ready, match);
+        state.stand(live, robot, guess, step, others, ready, match);
         const LocalMap& local = state.localAt(match.scanInMap, robot);
         fresh = newGround(ready.reduced, local, match.scanInMap, state.settings.keyScans.newGroundFrom);
         against = local.scans;

@@ -81,6 +81,11 @@ struct LiveMapper::State {
     /// Takes the drift within the turn out of @p ready, where that lets it fit better than @p match says.
     void refine(const LiveScan& live, const RobotTrack& robot, const Pose& guess, const Step& step,
                 std::span<const PlacedBody> others, ReadyScan& ready, Match& match);
+    /// @p live, which does not fit, or elsewhere than where odometry has it, was put together as if the robot
+    /// had moved as its wheels did: where it fits, or fits better, to where the robot was last, put together
+    /// as if that only turned, the wheels spun.
+    void stand(const LiveScan& live, const RobotTrack& robot, const Pose& guess, const Step& step,
+               std::span<const PlacedBody> others, ReadyScan& ready, Match& match);
     /// Whether @p live, which does not fit, was taken where odometry says, at @p guess: it sees ground that
     /// is new, and neither fills what scans about it looked through, nor do these.
     [[nodiscard]] bool isHeldByOdometry(const LiveScan& live, const RobotTrack& robot, const ReadyScan& ready,

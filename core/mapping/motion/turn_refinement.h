@@ -13,10 +13,13 @@ namespace leitstand {
 
 /// How the motion within a turn is estimated. The cost is bounded by the points and the iterations.
 struct TurnRefinementSettings {
-    bool on = false;        ///< odometry with gyros tells the motion within a turn well enough, mostly
-    int points = 1'500;     ///< of the turn that are looked at, at most
-    int leastPairs = 200;   ///< of them that meet the map
-    double spacing = 0.15;  ///< one point in each cube of this edge [m]
+    bool on =
+        false;  ///< of all turns: odometry with gyros tells the motion within a turn well enough, mostly
+    double from = 0.015;  ///< a turn that fits so far from where odometry has it is looked at [m] ...
+    double fromAngle = degrees(0.5);                           ///< ... or turned by so much [rad]
+    int points = 1'500;                                        ///< of the turn that are looked at, at most
+    int leastPairs = 200;                                      ///< of them that meet the map
+    double spacing = 0.15;                                     ///< one point in each cube of this edge [m]
     double minRange = 0.4, maxRange = 15.0;                    ///< nearer and farther ones are left out [m]
     std::vector<double> maxDistances = {0.5, 0.3, 0.2, 0.15};  ///< of pairs, one an iteration [m]
     double outlier = 0.05;          ///< pairs farther apart count half, or less (Cauchy) [m]

@@ -166,9 +166,9 @@ TEST_F(LoggedViewsTest, WhatWasSearchedIsThereAgainAfterARestart) {
     EventDecoder decoder({WrittenMission::robot()});
     BagCursor cursor = (*bag)->read();
     while (const auto raw = cursor.next())
-        decoder.decode(*raw, [&](const Event& event) { live.take(event); });
+        decoder.decode(*raw, [&](const Event& event) { live.onEvent(event); });
     EXPECT_TRUE(waitUntil([&] { return isSo(live); }, Patience));
-    live.end();
+    live.close();
 
     // Another station that goes on with the mission, and hears nothing yet.
     CoverageWatchSetup setup = watching();
@@ -181,7 +181,7 @@ TEST_F(LoggedViewsTest, WhatWasSearchedIsThereAgainAfterARestart) {
     setup.tell = [&](const std::string& text) { told.push_back(text); };
     CoverageWatch again(std::move(setup));
     EXPECT_TRUE(waitUntil([&] { return isSo(again); }, Patience));
-    again.end();
+    again.close();
     EXPECT_TRUE(told.empty()) << told.front();
 
     // It drives on: what was seen before the restart is not counted twice, and not forgotten.

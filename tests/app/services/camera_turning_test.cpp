@@ -69,7 +69,7 @@ TEST(CameraTurning, AsksForTheGrantAndSendsWhenItIsThere) {
     EXPECT_THAT(fake.sent[0].names, testing::ElementsAre("left_pan", "left_tilt"));
     EXPECT_THAT(fake.sent[0].positions, testing::ElementsAre(0.3, -0.1));
     EXPECT_FALSE(turning.view("kurt3d", "left")->waiting);
-    turning.take(joints({"left_wheels", "left_pan", "left_tilt"}, {7.0, 0.3, -0.1}));
+    turning.onEvent(joints({"left_wheels", "left_pan", "left_tilt"}, {7.0, 0.3, -0.1}));
     EXPECT_TRUE(turning.pulse().ok());
     EXPECT_EQ(turning.view("kurt3d", "left")->now, (PanTiltAngles{0.3, -0.1}));
     EXPECT_FALSE(turning.view("kurt3d", "left")->wish) << "it is there";
@@ -96,7 +96,7 @@ TEST(CameraTurning, RecentresAllCamerasOfTheRobotInOneCommand) {
     FakeWire fake;
     fake.mayTurn = true;
     CameraTurning turning({robotWithUnits()}, fake.wire());
-    turning.take(joints({"left_pan", "left_tilt", "right_pan", "right_tilt"}, {0.5, 0.1, -0.4, 0.0}));
+    turning.onEvent(joints({"left_pan", "left_tilt", "right_pan", "right_tilt"}, {0.5, 0.1, -0.4, 0.0}));
     turning.recentre("kurt3d");
     EXPECT_TRUE(turning.pulse().ok());
     ASSERT_EQ(fake.sent.size(), 1U);

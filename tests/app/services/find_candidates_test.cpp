@@ -18,10 +18,10 @@ using testing::SizeIs;
 
 TEST_F(FindDeskTest, ACandidateIsFiledWithItsCuesAndWithWhatItsRobotSeesThere) {
     believe();
-    m_desk->take(m_robot.picture(at(8.5), 16));
+    m_desk->onEvent(m_robot.picture(at(8.5), 16));
     const Event sharp = m_robot.picture(at(9.0), 2), gas = m_robot.gas(at(9.5), 450.0);
-    m_desk->take(sharp);
-    m_desk->take(gas);
+    m_desk->onEvent(sharp);
+    m_desk->onEvent(gas);
     ASSERT_TRUE(m_desk->fileCandidate(7));
     finish();
     ASSERT_THAT(*m_state.victims, SizeIs(1));
@@ -40,7 +40,7 @@ TEST_F(FindDeskTest, AFindIsAutonomousWhenTheRobotDroveItselfAsItWasTold) {
         mode.autonomous = autonomous;
         const Event event = m_robot.event(at(when), StreamRole::Mode, "mode", mode);
         m_state = fold(std::move(m_state), event);
-        m_desk->take(event);
+        m_desk->onEvent(event);
     };
     drives(3.0, true);
     believe();
@@ -56,7 +56,7 @@ TEST_F(FindDeskTest, AFindIsAutonomousWhenTheRobotDroveItselfAsItWasTold) {
 
 TEST_F(FindDeskTest, ASecondPressWhileWhatItsRobotSeesIsLookedAtConfirmsTheCandidate) {
     believe();
-    m_desk->take(m_robot.picture(at(9.0), 2));
+    m_desk->onEvent(m_robot.picture(at(9.0), 2));
     ASSERT_TRUE(m_desk->fileCandidate(7));
     EXPECT_TRUE(m_desk->isFiling() || m_desk->unconfirmed()) << "the next press is about it";
     ASSERT_TRUE(m_desk->confirmNewest());
@@ -68,8 +68,8 @@ TEST_F(FindDeskTest, ASecondPressWhileWhatItsRobotSeesIsLookedAtConfirmsTheCandi
 TEST_F(FindDeskTest, WhatLooksElsewhereOrIsOldIsNoEvidenceOfACandidate) {
     believe();
     m_looksThere = false;
-    m_desk->take(m_robot.picture(at(9.0), 2));
-    m_desk->take(m_robot.gas(at(9.5), 450.0));
+    m_desk->onEvent(m_robot.picture(at(9.0), 2));
+    m_desk->onEvent(m_robot.gas(at(9.5), 450.0));
     ASSERT_TRUE(m_desk->fileCandidate(7));
     m_desk->finish();
     EXPECT_THAT(evidenceOf(find(1)), testing::UnorderedElementsAre(12, 13)) << "its cues alone";
@@ -80,7 +80,7 @@ TEST_F(FindDeskTest, WhatLooksElsewhereOrIsOldIsNoEvidenceOfACandidate) {
 
 TEST_F(FindDeskTest, PicturesOfLongAgoAreNoEvidenceOfACandidate) {
     believe();
-    m_desk->take(m_robot.picture(at(3.0), 2));  // the robot has been silent since
+    m_desk->onEvent(m_robot.picture(at(3.0), 2));  // the robot has been silent since
     ASSERT_TRUE(m_desk->fileCandidate(7));
     finish();
     EXPECT_THAT(evidenceOf(find(1)), testing::UnorderedElementsAre(12, 13));
@@ -90,8 +90,8 @@ TEST_F(FindDeskTest, PicturesOfLongAgoAreNoEvidenceOfACandidate) {
 TEST_F(FindDeskTest, WhatIsFrozenBesideACandidateTakesItsCues) {
     believe();
     const Event picture = m_robot.picture(at(9.0), 2);
-    m_desk->take(m_robot.info());
-    m_desk->take(picture);
+    m_desk->onEvent(m_robot.info());
+    m_desk->onEvent(picture);
     m_place = PlacedFind{0, {2.3, 1.2, 0.4}, 0.1};
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     m_desk->finish();

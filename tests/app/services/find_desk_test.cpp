@@ -23,10 +23,10 @@ using testing::SizeIs;
 TEST_F(FindDeskTest, LatencyFromTheKeyToAConfirmedVictimIsFarBelowTenSeconds) {
     for (const bool answers : {true, false}) {
         m_answers = answers;
-        m_desk->take(m_robot.info());
+        m_desk->onEvent(m_robot.info());
         for (int i = 0; i < 45; ++i) {  // three seconds of a camera and of an infrared one
-            m_desk->take(m_robot.picture(at(7.1 + i / 15.0), 2 + i % 14));
-            m_desk->take(m_robot.infrared(at(7.1 + i / 15.0), 30, 34.0));
+            m_desk->onEvent(m_robot.picture(at(7.1 + i / 15.0), 2 + i % 14));
+            m_desk->onEvent(m_robot.infrared(at(7.1 + i / 15.0), 30, 34.0));
         }
         if (!answers) m_base = Pose(Eigen::Translation3d(5.0, 0.0, 0.0));
         const auto pressed = std::chrono::steady_clock::now();
@@ -54,11 +54,11 @@ TEST_F(FindDeskTest, NobodyIsAskedToConfirmWhatIsConfirmedAlready) {
 }
 
 TEST_F(FindDeskTest, WhatIsPointedToIsLookedForInThePictureThatWasPointedInto) {
-    m_desk->take(m_robot.info());
-    m_desk->take(m_robot.picture(at(8.5), 2));  // sharper, but the robot moved on
+    m_desk->onEvent(m_robot.info());
+    m_desk->onEvent(m_robot.picture(at(8.5), 2));  // sharper, but the robot moved on
     const Event pointed = m_robot.picture(at(9.5), 14);
-    m_desk->take(pointed);
-    m_desk->take(m_robot.picture(at(9.9), 12));
+    m_desk->onEvent(pointed);
+    m_desk->onEvent(m_robot.picture(at(9.9), 12));
     m_desk->freeze("kurt3d", Kind::Victim, "right", PicturePoint{"left", {0.25, 0.75}, pointed.sequence});
     finish();
     ASSERT_THAT(*m_state.victims, SizeIs(1));
@@ -69,12 +69,12 @@ TEST_F(FindDeskTest, WhatIsPointedToIsLookedForInThePictureThatWasPointedInto) {
 }
 
 TEST_F(FindDeskTest, TheInfraredPictureThatWasPointedIntoIsTheEvidence) {
-    m_desk->take(m_robot.info());
-    m_desk->take(m_robot.info("ir"));
-    m_desk->take(m_robot.picture(at(9.0), 2));
+    m_desk->onEvent(m_robot.info());
+    m_desk->onEvent(m_robot.info("ir"));
+    m_desk->onEvent(m_robot.picture(at(9.0), 2));
     const Event pointed = m_robot.infrared(at(9.2), 16, 31.0);
-    m_desk->take(pointed);
-    m_desk->take(m_robot.infrared(at(9.6), 48, 36.0));  // another body came into sight
+    m_desk->onEvent(pointed);
+    m_desk->onEvent(m_robot.infrared(at(9.6), 48, 36.0));  // another body came into sight
     m_desk->freeze("kurt3d", Kind::Victim, "left", PicturePoint{"ir", {0.25, 0.5}, pointed.sequence});
     finish();
     ASSERT_THAT(*m_state.victims, SizeIs(1));
@@ -91,8 +91,8 @@ TEST_F(FindDeskTest, TheInfraredPictureThatWasPointedIntoIsTheEvidence) {
 
 TEST_F(FindDeskTest, PointingIntoAPictureThatIsGoneStillFiles) {
     m_place.reset();
-    m_desk->take(m_robot.info("ir"));
-    m_desk->take(m_robot.infrared(at(9.6), 48, 36.0));
+    m_desk->onEvent(m_robot.info("ir"));
+    m_desk->onEvent(m_robot.infrared(at(9.6), 48, 36.0));
     m_desk->freeze("kurt3d", Kind::Victim, "left", PicturePoint{"ir", {0.25, 0.5}, 7});
     finish();
     ASSERT_THAT(*m_state.victims, SizeIs(1));
@@ -111,12 +111,12 @@ TEST_F(FindDeskTest, PointingWithoutAnyPictureFilesWithoutEvidence) {
 }
 
 TEST_F(FindDeskTest, TheSharpestPictureOfTheLastSecondsIsFrozen) {
-    m_desk->take(m_robot.info());
-    m_desk->take(m_robot.picture(at(1.0), 1));  // sharp, but long ago
-    m_desk->take(m_robot.picture(at(8.0), 16));
+    m_desk->onEvent(m_robot.info());
+    m_desk->onEvent(m_robot.picture(at(1.0), 1));  // sharp, but long ago
+    m_desk->onEvent(m_robot.picture(at(8.0), 16));
     const Event sharp = m_robot.picture(at(8.5), 2);
-    m_desk->take(sharp);
-    m_desk->take(m_robot.picture(at(9.9), 14));
+    m_desk->onEvent(sharp);
+    m_desk->onEvent(m_robot.picture(at(9.9), 14));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
     ASSERT_THAT(*m_state.victims, SizeIs(1));
@@ -128,8 +128,8 @@ TEST_F(FindDeskTest, TheSharpestPictureOfTheLastSecondsIsFrozen) {
 }
 
 TEST_F(FindDeskTest, WhereTheOperatorPointsToCounts) {
-    m_desk->take(m_robot.info());
-    m_desk->take(m_robot.picture(at(9.0), 2));
+    m_desk->onEvent(m_robot.info());
+    m_desk->onEvent(m_robot.picture(at(9.0), 2));
     m_desk->freeze("kurt3d", Kind::Hazard, "left", PicturePoint{"left", {0.25, 0.75}});
     finish();
     EXPECT_EQ(m_asked->pixel, Eigen::Vector2d(16.0, 36.0));
@@ -137,11 +137,11 @@ TEST_F(FindDeskTest, WhereTheOperatorPointsToCounts) {
 }
 
 TEST_F(FindDeskTest, OnlyAVictimIsLookedForWhereItIsWarm) {
-    m_desk->take(m_robot.info());
-    m_desk->take(m_robot.info("ir"));
+    m_desk->onEvent(m_robot.info());
+    m_desk->onEvent(m_robot.info("ir"));
     const Event picture = m_robot.picture(at(9.0), 2), infrared = m_robot.infrared(at(9.6), 48, 36.0);
-    m_desk->take(picture);
-    m_desk->take(infrared);
+    m_desk->onEvent(picture);
+    m_desk->onEvent(infrared);
     for (const Kind kind : {Kind::Hazard, Kind::Code, Kind::Object}) {
         m_asked.reset();
         m_desk->freeze("kurt3d", kind, "left");
@@ -158,8 +158,8 @@ TEST_F(FindDeskTest, OnlyAVictimIsLookedForWhereItIsWarm) {
 }
 
 TEST_F(FindDeskTest, ASignIsLookedForInTheMiddleOfTheInfraredPictureThatIsLookedAt) {
-    m_desk->take(m_robot.info("ir"));
-    m_desk->take(m_robot.infrared(at(9.6), 48, 36.0));
+    m_desk->onEvent(m_robot.info("ir"));
+    m_desk->onEvent(m_robot.infrared(at(9.6), 48, 36.0));
     m_desk->freeze("kurt3d", Kind::Hazard, "ir");
     finish();
     ASSERT_TRUE(m_asked && m_asked->picture);
@@ -167,8 +167,8 @@ TEST_F(FindDeskTest, ASignIsLookedForInTheMiddleOfTheInfraredPictureThatIsLooked
 }
 
 TEST_F(FindDeskTest, GasCountsWhereItRose) {
-    m_desk->take(m_robot.gas(at(1.0), 420.0));
-    m_desk->take(m_robot.gas(at(9.0), 1'800.0));
+    m_desk->onEvent(m_robot.gas(at(1.0), 420.0));
+    m_desk->onEvent(m_robot.gas(at(9.0), 1'800.0));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
     EXPECT_EQ(find(1).co2.value, 1'800.0);
@@ -180,7 +180,7 @@ TEST_F(FindDeskTest, TheGasOfTheLastMinuteIsFrozenAsATrace) {
     for (int i = 0; i < 1'000; ++i) {  // ten a second, for 100 s
         const Event reading = m_robot.gas(at(0.1 * i), i == 995 ? 2'000.0 : 400.0 + i);
         readings.push_back(reading.sequence);
-        m_desk->take(reading);
+        m_desk->onEvent(reading);
     }
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
@@ -199,7 +199,7 @@ TEST_F(FindDeskTest, TheGasOfTheLastMinuteIsFrozenAsATrace) {
 }
 
 TEST_F(FindDeskTest, ASecondFindOfTheSameMinuteNamesTheSameReadings) {
-    for (int i = 0; i < 300; ++i) m_desk->take(m_robot.gas(at(0.2 * i), 400.0 + i % 7));
+    for (int i = 0; i < 300; ++i) m_desk->onEvent(m_robot.gas(at(0.2 * i), 400.0 + i % 7));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
@@ -209,8 +209,8 @@ TEST_F(FindDeskTest, ASecondFindOfTheSameMinuteNamesTheSameReadings) {
 
 TEST_F(FindDeskTest, WithoutARangeItIsFiledAheadOfTheRobotAndSaid) {
     m_place.reset();
-    m_desk->take(m_robot.info());
-    m_desk->take(m_robot.picture(at(9.0), 2));
+    m_desk->onEvent(m_robot.info());
+    m_desk->onEvent(m_robot.picture(at(9.0), 2));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
     EXPECT_EQ(find(1).positionInMap.x(), 1.0);
@@ -228,7 +228,7 @@ TEST_F(FindDeskTest, ARobotThatIsNotInTheMapSaysSo) {
 }
 
 TEST_F(FindDeskTest, TheSecondPressConfirmsAndUndoTakesItBack) {
-    m_desk->take(m_robot.info());
+    m_desk->onEvent(m_robot.info());
     m_desk->freezeAt("kurt3d", Kind::Victim, {3.0, 0.0, 0.2});
     while (!m_desk->newest()) std::this_thread::yield();
     const FindKey key = *m_desk->newest();
@@ -246,8 +246,8 @@ TEST_F(FindDeskTest, TheSecondPressConfirmsAndUndoTakesItBack) {
 TEST_F(FindDeskTest, ASecondPressWhileItsPlaceIsSearchedConfirmsItAsSoonAsItIsFiled) {
     std::promise<void> searched;
     m_search = searched.get_future().share();
-    m_desk->take(m_robot.info());
-    m_desk->take(m_robot.picture(at(9.0), 2));
+    m_desk->onEvent(m_robot.info());
+    m_desk->onEvent(m_robot.picture(at(9.0), 2));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     EXPECT_TRUE(m_desk->isFiling());
     EXPECT_TRUE(m_desk->confirmNewest());
@@ -259,8 +259,8 @@ TEST_F(FindDeskTest, ASecondPressWhileItsPlaceIsSearchedConfirmsItAsSoonAsItIsFi
 }
 
 TEST_F(FindDeskTest, WhereNothingCameOfTheLastPressNoOlderFindIsConfirmed) {
-    m_desk->take(m_robot.info());
-    m_desk->take(m_robot.picture(at(9.0), 2));
+    m_desk->onEvent(m_robot.info());
+    m_desk->onEvent(m_robot.picture(at(9.0), 2));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     m_desk->finish();
     std::promise<void> searched;

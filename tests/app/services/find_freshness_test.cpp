@@ -31,19 +31,19 @@ protected:
         return all;
     }
     void calibrated() {
-        m_desk->take(m_robot.info());
-        m_desk->take(m_robot.info("ir"));
+        m_desk->onEvent(m_robot.info());
+        m_desk->onEvent(m_robot.info("ir"));
     }
 };
 
 TEST_F(FindFreshness, ARobotThatFellSilentShowsNothing) {
     calibrated();
-    m_desk->take(m_robot.picture(at(-60.0), 2));
-    m_desk->take(m_robot.infrared(at(-60.0), 48, 36.0));
-    m_desk->take(m_robot.gas(at(-80.0), 420.0));
-    m_desk->take(m_robot.gas(at(-60.0), 1'800.0));
-    m_desk->take(scan(at(-60.0)));
-    m_desk->take(odometry(at(-60.0)));
+    m_desk->onEvent(m_robot.picture(at(-60.0), 2));
+    m_desk->onEvent(m_robot.infrared(at(-60.0), 48, 36.0));
+    m_desk->onEvent(m_robot.gas(at(-80.0), 420.0));
+    m_desk->onEvent(m_robot.gas(at(-60.0), 1'800.0));
+    m_desk->onEvent(scan(at(-60.0)));
+    m_desk->onEvent(odometry(at(-60.0)));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
     ASSERT_THAT(*m_state.victims, SizeIs(1));
@@ -58,10 +58,10 @@ TEST_F(FindFreshness, ARobotThatFellSilentShowsNothing) {
 TEST_F(FindFreshness, ACameraThatStoppedIsLeftOutAndTheOthersCount) {
     calibrated();
     const Event picture = m_robot.picture(at(9.8), 2);
-    m_desk->take(m_robot.infrared(at(5.0), 48, 36.0));
-    m_desk->take(picture);
-    m_desk->take(m_robot.gas(at(9.0), 450.0));
-    m_desk->take(odometry(at(9.9)));
+    m_desk->onEvent(m_robot.infrared(at(5.0), 48, 36.0));
+    m_desk->onEvent(picture);
+    m_desk->onEvent(m_robot.gas(at(9.0), 450.0));
+    m_desk->onEvent(odometry(at(9.9)));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
     EXPECT_THAT(kinds(), ElementsAre("picture", "gas", "odometry"));
@@ -73,7 +73,7 @@ TEST_F(FindFreshness, ACameraThatStoppedIsLeftOutAndTheOthersCount) {
 TEST_F(FindFreshness, AnInfraredPictureOfASecondAgoCounts) {
     calibrated();
     const Event infrared = m_robot.infrared(at(9.0), 48, 36.0);
-    m_desk->take(infrared);
+    m_desk->onEvent(infrared);
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
     EXPECT_EQ(find(1).heat.state, VictimSign::State::Present);
@@ -82,8 +82,8 @@ TEST_F(FindFreshness, AnInfraredPictureOfASecondAgoCounts) {
 }
 
 TEST_F(FindFreshness, TheGasThatStoppedIsNoTrace) {
-    m_desk->take(m_robot.gas(at(-40.0), 420.0));
-    m_desk->take(m_robot.gas(at(-1.0), 1'800.0));  // and nothing for 11 s
+    m_desk->onEvent(m_robot.gas(at(-40.0), 420.0));
+    m_desk->onEvent(m_robot.gas(at(-1.0), 1'800.0));  // and nothing for 11 s
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
     EXPECT_THAT(find(1).evidence, IsEmpty());
@@ -91,8 +91,8 @@ TEST_F(FindFreshness, TheGasThatStoppedIsNoTrace) {
 }
 
 TEST_F(FindFreshness, TheGasTraceGoesBackAMinuteFromNow) {
-    m_desk->take(m_robot.gas(at(-52.0), 420.0));  // within a minute of the newest reading, not of now
-    m_desk->take(m_robot.gas(at(5.0), 600.0));
+    m_desk->onEvent(m_robot.gas(at(-52.0), 420.0));  // within a minute of the newest reading, not of now
+    m_desk->onEvent(m_robot.gas(at(5.0), 600.0));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
     EXPECT_THAT(find(1).evidence, SizeIs(1));
@@ -102,8 +102,8 @@ TEST_F(FindFreshness, TheGasTraceGoesBackAMinuteFromNow) {
 TEST_F(FindFreshness, ThePictureThatAPersonPointsIntoCountsHoweverOldItIs) {
     calibrated();
     const Event pointed = m_robot.picture(at(2.0), 12);
-    m_desk->take(pointed);
-    m_desk->take(m_robot.picture(at(2.5), 2));  // old as well, and nobody pointed to it
+    m_desk->onEvent(pointed);
+    m_desk->onEvent(m_robot.picture(at(2.5), 2));  // old as well, and nobody pointed to it
     m_desk->freeze("kurt3d", Kind::Victim, {}, PicturePoint{"left", {0.25, 0.75}, pointed.sequence});
     finish();
     ASSERT_THAT(find(1).evidence, SizeIs(1));
@@ -114,8 +114,8 @@ TEST_F(FindFreshness, ThePictureThatAPersonPointsIntoCountsHoweverOldItIs) {
 
 TEST_F(FindFreshness, AClockThatWasSetBackTakesNothingAway) {
     calibrated();
-    m_desk->take(m_robot.picture(at(600.0), 2));
-    m_desk->take(m_robot.gas(at(600.0), 450.0));
+    m_desk->onEvent(m_robot.picture(at(600.0), 2));
+    m_desk->onEvent(m_robot.gas(at(600.0), 450.0));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
     EXPECT_THAT(kinds(), ElementsAre("picture", "gas"));

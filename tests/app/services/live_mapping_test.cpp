@@ -82,7 +82,7 @@ TEST(LiveMapping, WhileAScanIsRegisteredAGoalIsToldRightlyInTheOdometry) {
     LiveMapping mapping({robot}, "station", {}, {});
     const auto here = [&] { return mapping.robots()->front(); };
     const Pose put = poseFrom({3, 2, 0}, 0, 0, degrees(90));
-    mapping.take(odometryOf("crawler", Begin, Pose::Identity()));
+    mapping.onEvent(odometryOf("crawler", Begin, Pose::Identity()));
     mapping.place("crawler", put);
     ASSERT_TRUE(waitUntil([&] { return here().odomInMap.has_value(); }, 60s));
     // The thread is busy; the robot drives on, and the mission knows it already.
@@ -91,7 +91,7 @@ TEST(LiveMapping, WhileAScanIsRegisteredAGoalIsToldRightlyInTheOdometry) {
     Pose newest = Pose::Identity();
     for (int i = 1; i <= 20; ++i) {
         newest = poseFrom({0.05 * i, 0, 0}, 0, 0, 0);
-        mapping.take(odometryOf("crawler", Begin + i * 50ms, newest));
+        mapping.onEvent(odometryOf("crawler", Begin + i * 50ms, newest));
     }
     const RobotInMap place = here();
     EXPECT_LT(distanceBetween(place.baseInMap, put), 1e-6) << "the place is of before";

@@ -51,7 +51,7 @@ protected:
         settings.station = "us";
         LiveMissionListener listener;
         listener.onEvent = [this](const Event& event) {
-            if (StationMapping* const mapping = m_hears) mapping->take(event);
+            if (StationMapping* const mapping = m_hears) mapping->onEvent(event);
         };
         auto earlier = keyScansOf(settings.folder);
         auto links = scanLinksOf(settings.folder);
@@ -72,7 +72,7 @@ protected:
         m_hears = m_mapping.get();
     }
     void end() {
-        m_mapping->end();
+        m_mapping->close();
         m_hears = nullptr;
         m_mission.reset();
         m_mapping.reset();
@@ -89,7 +89,7 @@ protected:
         event.topic = role == StreamRole::Points ? "/kurt3d/points" : "/kurt3d/odom";
         event.sensor = role == StreamRole::Points ? "laser" : "";
         event.sample = std::move(sample);
-        m_mapping->take(event);
+        m_mapping->onEvent(event);
     }
     void odometry(const Pose& baseInOdom) {
         OdometrySample sample;

@@ -81,8 +81,8 @@ double aheadOf(const RobotDescription& robot, const CloudSample& cloud) {
     OdometrySample odometry;
     odometry.header = {Stamp, "odom"};
     odometry.childFrame = "base_link";
-    sight.take(eventOf(StreamRole::Odometry, {}, odometry), now);
-    sight.take(eventOf(StreamRole::Points, "scanner", cloud), now);
+    sight.onEvent(eventOf(StreamRole::Odometry, {}, odometry), now);
+    sight.onEvent(eventOf(StreamRole::Points, "scanner", cloud), now);
     const auto view = sight.view(now);
     return view ? view->nearest(degrees(-6), degrees(6)) : -1.0;
 }
@@ -114,12 +114,12 @@ TEST(RobotSight, ARobotThatStartedAgainBringsNoObstaclesAlong) {
         odometry.header = {Stamp, "odom"};
         odometry.childFrame = "base_link";
         odometry.baseInOdom = from;
-        sight.take(eventOf(StreamRole::Odometry, {}, odometry), now);
-        sight.take(eventOf(StreamRole::Points, "scanner", boardOver(0.3)), now);
+        sight.onEvent(eventOf(StreamRole::Odometry, {}, odometry), now);
+        sight.onEvent(eventOf(StreamRole::Points, "scanner", boardOver(0.3)), now);
         now += seconds(pause);
         odometry.header.stamp += seconds(pause);
         odometry.baseInOdom = to;
-        sight.take(eventOf(StreamRole::Odometry, {}, odometry), now);
+        sight.onEvent(eventOf(StreamRole::Odometry, {}, odometry), now);
         return sight.view(now)->nearest(degrees(-6), degrees(6));
     };
     const Pose there = poseFrom({3.0, 1.0, 0}, 0, 0, 0);
@@ -141,13 +141,13 @@ struct Saying {
         sample.header = {Stamp + ms(stamp), "odom"};
         sample.childFrame = "base_link";
         sample.baseInOdom = base;
-        sight.take(eventOf(StreamRole::Odometry, {}, sample), begin + ms(comes));
+        sight.onEvent(eventOf(StreamRole::Odometry, {}, sample), begin + ms(comes));
     }
     void gyro(int stamp, double rate, int comes) {
         ImuSample sample;
         sample.header = {Stamp + ms(stamp), "base_link"};
         sample.angularVelocity = Eigen::Vector3d(0, 0, rate);
-        sight.take(eventOf(StreamRole::Imu, "imu", sample), begin + ms(comes));
+        sight.onEvent(eventOf(StreamRole::Imu, "imu", sample), begin + ms(comes));
     }
     /// A board straight ahead of where the robot is when it stands at odom's zero, as seen from @p base.
     void board(int stamp, const Pose& base, int comes) {
@@ -156,10 +156,10 @@ struct Saying {
         const Pose laser = poseFrom({0, 0, 0.5}, 0, 0, 0);
         const Eigen::Isometry3f seen = (laser.inverse() * base.inverse() * laser).cast<float>();
         for (Eigen::Vector3f& point : cloud.points) point = seen * point;
-        sight.take(eventOf(StreamRole::Points, "scanner", cloud), begin + ms(comes));
+        sight.onEvent(eventOf(StreamRole::Points, "scanner", cloud), begin + ms(comes));
     }
     /// Something else.
-    void joints(int comes) { sight.take(eventOf(StreamRole::Joints, {}, JointSample{}), begin + ms(comes)); }
+    void joints(int comes) { sight.onEvent(eventOf(StreamRole::Joints, {}, JointSample{}), begin + ms(comes)); }
     /// Where the middle of the board is seen, in odom [degrees], while the robot is at @p heading [rad].
     [[nodiscard]] double middleOfBoard(int at, double heading) const {
         const auto view = sight.view(begin + ms(at));
@@ -241,16 +241,16 @@ TEST(RobotSight, HasWhatALaserMeasuredAsItCameAndNotForLong) {
     OdometrySample odometry;
     odometry.header = {Stamp, "odom"};
     odometry.childFrame = "base_link";
-    sight.take(eventOf(StreamRole::Odometry, {}, odometry), now);
+    sight.onEvent(eventOf(StreamRole::Odometry, {}, odometry), now);
     RangesSample turn;
     turn.header = {Stamp, "laser"};
     turn.angleStep = degrees(1);
     turn.rangeMax = 8.0;
     turn.ranges = {2.0F};
-    sight.take(eventOf(StreamRole::Ranges, "scanner", turn), now);
+    sight.onEvent(eventOf(StreamRole::Ranges, "scanner", turn), now);
     odometry.baseInOdom = poseFrom({0.5, 0, 0}, 0, 0, 0);
     odometry.header.stamp += std::chrono::milliseconds(500);
-    sight.take(eventOf(StreamRole::Odometry, {}, odometry), now + std::chrono::milliseconds(500));
+    sight.onEvent(eventOf(StreamRole::Odometry, {}, odometry), now + std::chrono::milliseconds(500));
     const auto view = sight.view(now + std::chrono::milliseconds(500));
     ASSERT_EQ(view->laser.size(), 1u);
     EXPECT_NEAR(view->laser.front().x(), 1.5F, 1e-4F) << "it drove on since";
@@ -269,7 +269,7 @@ struct TwoCameras : testing::Test {
         const auto bytes = std::make_shared<std::vector<std::byte>>(100, static_cast<std::byte>(content));
         PictureSample sample;
         sample.content = {bytes, *bytes};
-        sight().take(eventOf(role, sensor, sample), now);
+        sight().onEvent(eventOf(role, sensor, sample), now);
     }
     [[nodiscard]] SightCap capAfter(double seconds) {
         return sight().cap({0.2, 0, 0}, false, now + toNanoseconds(seconds));

@@ -72,7 +72,7 @@ protected:
         m_mapping = std::make_unique<LiveMapping>(std::vector{scanning("kurt3d"), scanning("crawler")}, "us",
                                                   LiveSettings{}, listener, earlier);
     }
-    void TearDown() override { m_mapping->end(); }
+    void TearDown() override { m_mapping->close(); }
 
     void say(const std::string& robot, StreamRole role, Sample sample) {
         Event event;
@@ -82,7 +82,7 @@ protected:
         event.topic = role == StreamRole::Points ? "/" + robot + "/points" : "/" + robot + "/odom";
         event.sensor = role == StreamRole::Points ? "laser" : "";
         event.sample = std::move(sample);
-        m_mapping->take(event);
+        m_mapping->onEvent(event);
     }
     /// @p robot stands at @p baseInRoom, its odometry says @p baseInOdom, and looks around.
     void scan(const std::string& robot, const Pose& baseInRoom, const Pose& baseInOdom = Pose::Identity()) {

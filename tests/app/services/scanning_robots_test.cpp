@@ -13,7 +13,7 @@ TEST_F(ScanningRobots, TheSecondOneEntersFromItsSlotAlsoWhenTheStationStartsAgai
     scan("crawler", Slot);
     EXPECT_TRUE(enters("crawler"));
     EXPECT_TRUE(stands("crawler", Slot));
-    m_mapping->end();
+    m_mapping->close();
     m_scans.clear();
     begin(earlier);  // it was left before the second one came
     scan("crawler", Slot);
@@ -104,7 +104,7 @@ TEST_F(ScanningRobots, OneThatDroveOnWhileTheStationWasAwayIsFoundWhereItsOdomet
     place.certain = true;
     place.certainty = 0.9;
     earlier.places.emplace("crawler", place);
-    m_mapping->end();
+    m_mapping->close();
     m_scans.clear();
     begin(earlier);
     const Pose way = poseFrom({2.2, 0.2, 0}, 0, 0, degrees(70));
@@ -158,7 +158,7 @@ TEST_F(ScanningRobots, OneThatIsPlacedLateIsTakenOutOfWhatWasScannedBeforeAndSta
     EXPECT_EQ(inMapAt(Slot), 0U) << "where it stood then is not told by where it would have stood by now";
     EXPECT_EQ(inMapAt(aside), 0U);
 
-    m_mapping->end();
+    m_mapping->close();
     EarlierMap earlier{m_scans, m_poses};
     earlier.bodies = bodies();
     m_map.reset();

@@ -35,9 +35,9 @@ TEST(SensorPlaces, AnHourOfOdometryTakesNoMoreThanItsFirstFiveMinutes) {
     SensorPlaces places(robot);
     const Time start{1'000s};
     Time now = start;
-    for (; now < start + 5min; now += 20ms) places.take(odometryAt(now));
+    for (; now < start + 5min; now += 20ms) places.onEvent(odometryAt(now));
     const std::size_t after = allocated();
-    for (; now < start + 1h; now += 20ms) places.take(odometryAt(now));
+    for (; now < start + 1h; now += 20ms) places.onEvent(odometryAt(now));
     EXPECT_LT(allocated(), after + 100'000);
     EXPECT_TRUE(places.covers(now - 1s));
     EXPECT_TRUE(places.at("laser", "base_link", now - 1s).has_value());

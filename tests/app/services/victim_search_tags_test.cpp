@@ -31,7 +31,7 @@ protected:
         return Time(std::chrono::seconds(1000) + std::chrono::milliseconds(100 * tenths));
     }
     void hear(StreamRole role, Sample sample) {
-        m_search->take({++m_sequence, at(m_now), "kurt3d", "/kurt3d/x", role, "", std::move(sample)});
+        m_search->onEvent({++m_sequence, at(m_now), "kurt3d", "/kurt3d/x", role, "", std::move(sample)});
     }
     /// How many more victims are told after @p text was read.
     int told(const std::string& text) {
@@ -70,7 +70,7 @@ TEST_F(SearchForTags, ATagIsWhatTheProfileThatTheMissionNamesSays) {
     EXPECT_EQ(told("doll-1"), 1);
     MissionInfoSample info;
     info.profile = "none";
-    m_search->take({++m_sequence, at(m_now), "", "/leitstand/mission", std::nullopt, "", info});
+    m_search->onEvent({++m_sequence, at(m_now), "", "/leitstand/mission", std::nullopt, "", info});
     EXPECT_EQ(told("doll-2"), 0) << "by that one no code is a tag";
 }
 
@@ -103,14 +103,14 @@ TEST(VictimWatchTags, AProfileThatIsChosenDuringTheMissionIsHeard) {
     std::uint64_t sequence = 0;
     MissionInfoSample info;
     info.profile = "dolls";
-    watch.take({++sequence, begin, "", "/leitstand/mission", std::nullopt, "", info});
+    watch.onEvent({++sequence, begin, "", "/leitstand/mission", std::nullopt, "", info});
     // Where robots are is followed after what came before.
     ASSERT_TRUE(waitUntil([&] { return watch.waiting() == 0; }, std::chrono::seconds(10)));
     for (int i = 0; i < 6; ++i) {
         const Time now = begin + std::chrono::milliseconds(600 * i);
         OdometrySample odometry;
         odometry.header.stamp = now;
-        watch.take({++sequence, now, "kurt3d", "/kurt3d/odom", StreamRole::Odometry, "", odometry});
+        watch.onEvent({++sequence, now, "kurt3d", "/kurt3d/odom", StreamRole::Odometry, "", odometry});
         SightingSample sightings;
         sightings.header.stamp = now;
         Sighting one;
@@ -121,10 +121,10 @@ TEST(VictimWatchTags, AProfileThatIsChosenDuringTheMissionIsHeard) {
         one.deviation = 0.1;
         one.confidence = 0.9;
         sightings.sightings = {one};
-        watch.take({++sequence, now, "kurt3d", "/kurt3d/x", StreamRole::Sightings, "", sightings});
+        watch.onEvent({++sequence, now, "kurt3d", "/kurt3d/x", StreamRole::Sightings, "", sightings});
     }
     EXPECT_TRUE(waitUntil([&] { return victims > 0; }, std::chrono::seconds(10)));
-    watch.end();
+    watch.close();
 }
 
 }  // namespace

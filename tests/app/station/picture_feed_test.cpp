@@ -76,7 +76,7 @@ private:
 TEST(PictureFeed, MeasuringCamerasShowTemperatures) {
     Shown shown;
     PictureFeed feed({robotWithCameras()}, shown.listener());
-    feed.take(picture(StreamRole::Thermal, "ir", 30'615));
+    feed.onEvent(picture(StreamRole::Thermal, "ir", 30'615));
     ASSERT_TRUE(waitUntil([&] { return !shown.pictures().empty(); }));
     const auto* heat = std::get_if<ThermalPicture>(&shown.pictures()[0]->content);
     ASSERT_NE(heat, nullptr);
@@ -86,7 +86,7 @@ TEST(PictureFeed, MeasuringCamerasShowTemperatures) {
 TEST(PictureFeed, ColourMappedInfraredIsAPictureWithoutTemperatures) {
     Shown shown;
     PictureFeed feed({robotWithCameras(false)}, shown.listener());
-    feed.take(picture(StreamRole::Thermal, "ir", 30'615));
+    feed.onEvent(picture(StreamRole::Thermal, "ir", 30'615));
     ASSERT_TRUE(waitUntil([&] { return !shown.pictures().empty(); }));
     EXPECT_TRUE(std::holds_alternative<Picture>(shown.pictures()[0]->content));
 }
@@ -96,11 +96,11 @@ TEST(PictureFeed, WhoeverIsSlowSeesTheNewestOfEachCamera) {
     std::promise<void> gate;
     shown.holdUntil(gate.get_future().share());
     PictureFeed feed({robotWithCameras()}, shown.listener());
-    feed.take(picture(StreamRole::Picture, "left", 1));
+    feed.onEvent(picture(StreamRole::Picture, "left", 1));
     // The first is at work or waits; of the others one a camera is left in the end.
     for (std::uint16_t value = 2; value < 50; ++value) {
-        feed.take(picture(StreamRole::Picture, "left", value));
-        feed.take(picture(StreamRole::Picture, "right", value));
+        feed.onEvent(picture(StreamRole::Picture, "left", value));
+        feed.onEvent(picture(StreamRole::Picture, "right", value));
     }
     gate.set_value();
     const auto last = [&](const std::string& sensor) {
@@ -112,7 +112,7 @@ TEST(PictureFeed, WhoeverIsSlowSeesTheNewestOfEachCamera) {
     };
     Shown alone;
     PictureFeed other({robotWithCameras()}, alone.listener());
-    other.take(picture(StreamRole::Picture, "left", 49));
+    other.onEvent(picture(StreamRole::Picture, "left", 49));
     ASSERT_TRUE(waitUntil([&] { return !alone.pictures().empty(); }));
     const auto newest = alone.pictures()[0]->fingerprint;
     EXPECT_TRUE(waitUntil([&] { return last("left") == newest && last("right") == newest; }));
@@ -157,8 +157,8 @@ TEST(PictureFeed, ALookIsAppliedAtOnceAndLeavesTheSampleAsItCame) {
     robot.sensors["omni"].sensorInBase = poseFrom({0, 0, 0.3}, degrees(180), 0, degrees(-90));
     Shown shown;
     PictureFeed feed({robot}, shown.listener());
-    feed.take(mirrorInfo());
-    feed.take(omniPicture(20));
+    feed.onEvent(mirrorInfo());
+    feed.onEvent(omniPicture(20));
     ASSERT_TRUE(waitUntil([&] { return shown.pictures().size() == 1; }));
     EXPECT_FALSE(shown.pictures()[0]->panorama);
     EXPECT_NE(shown.pictures()[0]->camera, nullptr);
@@ -173,10 +173,10 @@ TEST(PictureFeed, ALookIsAppliedAtOnceAndLeavesTheSampleAsItCame) {
     EXPECT_EQ(made.sample.width, 320);
     EXPECT_EQ(made.sample.content.bytes[0], std::byte{20});
     feed.setLook("kurt3d", "omni", {ContrastHelp::Strong, true});
-    feed.take(omniPicture(21));
+    feed.onEvent(omniPicture(21));
     ASSERT_TRUE(waitUntil([&] { return shown.pictures().back()->sequence == 21; }));
     EXPECT_EQ(shown.pictures().size(), 3U) << "the same look again is none";
-    feed.take(omniPicture(22, 160));  // a thin link: reduced
+    feed.onEvent(omniPicture(22, 160));  // a thin link: reduced
     ASSERT_TRUE(waitUntil([&] { return shown.pictures().back()->sequence == 22; }));
     ASSERT_TRUE(shown.pictures().back()->panorama);
     EXPECT_LT(shown.pictures().back()->panorama->width, made.panorama->width);
@@ -186,7 +186,7 @@ TEST(PictureFeed, InfraredGetsBodiesButNoContrast) {
     Shown shown;
     PictureFeed feed({robotWithCameras(false)}, shown.listener());
     feed.setLook("kurt3d", "ir", {ContrastHelp::Strong, true});
-    feed.take(picture(StreamRole::Thermal, "ir", 30'615));
+    feed.onEvent(picture(StreamRole::Thermal, "ir", 30'615));
     ASSERT_TRUE(waitUntil([&] { return !shown.pictures().empty(); }));
     EXPECT_EQ(shown.pictures()[0]->contrast, ContrastHelp::Off);
 }
@@ -195,8 +195,8 @@ TEST(PictureFeed, ABrokenPictureIsToldOnceAndCostsNoOther) {
     Shown shown;
     PictureFeed feed({robotWithCameras()}, shown.listener());
     for (int i = 1; i <= 3; ++i) {
-        feed.take(picture(StreamRole::Picture, "left", 7, 4000, 4000));  // its bytes are two pixels
-        feed.take(picture(StreamRole::Picture, "right", 7));
+        feed.onEvent(picture(StreamRole::Picture, "left", 7, 4000, 4000));  // its bytes are two pixels
+        feed.onEvent(picture(StreamRole::Picture, "right", 7));
         ASSERT_TRUE(waitUntil([&] { return shown.pictures().size() >= static_cast<std::size_t>(i); }));
     }
     ASSERT_TRUE(waitUntil([&] { return !shown.problems().empty(); }));

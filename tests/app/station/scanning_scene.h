@@ -30,7 +30,7 @@ protected:
         event.topic = stream.topic;
         event.sensor = stream.sensor;
         event.sample = std::move(sample);
-        for (Station* station : m_hearing) station->mapping().take(event);
+        for (Station* station : m_hearing) station->mapping().onEvent(event);
     }
     /// It drives on by @p way [m] and looks around; @p slip: its odometry is wrong by that from then on.
     void scan(const Pose& slip = Pose::Identity(), double way = 0.4) {

@@ -95,7 +95,7 @@ Event SearchDrive::eventOf(const HardwareSample& sample) {
 void SearchDrive::give(const Event& event) {
     if (onEvent) onEvent(event);
     const auto begin = threadTime();
-    search->take(event);
+    search->onEvent(event);
     if (event.received >= m_due) {
         m_due = event.received + std::chrono::milliseconds(200);
         for (const CandidateSample& one : search->due(event.received)) {

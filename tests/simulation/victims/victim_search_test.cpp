@@ -110,7 +110,7 @@ TEST_F(LookAtAVictim, ItIsFoundWhereItLies) {
     };
     VictimWatch watch(std::move(setup));
     for (const Event& event : m_log) {
-        watch.take(event);
+        watch.onEvent(event);
         // A log comes faster than it can be worked through; pictures would be left out.
         if (std::holds_alternative<PictureSample>(event.sample)) {
             ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() < 20; }, Patience));
@@ -125,7 +125,7 @@ TEST_F(LookAtAVictim, ItIsFoundWhereItLies) {
             });
         },
         Patience));
-    watch.end();
+    watch.close();
     std::printf("the watch's thread took %.0f ms for 9 s\n",
                 1e-6 * static_cast<double>(watch.worked().count()));
 }
@@ -138,9 +138,9 @@ TEST_F(LookAtAVictim, AStationWithoutTheMapSaysNothing) {
     setup.maySearch = [] { return false; };
     setup.onCandidate = [&](const CandidateSample&) { ++told; };
     VictimWatch watch(std::move(setup));
-    for (const Event& event : m_log) watch.take(event);
+    for (const Event& event : m_log) watch.onEvent(event);
     ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() == 0; }, Patience));
-    watch.end();
+    watch.close();
     EXPECT_EQ(told, 0);
 }
 
@@ -172,13 +172,13 @@ TEST_F(LookAtAVictim, WhatIsFrozenWithoutPointingIsWhereItsWarmthIs) {
     setup.now = [this] { return m_log.back().received; };
     FindDesk desk(std::move(setup));
     for (const Event& event : m_log) {
-        watch.take(event);
-        desk.take(event);
+        watch.onEvent(event);
+        desk.onEvent(event);
     }
     ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() == 0; }, Patience));
     desk.freeze("kurt3d", VictimSample::Kind::Victim, "left");
     desk.finish();
-    watch.end();
+    watch.close();
     ASSERT_EQ(filed.size(), 1U) << "its place was not found";
     EXPECT_EQ(filed[0].heat.state, VictimSign::State::Present);
     const Eigen::Vector3d place = m_drive->mapInArena() * filed[0].positionInMap;

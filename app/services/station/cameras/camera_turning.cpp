@@ -33,7 +33,7 @@ CameraTurning::CameraTurning(const std::vector<RobotDescription>& robots, Wire w
     }
 }
 
-void CameraTurning::take(const Event& event) {
+void CameraTurning::onEvent(const Event& event) {
     const auto* joints = std::get_if<JointSample>(&event.sample);
     if (joints == nullptr || event.role != StreamRole::Joints) return;
     const auto angleOf = [joints](const std::string& joint) -> std::optional<double> {

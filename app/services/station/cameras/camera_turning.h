@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/services/log/event_sink.h"
 #include "core/base/result.h"
 #include "core/event/event.h"
 #include "core/robot/control/grant_book.h"
@@ -27,7 +28,7 @@ struct CameraTurn {
 /// Turns cameras of robots: cameras of one pan-tilt unit turn together. Asks for the grant when it is first
 /// used, and leaves it to a station that asks once they were left alone for 10 s; until anybody has it, who
 /// holds the grant to drive turns cameras, too (RobotAgent). Any thread; nothing waits for the network.
-class CameraTurning {
+class CameraTurning : public EventSink {
 public:
     /// What it needs of its station.
     struct Wire {
@@ -39,7 +40,7 @@ public:
     };
     CameraTurning(const std::vector<RobotDescription>& robots, Wire wire);
 
-    void take(const Event& event);  ///< joint states; others are passed by
+    void onEvent(const Event& event) override;  ///< joint states; others are passed by
     /// Empty when @p sensor of @p robot cannot be turned.
     [[nodiscard]] std::optional<CameraTurn> view(const std::string& robot, const std::string& sensor) const;
 

@@ -17,7 +17,7 @@ PictureFeed::PictureFeed(std::vector<RobotDescription> robots, Listener listener
 
 PictureFeed::~PictureFeed() = default;
 
-void PictureFeed::take(const Event& event) {
+void PictureFeed::onEvent(const Event& event) {
     const Camera camera(event.robot, event.sensor);
     if (const auto* info = std::get_if<CameraInfoSample>(&event.sample)) {
         const std::lock_guard lock(m_mutex);

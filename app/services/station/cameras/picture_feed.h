@@ -61,7 +61,7 @@ public:
     PictureFeed(const PictureFeed&) = delete;
     PictureFeed& operator=(const PictureFeed&) = delete;
 
-    void take(const Event& event);  ///< pictures and camera infos; others are passed by
+    void onEvent(const Event& event);  ///< pictures and camera infos; others are passed by
     /// How pictures of a camera are shown from now on; its newest one comes once more.
     void setLook(const std::string& robot, const std::string& sensor, const PictureLook& look);
 

@@ -45,12 +45,12 @@ StationAlarms::StationAlarms(StationAlarmsSetup setup)
 
 StationAlarms::~StationAlarms() = default;
 
-void StationAlarms::end() {
+void StationAlarms::close() {
     m_thread.request_stop();
     if (m_thread.joinable()) m_thread.join();
 }
 
-void StationAlarms::take(const Event& event) {
+void StationAlarms::onEvent(const Event& event) {
     const auto* bumps = std::get_if<BumpSample>(&event.sample);
     if (bumps == nullptr) return;
     const std::lock_guard lock(m_mutex);

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/services/log/event_sink.h"
 #include "core/event/event.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/robot_in_map.h"
@@ -43,15 +44,13 @@ struct AlarmsView {
 /// Judges five times a second what the operator has to know, on a thread of its own: whatever the window is
 /// doing. What is raised, acknowledged and over is in the log; alarms that an earlier session left standing
 /// are ended there. Alarms of the log itself are raised by LiveMission, and only shown here. Any thread.
-class StationAlarms {
+class StationAlarms : public EventSink {
 public:
     explicit StationAlarms(StationAlarmsSetup setup);
-    ~StationAlarms();
-    StationAlarms(const StationAlarms&) = delete;
-    StationAlarms& operator=(const StationAlarms&) = delete;
+    ~StationAlarms() override;
 
-    void end();                     ///< judges no more; the functions of the setup are not called any longer
-    void take(const Event& event);  ///< bumps are over before they are looked at
+    void close() override;                      ///< judges no more; the functions of the setup are not called any longer
+    void onEvent(const Event& event) override;  ///< bumps are over before they are looked at
     void acknowledge(const AlarmId& id);
     void acknowledgeNewest();
     void mute(std::chrono::nanoseconds time);  ///< from now on; 0: not any more

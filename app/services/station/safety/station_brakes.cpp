@@ -80,7 +80,7 @@ void StationBrakes::end(const std::string& robot) {
     look(robot);
 }
 
-void StationBrakes::take(const Event& event) {
+void StationBrakes::onEvent(const Event& event) {
     const auto* odometry = std::get_if<OdometrySample>(&event.sample);
     Entry* const entry = odometry == nullptr ? nullptr : find(event.robot);
     if (entry == nullptr || !entry->running) return;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/services/log/event_sink.h"
 #include "core/base/result.h"
 #include "core/event/event.h"
 #include "core/robot/robot_description.h"
@@ -18,7 +19,7 @@ namespace leitstand {
 
 /// Brake tests of the station's robots, and who may be driven after them: a robot that failed is refused
 /// until it passes, or the operator drives it nevertheless. Any thread.
-class StationBrakes {
+class StationBrakes : public EventSink {
 public:
     /// What a test does with a robot and learns of it.
     struct Hands {
@@ -34,8 +35,6 @@ public:
     };
     /// @p file: where results are remembered.
     StationBrakes(const std::vector<RobotDescription>& robots, std::filesystem::path file, Hands hands);
-    StationBrakes(const StationBrakes&) = delete;
-    StationBrakes& operator=(const StationBrakes&) = delete;
 
     /// Begins a test; one that runs begins anew. The operator's key has to be told from now on.
     void begin(const std::string& robot);
@@ -56,7 +55,7 @@ public:
     /// Nothing may be sent to the robot now. Never waits; false once the test is not looked after any more.
     [[nodiscard]] bool silences(const std::string& robot) const;
 
-    void take(const Event& event);        ///< odometry; others are passed by
+    void onEvent(const Event& event) override;  ///< odometry; others are passed by
     void look(const std::string& robot);  ///< to be called a few times a second
 
 private:

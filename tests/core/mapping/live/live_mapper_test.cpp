@@ -156,6 +156,36 @@ TEST(LiveMapper, ARobotWhoseWheelsSpinStaysWhereItStands) {
     EXPECT_EQ(room.poses().size(), 4U) << "it adds nothing";
 }
 
+TEST(LiveMapper, TurnsThatAreBentByWheelsThatSpinShowThatTheRobotStands) {
+    MappedRoom room;
+    room.drive(4);
+    const Pose stands = room.last;
+    constexpr double Way = 0.6;  // a turn, by odometry
+    for (int turn = 1; turn <= 6; ++turn) {
+        LiveScan live = scanAt(stands, room.seed++, Pose(Eigen::Translation3d(Way * turn, 0.0, 0.0)));
+        Scan scan = *live.scan;
+        scan.start = scan.end - std::chrono::seconds(2);
+        // Put together as if the robot had come along as its wheels did.
+        for (int row = 0; row < scan.rows; ++row) {
+            const double left = 1.0 - static_cast<double>(row) / (scan.rows - 1);
+            for (int column = 0; column < scan.columns; ++column)
+                scan.points[static_cast<std::size_t>(row) * scan.columns + column].x() -=
+                    static_cast<float>(left * Way);
+        }
+        live.scan = std::make_shared<const Scan>(std::move(scan));
+        live.motionKnown = true;
+        live.velocity = {Way / 2.0, 0.0};
+        live.way = Way;
+        const MapUpdate update = room.add(live);
+        EXPECT_EQ(update.localisation.trust, ScanTrust::Certain)
+            << turn << ": " << inWords(update.localisation.doubts);
+        EXPECT_LT(distanceBetween(update.scanInMap, room.poses().back().scanInMap), 0.03) << turn;
+        const RobotFix fix = *room.mapper.fix("kurt3d");
+        EXPECT_EQ(fix.doubts, 0) << turn;
+    }
+    EXPECT_EQ(room.poses().size(), 4U) << "it adds nothing";
+}
+
 TEST(LiveMapper, WhatWheelsSpunCountsNeitherForLinksNorAfterADecision) {
     MappedRoom room;
     room.drive(4);

@@ -228,7 +228,7 @@ TEST_F(TurnRefinement, AnOpenCorridorLeavesTheTurnAsItWas) {
     EXPECT_TRUE(turnDrift(*turn.live.scan, map, turn.sensorInRoom, bold)) << "only certainty is missing";
 }
 
-TEST_F(TurnRefinement, LiveMappingTakesTheRefinedPointsIntoItsMapWhenToldSo) {
+TEST_F(TurnRefinement, LiveMappingTakesTheRefinedPointsIntoItsMapWhenToldSoOrWhereOdometryErred) {
     const Turn first = turnOf(m_room, m_begin, {0.0, 0.0, 1.0, 0.0}, 6);
     const Turn second = turnOf(m_room, m_begin, {}, 7);
     const auto mappedWith = [&](const LiveSettings& settings) {
@@ -243,11 +243,15 @@ TEST_F(TurnRefinement, LiveMappingTakesTheRefinedPointsIntoItsMapWhenToldSo) {
     };
     EXPECT_FALSE(LiveSettings{}.refinement.on);
     EXPECT_TRUE(LiveSettings{}.refined.empty());
-    LiveSettings all, kurts, others;
+    LiveSettings none;
+    none.refinement.from = 1.0;
+    none.refinement.fromAngle = 1.0;
+    LiveSettings all = none, kurts = none, others = none;
     all.refinement.on = true;
     kurts.refined = {"kurt3d"};
     others.refined = {"crawler"};
-    const double asMeasured = mappedWith({});
+    const double asMeasured = mappedWith(none);
+    EXPECT_LE(mappedWith({}), 0.6 * asMeasured) << "it fits elsewhere than where odometry has it";
     EXPECT_LE(mappedWith(all), 0.6 * asMeasured);
     EXPECT_LE(mappedWith(kurts), 0.6 * asMeasured);
     EXPECT_NEAR(mappedWith(others), asMeasured, 1e-6) << "another robot's";
