@@ -123,14 +123,23 @@ private:
         SensorPoses poses;
         std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
         RobotTracker tracker;
-        LaserRobot laser;                          ///< corrects the tracker while no 3D scan of its own does
-        std::chrono::nanoseconds ahead{};          ///< its clock, of the station's
-        std::optional<Time> matched;               ///< RobotInMap::matched
-        std::optional<RobotFix> followed;          ///< that the tracker was corrected by last
-        std::shared_ptr<const SeenScan> newest;    ///< its newest scan that has enough points
-        std::uint64_t put = 0;                     ///< how often somebody said where it stands
-        int unplaced = 0;                          ///< its 3D scans while nobody knew where it is
-        int lost = 0;                              ///< its 3D scans, one after another, that did not fit
+        LaserRobot laser;                        ///< corrects the tracker while no 3D scan of its own does
+        std::chrono::nanoseconds ahead{};        ///< its clock, of the station's
+        std::optional<Time> matched;             ///< RobotInMap::matched
+        std::optional<RobotFix> followed;        ///< that the tracker was corrected by last
+        std::shared_ptr<const SeenScan> newest;  ///< its newest scan that has enough points
+        std::uint64_t put = 0;                   ///< how often somebody said where it stands
+        int unplaced = 0;                        ///< its 3D scans while nobody knew where it is
+        int lost = 0;                            ///< its 3D scans, one after another, that did not fit
+        bool sought = false;                     ///< it is being looked for unasked ...
+        int soughtAt = 0;                        ///< ... as of so many of them
+        int vain = 0;                            ///< times that this found nothing, one after another
+        /// Where it was found unasked, once: another find has to agree.
+        struct Find {
+            Pose baseInMap, baseInOdom;
+            int frame = 0;
+        };
+        std::optional<Find> find;
         std::string scanner;                       ///< its only one; empty: it has several, or none
         std::optional<ScannerCorrection> advised;  ///< that was told about it
         std::set<ScannerFault> leftAsIs;           ///< of it, by the operator
@@ -185,6 +194,9 @@ private:
     void lookedFor(const std::string& name, const SeenScan& scan, const LiveMapPtr& map,
                    const Relocalisation& found, Search search);
     void lookedInVain(const std::string& name, std::size_t alike, Search search);
+    /// Whether what was found unasked at @p baseInMap, by a scan that ended then, is where an earlier find
+    /// and odometry since have it: rooms look alike, ways through them less so.
+    [[nodiscard]] static bool findsAgree(Robot& robot, const Pose& baseInMap, Time end);
     void seeing(const std::string& name, Robot& robot, LaserView view, Time now);
     /// Robots that @p scan, of another one, may have points of; of robot @p only where it is named.
     [[nodiscard]] std::vector<PlacedBody> bodiesIn(const Scan& scan, const std::string& only = {}) const;

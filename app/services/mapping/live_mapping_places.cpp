@@ -15,7 +15,7 @@ constexpr double AboutARobot = 0.1;      ///< so much about its corners may be o
 constexpr std::size_t MostBodies = 500;  ///< in a scan
 constexpr int Unplaced = 3;              ///< after so many 3D scans a robot maps a part of its own
 constexpr int SoughtEvery = 3;           ///< of so many that do not fit it is looked for by the newest
-constexpr int LostFor = 9;               ///< one that was looked for in vain by so many may do so, too
+constexpr int InVain = 3;                ///< one that was looked for so often in vain may do so, too
 constexpr double Jumped = 0.5,
                  JumpedAngle = degrees(15);  ///< more than odometry errs between two fixes [m], [rad]
 
@@ -138,12 +138,16 @@ void LiveMapping::lookFor(const std::string& name) {
 void LiveMapping::seekLost(const std::string& name, Robot& robot, const MapUpdate& update) {
     if (!update.ready) return;
     if (update.localisation.trust == ScanTrust::Certain) {
-        robot.lost = 0;
+        robot.lost = robot.soughtAt = robot.vain = 0;
+        robot.find.reset();
         return;
     }
     // What sees too little tells of no place.
-    if (has(update.localisation.doubts, ScanDoubt::Points) || ++robot.lost % SoughtEvery != 0) return;
+    if (has(update.localisation.doubts, ScanDoubt::Points)) return;
+    if (++robot.lost < robot.soughtAt + SoughtEvery || robot.sought) return;
     if (m_listener.makesMap && !m_listener.makesMap()) return;
+    robot.soughtAt = robot.lost;
+    robot.sought = true;
     lookInOwnPart(name, robot.followed ? robot.followed->part : 0, Search::Unasked);
 }
 
@@ -152,7 +156,32 @@ void LiveMapping::lookedInVain(const std::string& name, std::size_t alike, Searc
         if (m_listener.onLookedFor) m_listener.onLookedFor(name, alike);
         return;
     }
-    if (m_robots.at(name).lost >= LostFor && m_mapper.isAstray(name)) m_mapper.beginPart(name);
+    Robot& robot = m_robots.at(name);
+    robot.sought = false;
+    robot.find.reset();
+    if (++robot.vain >= InVain && m_mapper.isAstray(name)) m_mapper.beginPart(name);
+}
+
+bool LiveMapping::findsAgree(Robot& robot, const Pose& baseInMap, Time end) {
+    constexpr double FromThere = 0.5;  // a scan sees something else [m] ...
+    constexpr double Turned = degrees(30);
+    constexpr double Within = 0.3;  // [m]
+    const MotionBuffer& motion = robot.tracker.motion();
+    const auto then = motion.at(end);
+    if (!then) return false;
+    const Robot::Find now{baseInMap, then->baseInOdom, motion.frameAt(end)};
+    if (!robot.find || robot.find->frame != now.frame) {
+        robot.find = now;
+        return false;
+    }
+    const Pose moved = robot.find->baseInOdom.inverse() * now.baseInOdom;
+    if (moved.translation().norm() < FromThere && Eigen::AngleAxisd(moved.linear()).angle() < Turned)
+        return false;
+    const Pose expected = robot.find->baseInMap * moved;
+    const bool agree = distanceBetween(expected, baseInMap) < Within + 0.1 * moved.translation().norm() &&
+                       angleBetween(expected, baseInMap) < degrees(10);
+    robot.find = now;
+    return agree;
 }
 
 void LiveMapping::lookInOwnPart(const std::string& name, std::uint64_t part, Search search) {
@@ -163,12 +192,16 @@ void LiveMapping::lookInOwnPart(const std::string& name, std::uint64_t part, Sea
         [this, name, put, part, search, scan = robot.newest, map = m_map](const std::stop_token& stop) {
             const Progress progress{{}, stop};
             const auto own = std::make_shared<LiveMap>(LiveMap{ofPart(map->scans, part)});
-            const Relocaliser relocaliser(own, m_settings, forLostRobots(), progress);
+            const RelocalisationSettings how =
+                search == Search::Asked ? forLostRobots() : RelocalisationSettings{};
+            const Relocaliser relocaliser(own, m_settings, how, progress);
             const auto found = relocaliser.find(*scan->ready, reducedAgain(*scan->ready, m_settings.match),
                                                 scan->live.up, progress);
             if (stop.stop_requested()) return;
             post([this, name, put, search, scan, map, found](LiveMapper&) {
-                if (m_robots.at(name).put == put) lookedFor(name, *scan, map, found, search);
+                Robot& sought = m_robots.at(name);
+                if (search == Search::Unasked) sought.sought = false;
+                if (sought.put == put) lookedFor(name, *scan, map, found, search);
             });
         });
 }
@@ -182,6 +215,7 @@ void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const
     if (!found.sure) return lookedInVain(name, found.places.size(), search);
     const AlikePlace& place = found.places.front();
     const Pose baseThen = place.scanInMap * scan.live.sensorInBase.inverse();
+    if (search == Search::Unasked && !findsAgree(robot, baseThen, scan.live.scan->end)) return;
     // The map may have moved meanwhile, and the robot by its odometry.
     const Pose then = MovedPlaces(*map, *m_map).at(baseThen.translation()) * baseThen;
     const Time end = scan.live.scan->end;
@@ -190,8 +224,10 @@ void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const
     const MotionBuffer& motion = robot.tracker.motion();
     const auto before = motion.at(end), here = motion.at(newest);
     const bool goesOn = before && here && motion.frameAt(end) == motion.frameAt(newest);
-    if (newest != end && !goesOn)  // nobody knows where it went since that scan
-        return lookedInVain(name, found.places.size(), search);
+    if (newest != end && !goesOn) {  // nobody knows where it went since that scan
+        if (search == Search::Asked) lookedInVain(name, found.places.size(), search);
+        return;
+    }
     m_mapper.place(name, goesOn ? then * before->baseInOdom.inverse() * here->baseInOdom : then);
     tellPlace(robot.laser.foundByScan(then, end, place.overlap, stationTime()));
 }

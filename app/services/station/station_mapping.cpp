@@ -27,6 +27,17 @@ namespace {
 
 constexpr std::chrono::seconds HeldBack(10);  ///< scans, until it is decided who registers
 
+/// Whether the area @p now lies elsewhere than @p before: less than so much is not worth cutting all scans
+/// anew.
+bool moved(const MapCrop& before, const MapCrop& now) {
+    constexpr double Noticed = 0.03;  // [m]
+    const auto same = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return (a - b).norm() < Noticed;
+    };
+    return before.ceiling != now.ceiling || !std::equal(before.polygon.begin(), before.polygon.end(),
+                                                        now.polygon.begin(), now.polygon.end(), same);
+}
+
 using Undoing = std::optional<UndoSample> (*)(const MissionState&, const std::string&, Time);
 
 }  // namespace
@@ -231,8 +242,8 @@ void StationMapping::State::hear(const Event& event) {
         // What was wished since is on its way.
         cropMoved = cropMoved || undo != nullptr || area != nullptr || poses != nullptr;
         if (cropMoved && heard == said) {
-            if (const MapCrop now = cropInLog(); now != crop || area != nullptr || undo != nullptr)
-                changed = crop = now;
+            const MapCrop now = cropInLog();
+            if (area != nullptr || undo != nullptr || moved(crop, now)) changed = crop = now;
             cropMoved = false;
         }
     }

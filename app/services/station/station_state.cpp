@@ -30,9 +30,9 @@ Station::State::~State() {
     }
     if (cameras) cameras->snapshots().finish();  // they are told in the log
     if (finds) finds->finish();                  // what the operator saw is in the log
-    hearing.reset();
     // Events that wait still go into the log; what would come of them in the map does not.
     services.close();
+    hearing.reset();  // the alarms looked at it
     if (feed) feed->end();
     clock.reset();
     mission.reset();  // its thread looks at the lines and hands over to the mapping
@@ -170,9 +170,9 @@ void Station::State::share() {
 }
 
 void Station::State::follow() {
-    const auto all = std::to_array<EventSink*>({brakes.get(), alarms.get(), mapping.get(), victims.get(),
-                                                coverage.get(), finds.get(), &cameras->turning(), intake.get(),
-                                                sharing.get()});
+    const auto all =
+        std::to_array<EventSink*>({brakes.get(), alarms.get(), mapping.get(), victims.get(), coverage.get(),
+                                   finds.get(), &cameras->turning(), intake.get(), sharing.get()});
     for (EventSink* const service : all) services.add(*service);
 }
 

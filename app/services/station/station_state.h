@@ -60,11 +60,11 @@ struct Station::State {
     std::unique_ptr<MissionSharing> sharing;
     std::unique_ptr<MissionFeed> feed;
     std::unique_ptr<HearingWatch> hearing;
-    StationServices services;  ///< of these, who follow the mission; fixed once open
-    std::mutex mutex;                                        ///< of the next three
-    std::atomic<bool> open = false;                          ///< all is there; changed under the mutex
-    std::set<std::string> told;                              ///< mismatches; under the mutex
-    ScreenTelling screened;                                  ///< under the mutex
+    StationServices services;        ///< of these, who follow the mission; fixed once open
+    std::mutex mutex;                ///< of the next three
+    std::atomic<bool> open = false;  ///< all is there; changed under the mutex
+    std::set<std::string> told;      ///< mismatches; under the mutex
+    ScreenTelling screened;          ///< under the mutex
     std::map<VictimSample::Kind, std::uint32_t> filedAgain;  ///< last numbers; of the intake's callers
     HeapKeeper heap;
 
@@ -81,7 +81,7 @@ struct Station::State {
     void watch();
     void file();
     void share();
-    void follow();      ///< lets who follow the mission hear of it
+    void follow();                      ///< lets who follow the mission hear of it
     void fileAgain(VictimSample find);  ///< under the next number: its own is another station's
     void listen();
     void watchHearing();

@@ -29,6 +29,10 @@ constexpr double TurnError = degrees(0.3);        ///< of a match's heading, fro
 constexpr double TurnErrorOfTurn = 0.01;          ///< ... and of odometry's, by chance [rad/rad] ...
 constexpr double TurnErrorOfWay = degrees(0.15);  ///< ... [rad/m]
 
+/// A step that matches show to be so different is none of odometry's usual errors: wheels slipped.
+constexpr double SlippedWay = 0.1, SlippedOfWay = 0.3;            ///< [m], [m/m]
+constexpr double SlippedTurn = degrees(5), SlippedOfTurn = 0.25;  ///< [rad], [rad/rad]
+
 constexpr double MatchVariance = 2.0 * 0.007 * 0.007;  ///< of a way between two matches [m^2]
 constexpr double UsualRuns = 10.0;                     ///< so many as are usual count beside what is found
 constexpr double MostLess = 0.25, MostMore = 4.0;      ///< weights change by no more than these factors
@@ -78,7 +82,7 @@ public:
         m_way += way;
         m_told += told;
         m_matched += matched;
-        if (m_way >= ComparedWay || std::abs(m_told) >= ComparedTurn) endRun();
+        if (std::abs(m_way) >= ComparedWay || std::abs(m_told) >= ComparedTurn) endRun();
     }
     void endRun() {
         const double chance = TurnErrorOfTurn * m_told, onTheWay = TurnErrorOfWay * m_way;
@@ -133,8 +137,9 @@ struct OdometryStep {
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();        ///< in the frame of `from`
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of the way, there; zero: there is none
     double way = 0.0, turn = 0.0;                         ///< told [m, rad]
-    double matchedWay = 0.0, matchedTurn = 0.0;           ///< along the direction, about up [m, rad]
-    bool wayHeld = false, turnHeld = false;               ///< by surfaces
+    double ahead = 0.0;                          ///< the way, negative where the scan looks back along it [m]
+    double matchedWay = 0.0, matchedTurn = 0.0;  ///< along the direction, about up [m, rad]
+    bool wayHeld = false, turnHeld = false;      ///< by surfaces
 };
 
 /// Information of the matches with others, by the scan that was matched.
@@ -148,6 +153,7 @@ std::unordered_map<std::uint64_t, Information> heldScans(const PoseGraph& graph)
     return held;
 }
 
+/// @p held: information of the matches of both ends, where they have any.
 OdometryStep stepOf(const Link& link, const Pose& from, const Pose& to, const Information* held) {
     OdometryStep step;
     step.up = from.linear().transpose() * Eigen::Vector3d::UnitZ();
@@ -159,13 +165,16 @@ OdometryStep stepOf(const Link& link, const Pose& from, const Pose& to, const In
     const auto inTo = [&](const Eigen::Vector3d& axis) {
         return Eigen::Vector3d(link.pose.linear().transpose() * axis);
     };
-    step.turnHeld =
-        held != nullptr && about(link.information, inTo(step.up)) < Held * about(*held, inTo(step.up));
+    const double turnOff = std::abs(step.matchedTurn - step.turn);
+    step.turnHeld = held != nullptr && turnOff <= SlippedTurn + SlippedOfTurn * std::abs(step.turn) &&
+                    about(link.information, inTo(step.up)) < Held * about(*held, inTo(step.up));
     if (step.way < LeastWay) return step;
     step.direction = way / step.way;
+    step.ahead = std::copysign(step.way, way.x());
     step.matchedWay = moved.translation().dot(step.direction);
     const Eigen::Vector3d ahead = inTo(step.direction);
-    step.wayHeld = held != nullptr && along(link.information, ahead) < Held * along(*held, ahead);
+    const bool slipped = std::abs(step.matchedWay - step.way) > SlippedWay + SlippedOfWay * step.way;
+    step.wayHeld = held != nullptr && !slipped && along(link.information, ahead) < Held * along(*held, ahead);
     return step;
 }
 
@@ -185,7 +194,9 @@ std::vector<Chain> chainsOf(const PoseGraph& graph) {
         if (before == chainOf.end()) chains.emplace_back();
         const std::size_t at = before == chainOf.end() ? chains.size() - 1 : before->second;
         chainOf[link.from] = chainOf[link.to] = at;
-        const auto matches = held.find(link.to);
+        // The first scan of all has no matches, and is where it is.
+        const bool fromHeld = held.contains(link.from) || before == chainOf.end();
+        const auto matches = fromHeld ? held.find(link.to) : held.end();
         chains[at].push_back(stepOf(link, graph.nodes[from->second].pose, graph.nodes[to->second].pose,
                                     matches != held.end() ? &matches->second : nullptr));
         chains[at].back().link = i;
@@ -198,7 +209,7 @@ void correct(PoseGraph& graph, const Chain& chain) {
     HeadingErrors heading;
     for (const OdometryStep& step : chain) {
         if (step.way >= LeastWay) step.wayHeld ? scale.add(step.way, step.matchedWay) : scale.endRun();
-        step.turnHeld ? heading.add(step.way, step.turn, step.matchedTurn) : heading.endRun();
+        step.turnHeld ? heading.add(step.ahead, step.turn, step.matchedTurn) : heading.endRun();
     }
     scale.endRun();
     heading.endRun();
@@ -207,7 +218,7 @@ void correct(PoseGraph& graph, const Chain& chain) {
     WayNoise noise;
     for (const OdometryStep& step : chain) {
         Pose& pose = graph.links[step.link].pose;
-        const double turn = shares.dot(Eigen::Vector2d(step.turn, step.way));
+        const double turn = shares.dot(Eigen::Vector2d(step.turn, step.ahead));
         pose.translation() = Eigen::AngleAxisd(0.5 * turn, step.up) * (factor * pose.translation());
         pose.linear() = Eigen::AngleAxisd(turn, step.up) * pose.linear();
         step.wayHeld ? noise.add(factor * step.way, step.matchedWay) : noise.endRun();

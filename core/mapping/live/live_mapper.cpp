@@ -57,8 +57,9 @@ const LocalMap& LiveMapper::State::localAt(const Pose& place, const RobotTrack& 
         const std::map<std::uint64_t, double> together = loops.sameAge(robot.key);
         std::vector<LiveKeyScan> scans;
         for (const LiveKeyScan& scan : map.scans) {
-            if (together.contains(scan.id)) scans.push_back(scan);
+            if (together.contains(scan.id) && scan.counts()) scans.push_back(scan);
         }
+        if (scans.empty()) scans = ofPart(map.scans, partOf(robot));
         local = localMap(scans, place, settings.local);
     }
     localPlace = place;
@@ -115,6 +116,7 @@ void LiveMapper::State::stand(const LiveScan& live, const RobotTrack& robot, con
     TurnDrift drift;
     drift.whole.head<3>() = -(live.sensorInBase.linear().transpose() * way);
     LiveScan stood = live;
+    stood.began.setZero();
     stood.scan = std::make_shared<const Scan>(straightened(scan, drift));
     Pose there = guess;
     there.translation() -= step.moved;
@@ -136,6 +138,7 @@ bool LiveMapper::State::isHeldByOdometry(const LiveScan& live, const RobotTrack&
     const bool followed = step.measured && !live.isGuessed() && !robot.contradicted;
     if (!followed || !canBegin(live, ready.reduced, settings.fit)) return false;
     const LocalMap& about = localAt(guess, robot);
+    if (about.scans.empty()) return false;
     const KeyScanRule& rule = settings.keyScans;
     if (newGround(ready.reduced, about, guess, rule.newGroundFrom) < settings.fit.leastNew) return false;
     return std::none_of(about.scans.begin(), about.scans.end(), [&](std::uint64_t id) {
@@ -284,6 +287,7 @@ std::vector<BodyInScan> LiveMapper::bodiesIn(std::uint64_t id) const {
 
 void LiveMapper::place(const std::string& robot, const Pose& baseInMap) {
     m_state->robots[robot].placedInMap = baseInMap;
+    m_state->robots[robot].beginsPart = false;
 }
 
 void LiveMapper::beginPart(const std::string& robot) {
@@ -353,9 +357,8 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     }
     const bool held = match.doubts != 0 && state.isHeldByOdometry(live, robot, ready, guess, step);
     const bool lost = match.doubts != 0 && !held;
-    if (lost && robot.beginsPart && canBegin(live, ready.reduced, state.settings.fit)) {
+    if (lost && robot.beginsPart && !robot.placedInMap && canBegin(live, ready.reduced, state.settings.fit)) {
         robot.known = false;  // and so it begins
-        robot.placedInMap.reset();
         return add(live, now, others);
     }
     here.doubts = lost ? match.doubts : std::uint8_t{0};
@@ -433,11 +436,12 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     State::tellMount(robot, live, match.scanInMap,
                      comesByOdometry && match.doubts == 0 && match.icp.open == 0);
     robot.known = true;
-    robot.beginsPart = false;
+    robot.beginsPart = robot.beginsPart && lost;
     robot.placedInMap.reset();
     robot.stamp = scan.end;
     robot.sensorInBase = live.sensorInBase;
-    const double mayErr = state.settings.match.odometry.share * step.way / state.settings.fit.mostDeviation;
+    const double mayErr =
+        state.settings.match.odometry.share * step.openWay / state.settings.fit.mostDeviation;
     robot.certainty = first  ? 1.0
                       : held ? std::max(0.1, 1.0 - mayErr)
                              : certaintyOf(match.icp.overlap, match.icp.certainty);
@@ -447,9 +451,10 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     robot.odometryFrame = live.odometryFrame;
     robot.odometry = scan.hasOdometry;
     robot.lost = lost;
-    // What has too few points tells of nothing.
-    robot.contradicted = lost && (robot.contradicted || !has(match.doubts, ScanDoubt::Points));
-    robot.way = robot.lost ? step.way : 0.0;
+    // What has too few points tells of nothing, unless nobody knows how the robot came there.
+    const bool blind = step.measured && has(match.doubts, ScanDoubt::Points);
+    robot.contradicted = lost && (robot.contradicted || !blind);
+    robot.way = robot.lost ? std::max(robot.way, step.way) : 0.0;
     robot.openWay = held || match.icp.open > 0 ? step.openWay : 0.0;
     robot.turn = robot.lost ? step.turn : 0.0;
     robot.moved = robot.lost ? step.moved : Eigen::Vector3d(Eigen::Vector3d::Zero());

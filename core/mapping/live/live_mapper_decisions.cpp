@@ -49,6 +49,8 @@ void LiveMapper::State::goOn(const std::string& name) {
     robot.sensorInMap = inMap * moved;
     robot.keyInMap = inMap;
     robot.lost = !newest->counts();
+    robot.contradicted = robot.contradicted && robot.lost;
+    robot.beginsPart = false;
     robot.certainty = newest->matched == 0 ? 1.0 : certaintyOf(newest->pose.overlap, newest->pose.certainty);
     robot.doubts = newest->counts() ? std::uint8_t{0} : newest->pose.doubts;
     robot.way = moved.translation().norm();

@@ -93,7 +93,15 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     // One that was put somewhere may have been carried, of which its odometry knows nothing; and what begins
     // a part hangs together with nothing.
     const bool apart = robot.key == 0 || robot.placedInMap || key.part == key.id;
-    const LiveKeyScan* const before = apart ? nullptr : find(robot.key);
+    const LiveKeyScan* before = apart ? nullptr : find(robot.key);
+    // What odometry alone holds must not hang on a scan that may be rejected.
+    if (before != nullptr && !before->counts() && key.counts() && match.doubts != 0) {
+        const auto counts = std::find_if(map.scans.rbegin(), map.scans.rend(), [&](const LiveKeyScan& one) {
+            return one.counts() && one.id != key.id && one.scan->robot == key.scan->robot &&
+                   one.odometryFrame == key.odometryFrame;
+        });
+        if (counts != map.scans.rend()) before = &*counts;
+    }
     std::vector<Link> links = loops.add({key, before, others, match});
     if (!links.empty()) update.links = ScanLinksSample{now, station, std::move(links)};
     if (!key.counts()) return;

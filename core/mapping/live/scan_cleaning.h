@@ -41,9 +41,6 @@ struct MapCrop {
 
     [[nodiscard]] bool contains(const Eigen::Vector3d& pointInMap) const;
     [[nodiscard]] bool open() const { return polygon.empty() && !(ceiling < 1e9); }
-    friend bool operator==(const MapCrop& a, const MapCrop& b) {
-        return a.polygon == b.polygon && a.ceiling == b.ceiling;
-    }
 };
 
 /// Whether @p place (base frame, seen from above) is on or within @p body's footprint, grown by @p margin

@@ -105,13 +105,27 @@ void apply(MissionState& state) {
     }
 }
 
+/// Whether @p scan is of the part that begins at the map's origin, by what it was registered against: others
+/// lie aside for show.
+bool isOfFirstPart(const KeyScanState& scan, const std::map<std::uint64_t, KeyScanState>& scans) {
+    constexpr double Aside = 1.0;  // [m]
+    const KeyScanState* root = &scan;
+    while (root->entry.matched != 0 && root->entry.matched < root->entry.id) {
+        const auto next = scans.find(root->entry.matched);
+        if (next == scans.end()) break;
+        root = &next->second;
+    }
+    return root->entry.matched != 0 || root->entry.scanInMap.translation().norm() <= Aside;
+}
+
 /// The corner @p at of an area that was drawn while the key scans were where @p scans say.
 AreaCorner hung(const Eigen::Vector2d& at, const std::map<std::uint64_t, KeyScanState>& scans) {
     const KeyScanState* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [id, scan] : scans) {
         const double distance = (scan.pose.scanInMap.translation().head<2>() - at).norm();
-        if (scan.pose.trust != ScanTrust::Certain || distance >= least) continue;
+        const bool counts = scan.pose.trust == ScanTrust::Certain && isOfFirstPart(scan, scans);
+        if (!counts || distance >= least) continue;
         least = distance;
         nearest = &scan;
     }

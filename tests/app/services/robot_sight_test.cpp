@@ -159,7 +159,9 @@ struct Saying {
         sight.onEvent(eventOf(StreamRole::Points, "scanner", cloud), begin + ms(comes));
     }
     /// Something else.
-    void joints(int comes) { sight.onEvent(eventOf(StreamRole::Joints, {}, JointSample{}), begin + ms(comes)); }
+    void joints(int comes) {
+        sight.onEvent(eventOf(StreamRole::Joints, {}, JointSample{}), begin + ms(comes));
+    }
     /// Where the middle of the board is seen, in odom [degrees], while the robot is at @p heading [rad].
     [[nodiscard]] double middleOfBoard(int at, double heading) const {
         const auto view = sight.view(begin + ms(at));

@@ -17,6 +17,7 @@ protected:
     MovedArea() {
         for (const std::uint64_t id : {1, 2}) {
             KeyScanSample scan = test::keyScan(id, 0.0);
+            scan.matched = id - 1;
             scan.scanInMap = Pose(Eigen::Translation3d(10.0 * static_cast<double>(id - 1), 0, 0.5));
             say(std::move(scan));
         }
@@ -86,6 +87,19 @@ TEST_F(MovedArea, ACheckpointHasTheSame) {
     const auto back = deserialised(serialised(fold.state()));
     ASSERT_TRUE(back.ok()) << back.error().text;
     EXPECT_EQ(areaInMap(*back), area());
+}
+
+TEST_F(MovedArea, NothingHangsOnAPartThatLiesAside) {
+    KeyScanSample aside = test::keyScan(3, 0.0);
+    aside.matched = 0;
+    aside.scanInMap = Pose(Eigen::Translation3d(5, -50, 0));
+    say(aside);
+    say(MapCropSample{.stamp = {}, .station = "us", .polygon = {{0, -1}, {10, -1}, {5, -40}}});
+    ScanPosesSample poses{{}, "us", ScanPosesSample::Cause::LoopClosure, {}};
+    poses.poses.push_back({.scan = 3, .scanInMap = Pose(Eigen::Translation3d(5, 3, 0))});
+    say(poses);
+    EXPECT_THAT(area(), ElementsAre(isAbout(0, -1), isAbout(10, -1), isAbout(5, -40)))
+        << "it has met the map";
 }
 
 TEST_F(MovedArea, BeforeThereIsAnyScanItStaysWhereItWasDrawn) {

@@ -49,7 +49,7 @@ public:
     explicit StationAlarms(StationAlarmsSetup setup);
     ~StationAlarms() override;
 
-    void close() override;                      ///< judges no more; the functions of the setup are not called any longer
+    void close() override;  ///< judges no more; the functions of the setup are not called any longer
     void onEvent(const Event& event) override;  ///< bumps are over before they are looked at
     void acknowledge(const AlarmId& id);
     void acknowledgeNewest();

@@ -56,7 +56,7 @@ public:
     [[nodiscard]] bool silences(const std::string& robot) const;
 
     void onEvent(const Event& event) override;  ///< odometry; others are passed by
-    void look(const std::string& robot);  ///< to be called a few times a second
+    void look(const std::string& robot);        ///< to be called a few times a second
 
 private:
     struct Entry {

@@ -84,6 +84,8 @@ TEST(HeldByOdometry, ARoomBehindADarkCorridorIsMappedFromWhereOdometryHasIt) {
     ASSERT_TRUE(first.links);
     EXPECT_THAT(first.links->links, ElementsAre(Field(&Link::kind, LinkKind::Odometry)))
         << "nothing else tells how the room lies to the other";
+    EXPECT_EQ(first.links->links.front().from, 4U)
+        << "not on what was seen in the smoke, which may be rejected";
     EXPECT_TRUE(has(first.poses->poses[0].doubts, ScanDoubt::Overlap)) << "the log says so";
     EXPECT_EQ(updates.back().keyScan->matched, updates[2].keyScan->id) << "what follows is built on it";
     EXPECT_TRUE(alike(rooms.poses(), rooms.log.poses()));
@@ -100,6 +102,17 @@ TEST(HeldByOdometry, WhatFillsTheRoomThatIsKnownIsNotBelieved) {
     // Nor what comes after it, wherever odometry goes: that is not where the robot is.
     for (int i = 0; i < 3; ++i)
         EXPECT_EQ(rooms.add(beyond(along(i), rooms.seed++)).localisation.trust, ScanTrust::Uncertain) << i;
+}
+
+TEST(HeldByOdometry, OdometryThatBeganAnewInTheSmokeHoldsNothing) {
+    TwoRooms rooms;
+    const auto anew = [](LiveScan scan) {
+        scan.odometryFrame = 1;
+        return scan;
+    };
+    rooms.add(anew(withoutPoints(poseFrom({6.0, 0, 0.9}, 0, 0, 0), rooms.seed++)));
+    EXPECT_EQ(rooms.add(anew(beyond(along(0), rooms.seed++))).localisation.trust, ScanTrust::Uncertain)
+        << "nobody knows how far it went before";
 }
 
 TEST(HeldByOdometry, WithoutOdometryNothingHolds) {
