@@ -9,7 +9,7 @@
 #include <QTimer>
 
 #include "widgets/map_view/gestures/ground_tools.h"
-#include "widgets/map_view/gestures/map_ruler.h"
+#include "widgets/map_view/map_ruler.h"
 #include "widgets/map_view/map_scenery.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/map_view/overlays/floor_overlay.h"

@@ -1,4 +1,4 @@
-#include "widgets/map_view/gestures/map_ruler.h"
+#include "widgets/map_view/map_ruler.h"
 
 #include <algorithm>
 
