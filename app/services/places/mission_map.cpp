@@ -13,6 +13,7 @@
 #include "core/io/bag/bag_reader.h"
 #include "core/mapping/graph/map_parts.h"
 #include "core/mapping/graph/scan_graph.h"
+#include "core/mission/state/scans_in_parts.h"
 #include "transport/convert/decode.h"
 
 namespace leitstand {
@@ -39,15 +40,6 @@ std::unique_ptr<BagReader> bagOf(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(folder, ignored)) return nullptr;
     auto bag = BagReader::open(folder);
     return bag ? std::move(bag).value() : nullptr;
-}
-
-std::vector<ScanInPart> scansInParts(const MissionState& mission) {
-    std::vector<ScanInPart> scans;
-    for (const auto& [id, scan] : *mission.keyScans) {
-        const std::uint64_t matched = scan.entry.matched;
-        scans.push_back({id, matched, beginsPart(matched, scan.pose.doubts), scan.entry.scanInMap, 0});
-    }
-    return scans;
 }
 
 }  // namespace
@@ -115,13 +107,13 @@ std::vector<Link> linksOf(const std::filesystem::path& folder, const MissionStat
     }
     for (const Link& link : loopsOf(mission)) graph.add(link);
     std::vector<Link> links = graph.links();
-    const std::set<std::uint64_t> unheld = unheldLoops(links, scansInParts(mission));
+    const std::set<std::uint64_t> unheld = unheldLoops(links, scansInParts(*mission.keyScans));
     for (Link& link : links) link.active = link.active && !unheld.contains(link.id);
     return links;
 }
 
 std::map<std::uint64_t, std::uint64_t> partsOf(const MissionState& mission, const std::vector<Link>& links) {
-    std::vector<ScanInPart> scans = scansInParts(mission);
+    std::vector<ScanInPart> scans = scansInParts(*mission.keyScans);
     findParts(scans, MapParts(links));
     std::map<std::uint64_t, std::uint64_t> parts;
     for (const ScanInPart& scan : scans) parts.emplace(scan.id, scan.part);

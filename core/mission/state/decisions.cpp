@@ -5,8 +5,11 @@
 #include <limits>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "core/mission/state/scans_in_parts.h"
 
 namespace leitstand {
 
@@ -105,27 +108,17 @@ void apply(MissionState& state) {
     }
 }
 
-/// Whether @p scan is of the part that begins at the map's origin, by what it was registered against: others
-/// lie aside for show.
-bool isOfFirstPart(const KeyScanState& scan, const std::map<std::uint64_t, KeyScanState>& scans) {
-    constexpr double Aside = 1.0;  // [m]
-    const KeyScanState* root = &scan;
-    while (root->entry.matched != 0 && root->entry.matched < root->entry.id) {
-        const auto next = scans.find(root->entry.matched);
-        if (next == scans.end()) break;
-        root = &next->second;
-    }
-    return root->entry.matched != 0 || root->entry.scanInMap.translation().norm() <= Aside;
-}
-
-/// The corner @p at of an area that was drawn while the key scans were where @p scans say.
-AreaCorner hung(const Eigen::Vector2d& at, const std::map<std::uint64_t, KeyScanState>& scans) {
+/// The corner @p at of an area that was drawn while the key scans were where @p scans say; @p parts: of which
+/// part each is.
+AreaCorner hung(const Eigen::Vector2d& at, const std::map<std::uint64_t, KeyScanState>& scans,
+                const std::vector<ScanInPart>& parts) {
     const KeyScanState* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
+    auto inPart = parts.begin();
     for (const auto& [id, scan] : scans) {
+        const bool aside = (inPart++)->part != 0;  // for show: where it lies says nothing
         const double distance = (scan.pose.scanInMap.translation().head<2>() - at).norm();
-        const bool counts = scan.pose.trust == ScanTrust::Certain && isOfFirstPart(scan, scans);
-        if (!counts || distance >= least) continue;
+        if (scan.pose.trust != ScanTrust::Certain || aside || distance >= least) continue;
         least = distance;
         nearest = &scan;
     }
@@ -135,9 +128,11 @@ AreaCorner hung(const Eigen::Vector2d& at, const std::map<std::uint64_t, KeyScan
 
 /// Hangs the area of @p state onto @p scans, which are as they were when it was drawn.
 void hangArea(MissionState& state, const std::map<std::uint64_t, KeyScanState>& scans) {
+    std::vector<ScanInPart> parts = scansInParts(scans);
+    findParts(parts, MapParts({}));
     state.crop->corners.clear();
     for (const Eigen::Vector2d& corner : state.crop->sample.polygon)
-        state.crop->corners.push_back(hung(corner, scans));
+        state.crop->corners.push_back(hung(corner, scans, parts));
 }
 
 /// The same, of decisions that were read together: what was undone later stood then.

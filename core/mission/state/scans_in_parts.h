@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "core/mapping/graph/map_parts.h"
+#include "core/mission/state/mission_state.h"
+
+namespace leitstand {
+
+/// The key scans @p scans of a mission for findParts(), by rising id; nobody has looked yet which part they
+/// are of.
+[[nodiscard]] inline std::vector<ScanInPart> scansInParts(
+    const std::map<std::uint64_t, KeyScanState>& scans) {
+    std::vector<ScanInPart> inParts;
+    inParts.reserve(scans.size());
+    for (const auto& [id, scan] : scans) {
+        const std::uint64_t matched = scan.entry.matched;
+        inParts.push_back({id, matched, beginsPart(matched, scan.pose.doubts), scan.entry.scanInMap, 0});
+    }
+    return inParts;
+}
+
+}  // namespace leitstand
