@@ -71,9 +71,13 @@ struct LoopSettings {
     double leastOverlap = 0.5;   ///< IcpResult::overlap of a loop
     double mostResidual = 0.06;  ///< IcpResult::rms [m]
     double mostFilled = 0.06;    ///< share of points that lie where the other scan looked through (FreeSpace)
-    double apart = 0.8;          ///< two places that are to agree lie so far from each other [m] ...
-    double pendingWithin = 6.0;  ///< ... and no farther [m]
-    double agreeWithin = 0.08;   ///< ... and say the same [m] ...
+    /// Another place about as far off as the map may err is as likely where the scan fits so many times as
+    /// well (MatchedPlace::fit) ...
+    double alike = 0.85;
+    double alikeFromAbove = 0.9;  ///< ... and its walls, seen from above, so many times as well
+    double apart = 0.8;           ///< two places that are to agree lie so far from each other [m] ...
+    double pendingWithin = 6.0;   ///< ... and no farther [m]
+    double agreeWithin = 0.08;    ///< ... and say the same [m] ...
     double agreeWithinAngle = degrees(1.0);  ///< ... [rad]
     /// A loop of places that lie near each other turns the map by no more: rooms look alike from another
     /// side. Where it may err so much, the place is looked for in the whole map [rad].

@@ -272,4 +272,8 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     return result;
 }
 
+Eigen::Vector3d upOf(const LiveKeyScan& scan) {
+    return scan.up.value_or(scan.pose.scanInMap.linear().transpose() * Eigen::Vector3d::UnitZ());
+}
+
 }  // namespace leitstand

@@ -84,4 +84,7 @@ struct Step {
 /// @p scanInMap turned so that a share of its disagreement with gravity (@p up in its frame) is gone.
 [[nodiscard]] Pose levelled(const Pose& scanInMap, const Eigen::Vector3d& up, double share);
 
+/// Against gravity in the frame of @p scan: as it was measured, else as it stands in the map.
+[[nodiscard]] Eigen::Vector3d upOf(const LiveKeyScan& scan);
+
 }  // namespace leitstand

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/mapping/placement/flat_pose.h"
 #include "core/mapping/placement/laser_view.h"
 #include "core/mapping/placement/wall_map.h"
+#include "core/mapping/walls/flat_pose.h"
 
 namespace leitstand {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/rotation/heading.h"
 #include "core/cloud/filters/cell_table.h"
-#include "core/mapping/placement/flat_pose.h"
+#include "core/mapping/walls/flat_pose.h"
 
 namespace leitstand {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "core/mapping/placement/flat_pose.h"
 #include "core/mapping/placement/laser_view.h"
 #include "core/mapping/placement/wall_map.h"
+#include "core/mapping/walls/flat_pose.h"
 
 namespace leitstand {
 

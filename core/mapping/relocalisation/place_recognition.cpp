@@ -53,10 +53,6 @@ bool contradicts(const SoughtPlace& sought, std::uint64_t part, const LiveMap& e
 
 }  // namespace
 
-Eigen::Vector3d upOf(const LiveKeyScan& scan) {
-    return scan.up.value_or(scan.pose.scanInMap.linear().transpose() * Eigen::Vector3d::UnitZ());
-}
-
 bool contradictsPart(const SoughtPlace& sought, const LiveMap& rest, const Pose& correction,
                      const Progress& progress) {
     const auto& scans = sought.map->scans;

@@ -10,9 +10,6 @@
 
 namespace leitstand {
 
-/// Against gravity in the frame of @p scan: as it was measured, else as it stands in the map.
-[[nodiscard]] Eigen::Vector3d upOf(const LiveKeyScan& scan);
-
 /// Whether the part of the map that @p sought is of, moved by @p correction, stands where @p rest looked
 /// through. Cancelled: yes.
 [[nodiscard]] bool contradictsPart(const SoughtPlace& sought, const LiveMap& rest, const Pose& correction,

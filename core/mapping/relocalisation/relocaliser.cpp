@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <set>
 #include <utility>
 
 #include "core/mapping/live/loops/free_space.h"
@@ -13,37 +12,8 @@
 namespace leitstand {
 namespace {
 
-constexpr float Upright = 0.5F;       ///< of a normal's z: a wall has less
 constexpr double StoreyWithin = 0.8;  ///< heights of scanners that see the same walls [m]
-constexpr double Thinned = 0.15;      ///< walls of a view are so far from each other [m]
 constexpr std::size_t FewestWalls = 40, WellWalled = 60;
-
-/// What stands up of @p cloud between @p low and @p high over the origin once it is turned by @p level.
-std::vector<Eigen::Vector2f> wallsOf(const PointCloud& cloud, const Eigen::Matrix3f& level, double low,
-                                     double high, double reach) {
-    std::vector<Eigen::Vector2f> walls;
-    if (cloud.normals.size() != cloud.points.size()) return walls;
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-        const Eigen::Vector3f point = level * cloud.points[i];
-        const float upwards = level.row(2).dot(cloud.normals[i]);
-        if (point.z() < static_cast<float>(low) || point.z() > static_cast<float>(high)) continue;
-        if (std::abs(upwards) > Upright || point.head<2>().norm() > static_cast<float>(reach)) continue;
-        walls.emplace_back(point.head<2>());
-    }
-    return walls;
-}
-
-/// One of @p points a cell, in their order.
-std::vector<Eigen::Vector2f> thinned(const std::vector<Eigen::Vector2f>& points) {
-    std::set<std::pair<int, int>> cells;
-    std::vector<Eigen::Vector2f> kept;
-    for (const Eigen::Vector2f& point : points) {
-        const auto x = static_cast<int>(std::floor(point.x() / Thinned)),
-                   y = static_cast<int>(std::floor(point.y() / Thinned));
-        if (cells.emplace(x, y).second) kept.push_back(point);
-    }
-    return kept;
-}
 
 /// The best score of places about @p pose.
 double besideOf(const WallRaster& walls, const std::vector<Eigen::Vector2f>& view, const FlatPose& pose) {
@@ -88,6 +58,8 @@ Relocaliser::Relocaliser(LiveMapPtr map, LiveSettings settings, RelocalisationSe
         if (heights.empty() || heightOf(*scan) > heights.back() + StoreyWithin)
             heights.push_back(heightOf(*scan));
     }
+    WallBand all = m_how.walls;
+    all.reach = std::numeric_limits<double>::infinity();
     for (const double lowest : heights) {
         const double height = lowest + 0.5 * StoreyWithin;
         std::vector<Eigen::Vector2f> walls;
@@ -95,8 +67,8 @@ Relocaliser::Relocaliser(LiveMapPtr map, LiveSettings settings, RelocalisationSe
             if (progress.cancelled()) return;
             if (std::abs(heightOf(*scan) - height) > StoreyWithin) continue;
             const Eigen::Isometry3f there = scan->pose.scanInMap.cast<float>();
-            for (const Eigen::Vector2f& wall : wallsOf(scan->reduced->unpacked(), there.linear(), m_how.low,
-                                                       m_how.high, std::numeric_limits<double>::infinity()))
+            const PointCloud cloud = scan->reduced->unpacked();
+            for (const Eigen::Vector2f& wall : wallsFromAbove(cloud, there.linear(), all))
                 walls.push_back(wall + there.translation().head<2>());
         }
         m_storeys.push_back({height, WallRaster(walls)});
@@ -156,9 +128,10 @@ Relocalisation Relocaliser::find(const Scan& scan, const PointCloud& reduced, co
     Relocalisation result;
     const Pose level = levelled(Pose::Identity(), up, 1.0);
     const auto wallsWithin = [&](double reach) {
-        return thinned(wallsOf(reduced, level.linear().cast<float>(), m_how.low, m_how.high, reach));
+        const WallBand band{m_how.walls.low, m_how.walls.high, reach};
+        return thinnedWalls(wallsFromAbove(reduced, level.linear().cast<float>(), band));
     };
-    Sought sought{scan, reduced, up, level, wallsWithin(m_how.reach)};
+    Sought sought{scan, reduced, up, level, wallsWithin(m_how.walls.reach)};
     // In a hall walls are far, and few.
     if (sought.view.size() < WellWalled) sought.view = wallsWithin(m_how.farReach);
     if (sought.view.size() < FewestWalls) return result;

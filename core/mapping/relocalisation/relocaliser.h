@@ -11,23 +11,23 @@
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/scan_work.h"
-#include "core/mapping/relocalisation/wall_raster.h"
+#include "core/mapping/walls/wall_raster.h"
+#include "core/mapping/walls/walls_from_above.h"
 
 namespace leitstand {
 
 /// How a robot is looked for in a whole map.
 struct RelocalisationSettings {
     RasterSearch search;
-    double reach = 8.0;             ///< of walls that are compared from above [m] ...
-    double farReach = 15.0;         ///< ... where there are few
-    double low = -0.6, high = 1.0;  ///< they are between these heights over the scanner [m]
-    double leastOverlap = 0.65;     ///< IcpResult::overlap of a place
-    double mostResidual = 0.06;     ///< IcpResult::rms [m]
-    double mostFilled = 0.08;       ///< share of points where the place's nearest scans looked through
-    double sureFit = 0.0;           ///< AlikePlace::fit() of one that is sure
-    double sureFilled = 0.08;       ///< ... of one that is sure
-    double leastJudged = 0.25;      ///< share of points of which one of them can say that
-    double alike = 0.85;  ///< another place that fits and has this share of the best fit is as likely
+    WallBand walls;              ///< that are compared from above
+    double farReach = 15.0;      ///< of them where there are few [m]
+    double leastOverlap = 0.65;  ///< IcpResult::overlap of a place
+    double mostResidual = 0.06;  ///< IcpResult::rms [m]
+    double mostFilled = 0.08;    ///< share of points where the place's nearest scans looked through
+    double sureFit = 0.0;        ///< AlikePlace::fit() of one that is sure
+    double sureFilled = 0.08;    ///< ... of one that is sure
+    double leastJudged = 0.25;   ///< share of points of which one of them can say that
+    double alike = 0.85;         ///< another place that fits and has this share of the best fit is as likely
     double alikeFilled =
         2.0;  ///< ... less so many times AlikePlace::filled of the best: it is less sure then
     double betterFromAbove = 0.02;  ///< nor may another place that fits have a better score by that

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/mapping/live/map/local_map.h"
-#include "core/mapping/placement/flat_pose.h"
 #include "core/mapping/placement/laser_view.h"
 #include "core/mapping/placement/wall_map.h"
+#include "core/mapping/walls/flat_pose.h"
 
 namespace leitstand {
 

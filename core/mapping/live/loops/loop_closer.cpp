@@ -18,7 +18,7 @@ constexpr std::uint64_t LinkBlock = 100'000;  ///< of links that stations number
 }  // namespace
 
 LoopCloser::LoopCloser(const LoopSettings& settings, const MatchSettings& match, const FitSettings& fit)
-    : m_settings(settings), m_match(match), m_fit(fit) {}
+    : m_settings(settings), m_match(match), m_verifier(settings, match, fit) {}
 
 std::vector<Link> LoopCloser::add(const Entry& entry) {
     std::vector<Link> links = linksOf(entry, m_settings, m_match);
@@ -68,9 +68,10 @@ std::vector<Link> LoopCloser::contradict(std::span<const std::uint64_t> links) {
 
 void LoopCloser::forget(std::uint64_t scan) {
     m_graph.forget(scan);
-    for (std::vector<Found>* some : {&m_pending, &m_met})
-        std::erase_if(
-            *some, [scan](const Found& found) { return found.link.from == scan || found.link.to == scan; });
+    for (std::vector<MatchedPlace>* some : {&m_pending, &m_met})
+        std::erase_if(*some, [scan](const MatchedPlace& found) {
+            return found.link.from == scan || found.link.to == scan;
+        });
 }
 
 void LoopCloser::beginBlock() {
@@ -123,68 +124,58 @@ const LiveKeyScan* LoopCloser::olderAt(const LiveKeyScan& entered, const Pose& g
     });
 }
 
-std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, const Pose& guess,
-                                                  const LiveMap& map, bool samePart) const {
+std::optional<MatchedPlace> LoopCloser::look(const LiveKeyScan& entered, const Pose& guess,
+                                             const LiveMap& map, bool samePart) const {
     const LiveKeyScan* const older = olderAt(entered, guess, map, samePart);
     if (older == nullptr || wasRefused(older->id, entered.id)) return std::nullopt;
     return look(entered, *older, guess, map);
 }
 
-std::optional<LoopCloser::Found> LoopCloser::look(const LiveKeyScan& entered, const LiveKeyScan& older,
-                                                  const Pose& guess, const LiveMap& map) const {
-    const std::map<std::uint64_t, double> near = sameAge(entered.id);
-    return lookAt(entered, older, guess, map,
-                  [&](const LiveKeyScan& scan) { return near.contains(scan.id); });
-}
-
 template <class Passed>
-std::optional<LoopCloser::Found> LoopCloser::lookAt(const LiveKeyScan& entered, const LiveKeyScan& older,
-                                                    const Pose& guess, const LiveMap& map,
-                                                    Passed passed) const {
+LocalMap LoopCloser::localAbout(const LiveKeyScan& older, const LiveMap& map, Passed passed) const {
     const std::map<std::uint64_t, double> about = m_graph.within(older.id, m_settings.about);
     std::vector<LiveKeyScan> others;
     for (const LiveKeyScan& scan : map.scans) {
         if (scan.counts() && about.contains(scan.id) && !passed(scan)) others.push_back(scan);
     }
-    const LocalMap local = localMap(others, older.pose.scanInMap);
-    Step step;
-    step.measured = true;
-    step.way = m_settings.reach / std::max(m_match.odometry.share, 0.01);  // far off, maybe
-    step.turn = 1.0;
-    const Match match = leitstand::match(entered.reduced->unpacked(), local, guess, step, entered.up, m_match,
-                                         m_fit, m_match.wide);
-    if (match.doubts != 0 || match.icp.overlap < m_settings.leastOverlap ||
-        match.icp.rms > m_settings.mostResidual)
-        return std::nullopt;
-    const Pose inOlder = older.pose.scanInMap.inverse() * match.scanInMap;
-    if (filledShare(*older.scan, *entered.scan, inOlder) > m_settings.mostFilled) return std::nullopt;
-    Found found;
-    LiveKeyScan there = entered;
-    there.pose.scanInMap = match.scanInMap;
-    found.link = linkBetween(older, there, older.part == entered.part ? LinkKind::Loop : LinkKind::Session);
-    found.link.information = informationOf(match.icp, match.scanInMap, m_settings, m_match);
-    found.correction = match.scanInMap * entered.pose.scanInMap.inverse();
-    found.at = entered.pose.scanInMap.translation();
-    found.robot = entered.scan->robot;
-    found.met = older.part;
-    return found;
+    return localMap(others, older.pose.scanInMap);
 }
 
-bool LoopCloser::agree(const Found& a, const Found& b) const {
+std::optional<MatchedPlace> LoopCloser::look(const LiveKeyScan& entered, const LiveKeyScan& older,
+                                             const Pose& guess, const LiveMap& map) const {
+    const std::map<std::uint64_t, double> near = sameAge(entered.id);
+    const LocalMap local =
+        localAbout(older, map, [&](const LiveKeyScan& scan) { return near.contains(scan.id); });
+    return m_verifier.verify(entered, older, local, guess);
+}
+
+bool LoopCloser::fitsBeside(const MatchedPlace& found, const LiveKeyScan& entered, const LiveMap& map) const {
+    const auto older = std::find_if(map.scans.begin(), map.scans.end(),
+                                    [&](const LiveKeyScan& scan) { return scan.id == found.link.from; });
+    if (older == map.scans.end()) return false;
+    const double expected = m_settings.askBeyond * deviation(found.link.from, found.link.to);
+    const double within = std::min(m_settings.reach, std::max(expected, found.shift()));
+    const std::map<std::uint64_t, double> near = sameAge(entered.id);
+    const LocalMap local =
+        localAbout(*older, map, [&](const LiveKeyScan& scan) { return near.contains(scan.id); });
+    return m_verifier.fitsBeside(found, entered, *older, local, within);
+}
+
+bool LoopCloser::agree(const MatchedPlace& a, const MatchedPlace& b) const {
     const Pose difference = a.correction.inverse() * b.correction;
     const Eigen::Vector3d shift = difference * b.at - b.at;
     return (a.at - b.at).norm() >= m_settings.apart && shift.norm() <= m_settings.agreeWithin &&
            Eigen::AngleAxisd(difference.linear()).angle() <= m_settings.agreeWithinAngle;
 }
 
-bool LoopCloser::tooFar(const Found& found) const {
+bool LoopCloser::tooFar(const MatchedPlace& found) const {
     if (found.link.kind == LinkKind::Session) return false;  // nobody knew how the two parts lie
-    const double shift = (found.correction * found.at - found.at).norm();
+    const double shift = found.shift();
     return shift > m_settings.farBeyond * deviation(found.link.from, found.link.to) ||
            Eigen::AngleAxisd(found.correction.linear()).angle() > m_settings.farTurn;
 }
 
-bool LoopCloser::wasAsked(const Found& found, const LiveMap& map) const {
+bool LoopCloser::wasAsked(const MatchedPlace& found, const LiveMap& map) const {
     const auto poseOf = [&](std::uint64_t id) -> std::optional<Pose> {
         for (const LiveKeyScan& scan : map.scans) {
             if (scan.id == id) return scan.pose.scanInMap;
@@ -201,11 +192,11 @@ bool LoopCloser::wasAsked(const Found& found, const LiveMap& map) const {
     });
 }
 
-std::vector<Link> LoopCloser::meet(Found found, bool verified) {
-    std::vector<const Found*> agreeing;
-    for (const Found& other : m_pending) {
+std::vector<Link> LoopCloser::meet(MatchedPlace found, bool verified) {
+    std::vector<const MatchedPlace*> agreeing;
+    for (const MatchedPlace& other : m_pending) {
         const bool all = std::all_of(agreeing.begin(), agreeing.end(),
-                                     [&](const Found* one) { return agree(*one, other); });
+                                     [&](const MatchedPlace* one) { return agree(*one, other); });
         if (other.robot == found.robot && other.met == found.met && agree(other, found) &&
             (all || !found.far))
             agreeing.push_back(&other);
@@ -214,16 +205,16 @@ std::vector<Link> LoopCloser::meet(Found found, bool verified) {
     const std::size_t wanted = parts ? m_settings.partsAgree : found.far ? m_settings.farAgree : 2;
     // How parts lie is a question once all that is known of them does not speak against it.
     if (agreeing.size() + 1 < wanted || (parts && !verified)) {
-        const bool apart = std::all_of(m_pending.begin(), m_pending.end(), [&](const Found& other) {
+        const bool apart = std::all_of(m_pending.begin(), m_pending.end(), [&](const MatchedPlace& other) {
             return (other.at - found.at).norm() >= 0.5 * m_settings.apart;
         });
         if (apart) m_pending.push_back(std::move(found));
         return {};
     }
     std::vector<Link> links;
-    for (const Found* const one : agreeing) links.push_back(one->link);
+    for (const MatchedPlace* const one : agreeing) links.push_back(one->link);
     links.push_back(found.link);
-    const double shift = (found.correction * found.at - found.at).norm();
+    const double shift = found.shift();
     const bool expected =
         !found.far && shift <= m_settings.askBeyond * deviation(found.link.from, found.link.to);
     for (Link& link : links) {
@@ -237,21 +228,24 @@ std::vector<Link> LoopCloser::meet(Found found, bool verified) {
 std::vector<Link> LoopCloser::close(const LiveKeyScan& entered, const LiveMap& map) {
     const Eigen::Vector3d here = entered.pose.scanInMap.translation();
     const std::string& robot = entered.scan->robot;
-    std::erase_if(m_pending, [&](const Found& other) {
+    std::erase_if(m_pending, [&](const MatchedPlace& other) {
         return other.robot == robot && (other.at - here).norm() > m_settings.pendingWithin;
     });
-    std::optional<Found> found = look(entered, entered.pose.scanInMap, map, true);
-    if (found && Eigen::AngleAxisd(found->correction.linear()).angle() <= m_settings.nearTurn)
+    std::optional<MatchedPlace> found = look(entered, entered.pose.scanInMap, map, true);
+    if (found && Eigen::AngleAxisd(found->correction.linear()).angle() <= m_settings.nearTurn) {
+        if (fitsBeside(*found, entered, map)) return {};
         return meet(std::move(*found), false);
-    const auto far = std::find_if(m_pending.rbegin(), m_pending.rend(),
-                                  [&](const Found& other) { return other.far && other.robot == robot; });
+    }
+    const auto far = std::find_if(m_pending.rbegin(), m_pending.rend(), [&](const MatchedPlace& other) {
+        return other.far && other.robot == robot;
+    });
     if (far == m_pending.rend()) return {};
     return closeFar(entered, far->correction * entered.pose.scanInMap, map, false);
 }
 
 std::vector<Link> LoopCloser::closeFar(const LiveKeyScan& entered, const Pose& scanInMap, const LiveMap& map,
                                        bool verified) {
-    std::optional<Found> found = look(entered, scanInMap, map, false);
+    std::optional<MatchedPlace> found = look(entered, scanInMap, map, false);
     if (!found || tooFar(*found) || wasAsked(*found, map)) return {};
     found->far = true;
     return meet(std::move(*found), verified);
@@ -277,19 +271,17 @@ bool LoopCloser::seeks(const LiveKeyScan& entered, const LiveMap& map) {
 }
 
 void LoopCloser::meetAt(const LiveKeyScan& scan, const LiveMap& map) {
-    std::optional<Found> found = look(scan, scan.pose.scanInMap, map, true);
-    if (!found) return;
-    const double shift = (found->correction * found->at - found->at).norm();
-    if (shift <= m_settings.askBeyond * deviation(found->link.from, found->link.to))
-        m_met.push_back(std::move(*found));
+    std::optional<MatchedPlace> found = look(scan, scan.pose.scanInMap, map, true);
+    if (!found || found->shift() > m_settings.askBeyond * deviation(found->link.from, found->link.to)) return;
+    if (!fitsBeside(*found, scan, map)) m_met.push_back(std::move(*found));
 }
 
 std::vector<Link> LoopCloser::takeMet() {
-    const std::vector<Found> met = std::exchange(m_met, {});
+    const std::vector<MatchedPlace> met = std::exchange(m_met, {});
     /// Whether the next one by @p step of the same robot that is well apart agrees.
     const auto agrees = [&](std::size_t i, std::ptrdiff_t step) {
         for (auto j = static_cast<std::ptrdiff_t>(i) + step; j >= 0 && j < std::ssize(met); j += step) {
-            const Found& other = met[static_cast<std::size_t>(j)];
+            const MatchedPlace& other = met[static_cast<std::size_t>(j)];
             if (other.robot != met[i].robot || (other.at - met[i].at).norm() < m_settings.apart) continue;
             return (other.at - met[i].at).norm() <= m_settings.pendingWithin && agree(met[i], other);
         }
@@ -304,7 +296,7 @@ std::vector<Link> LoopCloser::takeMet() {
 
 std::vector<std::uint64_t> LoopCloser::forgetMet() {
     std::vector<std::uint64_t> scans;
-    for (const Found& one : std::exchange(m_met, {})) scans.push_back(one.link.to);
+    for (const MatchedPlace& one : std::exchange(m_met, {})) scans.push_back(one.link.to);
     return scans;
 }
 
@@ -313,7 +305,7 @@ std::vector<Link> LoopCloser::join(const std::map<std::uint64_t, Pose>& scansInM
     for (const LiveKeyScan& scan : map.scans) {
         const auto there = scansInMap.find(scan.id);
         if (there == scansInMap.end() || !scan.counts()) continue;
-        std::optional<Found> found = look(scan, there->second, map, false);
+        std::optional<MatchedPlace> found = look(scan, there->second, map, false);
         if (found && found->link.kind == LinkKind::Session) links.push_back(std::move(found->link));
     }
     if (links.size() < m_settings.partsAgree) return {};
@@ -343,12 +335,13 @@ std::vector<Link> LoopCloser::moveTo(const std::map<std::uint64_t, Pose>& scansI
     // Matching takes what a scan that enters does, and holds these up. First every other one, then those
     // between.
     const std::size_t tries = std::min(candidates.size(), 2 * m_settings.mostByHand);
-    std::vector<Found> fits;
+    std::vector<MatchedPlace> fits;
     std::vector<Pose> off;  // by what each lies from where it was left, to put before poses in the map
     for (const std::size_t begin : {std::size_t{0}, std::size_t{1}}) {
         for (std::size_t i = begin; i < tries && fits.size() < m_settings.mostByHand; i += 2) {
             const Candidate& one = candidates[i * candidates.size() / tries];
-            std::optional<Found> found = lookAt(*one.scan, *one.other, one.there, map, moves);
+            std::optional<MatchedPlace> found =
+                m_verifier.verify(*one.scan, *one.other, localAbout(*one.other, map, moves), one.there);
             if (!found) continue;
             off.push_back(found->correction * (one.there * one.scan->pose.scanInMap.inverse()).inverse());
             fits.push_back(std::move(*found));
@@ -366,7 +359,7 @@ std::vector<Link> LoopCloser::moveTo(const std::map<std::uint64_t, Pose>& scansI
     return links;
 }
 
-std::vector<std::size_t> LoopCloser::largestAgreeing(const std::vector<Found>& fits,
+std::vector<std::size_t> LoopCloser::largestAgreeing(const std::vector<MatchedPlace>& fits,
                                                      const std::vector<Pose>& off) const {
     std::vector<std::size_t> most;
     for (std::size_t i = 0; i < fits.size(); ++i) {
@@ -404,7 +397,7 @@ Result<Link> LoopCloser::propose(const LiveKeyScan& scan, Pose guess, const Live
         return Error{leitstand::fill(
             translate("leitstand::Station", "scan {}: no older part of the map is within {} m of there"),
             scan.id, m_settings.reach)};
-    const std::optional<Found> found = look(scan, *older, guess, map);
+    const std::optional<MatchedPlace> found = look(scan, *older, guess, map);
     if (!found)
         return Error{leitstand::fill(
             translate("leitstand::Station",

@@ -14,6 +14,7 @@
 #include "core/mapping/graph/scan_graph.h"
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/live/loops/found_links.h"
+#include "core/mapping/live/loops/place_verifier.h"
 #include "core/mapping/live/map/live_map.h"
 
 namespace leitstand {
@@ -86,15 +87,6 @@ public:
     [[nodiscard]] const ScanGraph& graph() const { return m_graph; }
 
 private:
-    /// Two scans that see the same place, and by what the map's part about the later one would move.
-    struct Found {
-        Link link;
-        Pose correction = Pose::Identity();  ///< to put before poses, in the map
-        Eigen::Vector3d at = Eigen::Vector3d::Zero();
-        std::string robot;
-        bool far = false;       ///< it was not looked for where the map has it
-        std::uint64_t met = 0;  ///< LiveKeyScan::part of the other scan
-    };
     /// The nearest scan within reach of @p guess that does not hang together with @p entered, and of its part
     /// of the map where @p samePart; null: none.
     [[nodiscard]] const LiveKeyScan* olderAt(const LiveKeyScan& entered, const Pose& guess,
@@ -102,36 +94,39 @@ private:
     /// Likewise, of those scans that @p passed leaves over.
     template <class Passed>
     [[nodiscard]] const LiveKeyScan* nearestTo(const Pose& guess, const LiveMap& map, Passed passed) const;
-    /// Whether @p entered, roughly at @p guess, sees what @p older and the scans about it have seen.
-    [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const LiveKeyScan& older,
-                                            const Pose& guess, const LiveMap& map) const;
-    /// Likewise, where @p passed tells the scans that are not to be matched with.
+    /// The scans about @p older, without those that @p passed says are not to be matched with.
     template <class Passed>
-    [[nodiscard]] std::optional<Found> lookAt(const LiveKeyScan& entered, const LiveKeyScan& older,
-                                              const Pose& guess, const LiveMap& map, Passed passed) const;
+    [[nodiscard]] LocalMap localAbout(const LiveKeyScan& older, const LiveMap& map, Passed passed) const;
+    /// Whether @p entered, roughly at @p guess, sees what @p older and the scans about it have seen that do
+    /// not hang together with it.
+    [[nodiscard]] std::optional<MatchedPlace> look(const LiveKeyScan& entered, const LiveKeyScan& older,
+                                                   const Pose& guess, const LiveMap& map) const;
     /// The same with olderAt(), unless the operator said no there.
-    [[nodiscard]] std::optional<Found> look(const LiveKeyScan& entered, const Pose& guess, const LiveMap& map,
-                                            bool samePart) const;
+    [[nodiscard]] std::optional<MatchedPlace> look(const LiveKeyScan& entered, const Pose& guess,
+                                                   const LiveMap& map, bool samePart) const;
+    /// Whether @p entered may as well belong elsewhere, as far off as the map may err there.
+    [[nodiscard]] bool fitsBeside(const MatchedPlace& found, const LiveKeyScan& entered,
+                                  const LiveMap& map) const;
     /// The links of @p found where others agree with it; else it is kept for those to come. Far ones ask.
-    [[nodiscard]] std::vector<Link> meet(Found found, bool verified);
+    [[nodiscard]] std::vector<Link> meet(MatchedPlace found, bool verified);
     /// Which of @p fits lie about alike by @p off, to put before poses in the map: most of them.
-    [[nodiscard]] std::vector<std::size_t> largestAgreeing(const std::vector<Found>& fits,
+    [[nodiscard]] std::vector<std::size_t> largestAgreeing(const std::vector<MatchedPlace>& fits,
                                                            const std::vector<Pose>& off) const;
     /// Whether the map cannot have erred by so much.
-    [[nodiscard]] bool tooFar(const Found& found) const;
-    [[nodiscard]] bool agree(const Found& a, const Found& b) const;
+    [[nodiscard]] bool tooFar(const MatchedPlace& found) const;
+    [[nodiscard]] bool agree(const MatchedPlace& a, const MatchedPlace& b) const;
     /// How far the map is expected to err from the one scan to the other [m].
     [[nodiscard]] double deviation(std::uint64_t from, std::uint64_t to) const;
     /// Whether a question, or what was taken back, would move the map as @p found does.
-    [[nodiscard]] bool wasAsked(const Found& found, const LiveMap& map) const;
+    [[nodiscard]] bool wasAsked(const MatchedPlace& found, const LiveMap& map) const;
     [[nodiscard]] bool wasRefused(std::uint64_t from, std::uint64_t to) const;
 
     LoopSettings m_settings;
     MatchSettings m_match;
-    FitSettings m_fit;
+    PlaceVerifier m_verifier;
     ScanGraph m_graph;
-    std::vector<Found> m_pending;
-    std::vector<Found> m_met;                       ///< of meetAt()
+    std::vector<MatchedPlace> m_pending;
+    std::vector<MatchedPlace> m_met;                ///< of meetAt()
     std::map<std::string, std::uint64_t> m_sought;  ///< newest scan that seeks() was true of, by robot
 };
 

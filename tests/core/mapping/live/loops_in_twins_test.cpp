@@ -1,4 +1,5 @@
 // Loops where rooms look alike.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/mapping/live/mapped_room.h"
+#include "tests/core/mapping/placement/box_scene.h"
 
 namespace leitstand::test {
 namespace {
@@ -76,6 +78,71 @@ int wrongLoops(double nearTurn) {
 TEST(LoopsInTwins, AMapThatWouldTurnByFarMoreThanItErrsDoesNotCloseByItself) {
     EXPECT_GT(wrongLoops(degrees(180)), 0) << "two places agree, as far off as the map may be";
     EXPECT_EQ(wrongLoops(LoopSettings{}.nearTurn), 0);
+}
+
+/// A hall of pillars, each 1.6 m alike, of which a scan sees 5 m.
+LiveScan pillarScanAt(const Pose& sensorInMap, unsigned seed) {
+    constexpr double Apart = 1.6;
+    BoxScene scene;
+    const Eigen::Vector2d here = sensorInMap.translation().head<2>();
+    for (int x = -4; x <= 8; ++x) {
+        for (int y = -4; y <= 8; ++y) {
+            const Eigen::Vector2d pillar(Apart * x, Apart * y);
+            if ((pillar - here).norm() < 5.5) scene.add(pillar, 0, 0.7, 0.6, 2.2);
+        }
+    }
+    LiveScan live = scanAt(sensorInMap, seed);
+    Scan scan = scene.scan(sensorInMap, seed);
+    scan.end = live.scan->end;
+    scan.sensorInOdom = live.scan->sensorInOdom;
+    std::erase_if(scan.points, [](const Eigen::Vector3f& point) { return point.norm() > 5.0F; });
+    live.scan = std::make_shared<const Scan>(std::move(scan));
+    return live;
+}
+
+/// Loops that close by themselves, right and wrong ones, after a way round such a hall of which the map has
+/// the second half off by @p error [m], and may err by @p drift of it.
+std::pair<int, int> loopsAmongPillars(double error, double drift) {
+    constexpr double Step = 0.4, Side = 4.8;  // [m]
+    LiveSettings settings = closing(LoopSettings{}.nearTurn);
+    settings.loops.drift = settings.loops.openDrift = drift;
+    MappedRoom room(settings);
+    const auto placeAt = [&](std::uint64_t scan) {
+        const double way = std::fmod(Step * static_cast<double>(scan - 1), 4.0 * Side);
+        const auto part = [&](double from) { return std::clamp(way - from, 0.0, Side); };
+        const double x = part(0.0) - part(2.0 * Side), y = part(Side) - part(3.0 * Side);
+        return poseFrom({0.8 + x, 0.8 + y, 0}, 0, 0, 0);
+    };
+    const auto add = [&](std::uint64_t scan) {
+        return room.add(pillarScanAt(placeAt(scan), static_cast<unsigned>(scan)));
+    };
+    for (std::uint64_t scan = 1; scan <= 36; ++scan) EXPECT_FALSE(add(scan).loop);
+    std::vector<ScanPose> poses = room.poses();
+    for (std::size_t i = 18; i < poses.size(); ++i)
+        poses[i].scanInMap.pretranslate(Eigen::Vector3d(error, 0, 0));
+    room.mapper.follow(poses);
+    std::pair<int, int> loops;
+    for (std::uint64_t scan = 37; scan <= 54; ++scan) {
+        const MapUpdate update = add(scan);
+        if (!update.loop) continue;
+        for (const Link& link : update.loop->links) {
+            const Pose truth = placeAt(link.from).inverse() * placeAt(link.to);
+            if (link.active) ++(distanceBetween(link.pose, truth) < 0.1 ? loops.first : loops.second);
+        }
+    }
+    return loops;
+}
+
+TEST(LoopsInTwins, WhereAPlaceBesideFitsAsWellNothingClosesByItself) {
+    const auto [right, wrong] = loopsAmongPillars(1.0, 0.1);
+    EXPECT_EQ(right, 0);
+    EXPECT_EQ(wrong, 0) << "the next pillars are nearer to where the map has the scan";
+}
+
+TEST(LoopsInTwins, WhereTheMapCannotErrAsFarAsThePlaceBesideItCloses) {
+    const auto [right, wrong] = loopsAmongPillars(0.2, 0.02);
+    EXPECT_GT(right, 0);
+    EXPECT_EQ(wrong, 0);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "core/base/progress.h"
-#include "core/mapping/placement/flat_pose.h"
+#include "core/mapping/walls/flat_pose.h"
 
 namespace leitstand {
 
@@ -52,6 +52,14 @@ public:
     /// RasterPlace::score at any @p pose.
     [[nodiscard]] double scoreAt(std::span<const Eigen::Vector2f> view, const FlatPose& pose) const;
 
+    /// Other places at most @p within [m] from @p about whose score, at the heading of @p best, is @p alike
+    /// times that of @p best or more, with clearly less between the two: not those that a corridor's axis
+    /// leads to. The best first.
+    [[nodiscard]] std::vector<RasterPlace> beside(std::span<const Eigen::Vector2f> view, const FlatPose& best,
+                                                  const Eigen::Vector2d& about, double within,
+                                                  double alike) const;
+
+    static constexpr double PlacesApart = 0.6;            ///< those of beside(), and from the best one [m]
     static constexpr double Cell = 0.1;                   ///< [m]
     static constexpr double Farthest = 500.0;             ///< from the map's origin, each way [m]
     static constexpr std::size_t MostCells = 16'000'000;  ///< 400 m x 400 m

@@ -1,4 +1,4 @@
-#include "core/mapping/relocalisation/wall_raster.h"
+#include "core/mapping/walls/wall_raster.h"
 
 #include <algorithm>
 #include <cmath>
@@ -181,6 +181,64 @@ RasterPlaces WallRaster::find(std::span<const Eigen::Vector2f> view, const Raste
         }
     }
     return result;
+}
+
+std::vector<RasterPlace> WallRaster::beside(std::span<const Eigen::Vector2f> view, const FlatPose& best,
+                                            const Eigen::Vector2d& about, double within, double alike) const {
+    constexpr double Between = 0.8;  // of the score of a place, somewhere on the way to the best one
+    const auto steps = static_cast<int>(std::ceil(within / Cell));
+    const int side = 2 * steps + 1;
+    const auto poseOf = [&](int x, int y) {
+        return FlatPose{about + Cell * Eigen::Vector2d(x - steps, y - steps), best.heading};
+    };
+    std::vector<double> scores;
+    scores.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) scores.push_back(scoreAt(view, poseOf(x, y)));
+    }
+    const auto scoreOf = [&](int x, int y) {
+        const bool inside = x >= 0 && y >= 0 && x < side && y < side;
+        return inside ? scores[static_cast<std::size_t>(y * side + x)] : 0.0;
+    };
+    /// Whether none of those about it has a better score.
+    const auto isPeak = [&](int x, int y) {
+        for (const int dy : {-1, 0, 1}) {
+            for (const int dx : {-1, 0, 1}) {
+                if (scoreOf(x + dx, y + dy) > scoreOf(x, y)) return false;
+            }
+        }
+        return true;
+    };
+    const auto isParted = [&](const RasterPlace& place) {
+        const Eigen::Vector2d way = place.pose.place - best.place;
+        const auto parts = static_cast<int>(std::ceil(way.norm() / Cell));
+        for (int i = 1; i < parts; ++i) {
+            const FlatPose there{best.place + way * i / parts, best.heading};
+            if (scoreAt(view, there) < Between * place.score) return true;
+        }
+        return false;
+    };
+    std::vector<RasterPlace> places;
+    const double least = alike * scoreAt(view, best);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const RasterPlace place{poseOf(x, y), scoreOf(x, y)};
+            const bool near = (place.pose.place - about).norm() <= within;
+            const bool other = (place.pose.place - best.place).norm() >= PlacesApart;
+            if (near && other && place.score >= least && isPeak(x, y) && isParted(place))
+                places.push_back(place);
+        }
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const RasterPlace& a, const RasterPlace& b) { return a.score > b.score; });
+    std::vector<RasterPlace> kept;
+    for (const RasterPlace& place : places) {
+        const bool known = std::any_of(kept.begin(), kept.end(), [&](const RasterPlace& one) {
+            return (one.pose.place - place.pose.place).norm() < PlacesApart;
+        });
+        if (!known) kept.push_back(place);
+    }
+    return kept;
 }
 
 }  // namespace leitstand

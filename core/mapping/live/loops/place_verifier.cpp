@@ -1,0 +1,79 @@
+#include "core/mapping/live/loops/place_verifier.h"
+
+#include <algorithm>
+
+#include "core/mapping/live/loops/found_links.h"
+#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/scan_work.h"
+#include "core/mapping/walls/wall_raster.h"
+#include "core/mapping/walls/walls_from_above.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Slack = 0.2;  ///< by so much registration may move a place that was found from above [m]
+constexpr double Apart = 0.4;  ///< places that are registered to the same one are nearer [m]
+
+/// The walls of @p local about @p middle, seen from above from there.
+WallRaster wallsAbout(const LocalMap& local, const Eigen::Vector3d& middle) {
+    PointCloud cloud;
+    cloud.normals = local.cloud.normals;
+    for (const Eigen::Vector3f& point : local.cloud.points)
+        cloud.points.emplace_back(point - middle.cast<float>());
+    WallBand all;
+    all.reach *= 2.0;
+    return WallRaster(thinnedWalls(wallsFromAbove(cloud, Eigen::Matrix3f::Identity(), all)));
+}
+
+}  // namespace
+
+std::optional<MatchedPlace> PlaceVerifier::verify(const LiveKeyScan& scan, const LiveKeyScan& older,
+                                                  const LocalMap& local, const Pose& guess) const {
+    Step step;
+    step.measured = true;
+    step.way = m_loops.reach / std::max(m_match.odometry.share, 0.01);  // far off, maybe
+    step.turn = 1.0;
+    const Match match =
+        leitstand::match(scan.reduced->unpacked(), local, guess, step, scan.up, m_match, m_fit, m_match.wide);
+    if (match.doubts != 0 || match.icp.overlap < m_loops.leastOverlap || match.icp.rms > m_loops.mostResidual)
+        return std::nullopt;
+    const Pose inOlder = older.pose.scanInMap.inverse() * match.scanInMap;
+    const double filled = filledShare(*older.scan, *scan.scan, inOlder);
+    if (filled > m_loops.mostFilled) return std::nullopt;
+    LiveKeyScan there = scan;
+    there.pose.scanInMap = match.scanInMap;
+    MatchedPlace place;
+    place.link = linkBetween(older, there, older.part == scan.part ? LinkKind::Loop : LinkKind::Session);
+    place.link.information = informationOf(match.icp, match.scanInMap, m_loops, m_match);
+    place.correction = match.scanInMap * scan.pose.scanInMap.inverse();
+    place.at = scan.pose.scanInMap.translation();
+    place.robot = scan.scan->robot;
+    place.met = older.part;
+    place.fit = match.icp.overlap - 3.0 * filled;
+    return place;
+}
+
+bool PlaceVerifier::fitsBeside(const MatchedPlace& place, const LiveKeyScan& scan, const LiveKeyScan& older,
+                               const LocalMap& local, double within) const {
+    const Pose found = place.correction * scan.pose.scanInMap;
+    const Eigen::Vector3d middle = found.translation();
+    const Eigen::Vector2d about = (place.at - middle).head<2>();
+    if (about.norm() + within + Slack < WallRaster::PlacesApart) return false;
+    const Pose level = levelled(Pose::Identity(), upOf(scan), 1.0);
+    const auto view =
+        thinnedWalls(wallsFromAbove(scan.reduced->unpacked(), level.linear().cast<float>(), WallBand{}));
+    FlatPose best = FlatPose::of(found * level.inverse());
+    best.place.setZero();
+    const WallRaster walls = wallsAbout(local, middle);
+    for (const RasterPlace& other : walls.beside(view, best, about, within + Slack, m_loops.alikeFromAbove)) {
+        Pose guess = found;
+        guess.translation().head<2>() += other.pose.place;
+        const std::optional<MatchedPlace> there = verify(scan, older, local, guess);
+        if (!there || there->fit < m_loops.alike * place.fit) continue;
+        const Pose otherwise = there->correction * scan.pose.scanInMap;
+        if (distanceBetween(otherwise, found) >= Apart && there->shift() <= within) return true;
+    }
+    return false;
+}
+
+}  // namespace leitstand
