@@ -19,13 +19,13 @@ public:
     [[nodiscard]] bool reaches(const ProfilePoint& point) const {
         return point.height <= m_lowest + m_climb * point.distance + m_settings.step;
     }
-    /// Whether the floor breaks off before @p point, deeper than the robot may fall.
+    /// Whether the floor breaks off before @p point: it is deeper than a ramp that the robot climbs leads
+    /// from edge(), and than it may fall. So do stairs, of which no step is that deep.
     [[nodiscard]] bool breaksBefore(const ProfilePoint& point) const {
-        const double run = std::max(0.0, point.distance - m_last.distance);
-        return point.height < m_last.height - m_climb * run - m_settings.drop;
+        return rampDownTo(point) < rampDownTo(m_edge) - m_settings.drop;
     }
     void add(const ProfilePoint& point) {
-        m_last = point;
+        if (rampDownTo(point) >= rampDownTo(m_edge)) m_edge = point;
         m_lowest = std::min(m_lowest, point.height - m_climb * point.distance);
         m_floor.push_back({point.distance, point.height});
     }
@@ -39,13 +39,19 @@ public:
         }
         return height;
     }
-    [[nodiscard]] const ProfilePoint& last() const { return m_last; }
+    /// The floor from which the steepest ramp would lead down, beyond all others.
+    [[nodiscard]] const ProfilePoint& edge() const { return m_edge; }
 
 private:
+    /// Where that ramp would begin at the robot's place.
+    [[nodiscard]] double rampDownTo(const ProfilePoint& point) const {
+        return point.height + m_climb * point.distance;
+    }
+
     const ProfileSettings& m_settings;
     double m_climb;
     double m_lowest = 0.0;  ///< least of height - climb * distance: where the steepest ramp would begin
-    ProfilePoint m_last;    ///< begins at the robot's own ground
+    ProfilePoint m_edge;    ///< begins at the robot's own ground
     std::vector<std::pair<double, double>> m_floor;  ///< distance, height
 };
 
@@ -85,7 +91,7 @@ ProfileContour contourOf(std::span<const ProfilePoint> points, std::span<const P
             const bool broken = floor.breaksBefore(point);
             // One low point may be a mixed or mirrored one; two are a hole.
             if (broken && (i + 1 >= points.size() || !floor.breaksBefore(points[i + 1]))) continue;
-            if (broken) offer(floor.last().distance > 0.0 ? floor.last() : point);
+            if (broken) offer(floor.edge().distance > 0.0 ? floor.edge() : point);
             floor.add(point);
             continue;
         }

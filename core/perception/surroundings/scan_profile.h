@@ -38,8 +38,8 @@ struct ProfileContour {
 /// @p neighbour: the raw scan beside it, for support, may be empty.
 ///
 /// Floor is what is reached from the robot's own ground without a slope above the climbing angle or a step
-/// higher or deeper than it takes, so that ramps are floor, and kerbs, table edges, half-open shutters and
-/// curtains are not. What leaves the robot's height free above the floor is ceiling.
+/// higher or deeper than it takes, so that ramps are floor, and kerbs, table edges, half-open shutters,
+/// curtains and stairs, up or down, are not. What leaves the robot's height free above the floor is ceiling.
 [[nodiscard]] ProfileContour contourOf(std::span<const ProfilePoint> points,
                                        std::span<const ProfilePoint> neighbour,
                                        const ProfileSettings& settings);

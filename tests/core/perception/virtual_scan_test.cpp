@@ -148,6 +148,29 @@ TEST(VirtualScan, AHoleInTheFloorIsAnObstacle) {
     EXPECT_LT(found, 1.1);
 }
 
+TEST(VirtualScan, StairsDownAreAnObstacleFromTheirEdgeOn) {
+    VirtualWorld world;
+    world.stairs = StairsDown{1.0, 0.1, 0.25};  // no riser is a hole, all of them are steeper than a ramp
+    VirtualScanSettings careful = settings();
+    careful.profile.climb = degrees(17);
+    VirtualScan virtualScan(careful);
+    scan(world, virtualScan, standing(), 0.0, 2.4);
+    const double found = innerAhead(virtualScan.view(Pose::Identity(), atSecond(2.4)));
+    EXPECT_GT(found, 0.8);
+    EXPECT_LT(found, 1.15);
+}
+
+TEST(VirtualScan, ARampDownIsFloor) {
+    VirtualWorld world;
+    world.blocks = hall();
+    world.incline = Incline{1.0, 4.0, -0.8};  // 15 degrees
+    VirtualScanSettings careful = settings();
+    careful.profile.climb = degrees(17);
+    VirtualScan virtualScan(careful);
+    scan(world, virtualScan, standing(), 0.0, 2.4);
+    EXPECT_GT(innerAhead(virtualScan.view(Pose::Identity(), atSecond(2.4))), 3.5);
+}
+
 TEST(VirtualScan, SingleMixedPixelsAreNoObstacles) {
     VirtualWorld world;
     world.blocks = hall();

@@ -34,6 +34,8 @@ double VirtualWorld::cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& 
     for (const Block& block : blocks) range = std::min(range, castBlock(block, origin, direction));
     const auto floorAt = [this](const Eigen::Vector3d& place) {
         if (place.x() > hole) return -1.0;
+        if (stairs && place.x() > stairs->from)
+            return -stairs->riser * std::ceil((place.x() - stairs->from) / stairs->tread);
         if (!incline || place.x() < incline->from) return 0.0;
         return std::min(1.0, (place.x() - incline->from) / (incline->to - incline->from)) * incline->height;
     };

@@ -20,11 +20,17 @@ struct Incline {
     double from = 0.0, to = 0.0, height = 0.0;
 };
 
+/// Stairs that lead down along x.
+struct StairsDown {
+    double from = 0.0, riser = 0.0, tread = 0.0;  ///< [m]
+};
+
 /// A floor with things on it, and a 3D scanner that turns vertical raw scans of 161 points, 2 degrees apart,
 /// once in 2.3 s (RTS/ScanDrive).
 struct VirtualWorld {
     std::vector<Block> blocks;
     std::optional<Incline> incline;
+    std::optional<StairsDown> stairs;
     double hole = 1e9;    ///< beyond this x the floor is 1 m deeper [m]
     double noise = 0.01;  ///< of a range [m]
     Pose scannerInBase = poseFrom({0.1, 0.0, 0.5}, 0.0, 0.0, 0.0);
