@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/services/log/event_sink.h"
+#include "app/services/mapping/map_log.h"
 #include "app/services/mapping/scanner_advice.h"
 #include "core/base/result.h"
 #include "core/base/time.h"
@@ -30,12 +31,6 @@ struct StationMappingListener {
     std::function<void(const std::string&)> onMessage = {};  ///< for the operator, in words
     std::function<void(const MapPtr&)> onMap = {};  ///< the map has grown or moved, as the map view takes it
     std::function<void(const LiveMapPtr&)> onScans = {};  ///< likewise: all its scans, and how far they count
-};
-
-/// Loops that closed by themselves since the station began.
-struct ClosedLoops {
-    std::uint64_t count = 0;
-    double largest = 0.0;  ///< by which the newest one moved scans, at most [m]
 };
 
 /// What a station's map begins with.

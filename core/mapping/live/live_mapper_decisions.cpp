@@ -69,7 +69,7 @@ void LiveMapper::State::apply(std::span<const ScanPose> poses) {
         if (!scan->pose.scanInMap.isApprox(pose.scanInMap)) loops.moved();
         scan->pose = pose;
         cropped.fit(*scan, clouds);
-        localStale = true;
+        matcher.mapChanged();
         const std::string& robot = scan->scan->robot;
         if (newest[robot] == scan->id) moved.push_back(robot);
     }
@@ -160,7 +160,7 @@ void LiveMapper::restore(const KeyScanSample& sample) {
     const auto before = std::distance(state.map.scans.begin(), place);
     state.map.scans.insert(place, std::move(key));
     state.nextId = std::max(state.nextId, sample.id + 1);
-    state.localStale = true;
+    state.matcher.mapChanged();
     for (auto newer = std::next(state.map.scans.begin(), before + 1); newer != state.map.scans.end();
          ++newer) {
         if (newer->scan->robot == robot) return;  // the robot is where that one saw it

@@ -55,7 +55,7 @@ void LiveMapper::State::findParts() {
         scan.part = scans[i].part;
         cropped.fit(scan, clouds);
     }
-    localStale = true;
+    matcher.mapChanged();
 }
 
 bool LiveMapper::State::isAlone(const RobotTrack& robot) {
@@ -334,7 +334,7 @@ Settled LiveMapper::settle(const MapSolution& solution, Time now) {
         track.sensorInMap = key->pose.scanInMap * track.keyInMap.inverse() * track.sensorInMap;
         track.keyInMap = key->pose.scanInMap;
     }
-    state.localStale = true;
+    state.matcher.mapChanged();
     settled.poses =
         ScanPosesSample{now, state.station, ScanPosesSample::Cause::LoopClosure, std::move(moved)};
     return settled;

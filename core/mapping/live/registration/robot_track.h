@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+#include "core/mapping/live/registration/scanner_track.h"
+#include "core/mapping/live/scan_cleaning.h"
+#include "core/mapping/motion/odometry_scale.h"
+#include "core/mapping/motion/spinning_wheels.h"
+
+namespace leitstand {
+
+/// What is known of a robot's way.
+struct RobotTrack {
+    RobotBody body;
+    bool known = false;  ///< whether the following is
+    Time stamp{};        ///< end of the newest scan, robot's clock
+    Pose sensorInBase = Pose::Identity();
+    Pose sensorInMap = Pose::Identity();  ///< at the newest scan
+    Pose sensorInOdom = Pose::Identity();
+    int odometryFrame = -1;                           ///< negative: of an earlier run of the station
+    bool odometry = false;                            ///< whether sensorInOdom was measured
+    bool lost = false;                                ///< the newest scan did not fit
+    bool contradicted = false;                        ///< nor does what is known about it: odometry erred
+    bool waited = false;                              ///< ... was left out for the next one
+    double certainty = 0.0;                           ///< RobotFix::certainty
+    std::uint8_t doubts = 0;                          ///< of the newest scan
+    double way = 0.0, turn = 0.0;                     ///< since a scan was certain [m, rad]
+    double openWay = 0.0;                             ///< since surfaces held all directions [m]
+    Eigen::Vector3d moved = Eigen::Vector3d::Zero();  ///< Step::moved
+    OdometryScale scale;                              ///< of the odometry's way
+    SpinningWheels wheels;
+    ScannerTrack scanner;
+    Pose keyInMap = Pose::Identity();  ///< newest key scan
+    std::uint64_t key = 0;             ///< its id; 0: none of this run
+    Pose unspun = Pose::Identity();    ///< LiveKeyScan::unspun, now
+    std::optional<Pose> placedInMap;   ///< base_link, by the operator, for the next scan
+    bool beginsPart = false;           ///< with its next scan, unless it is known where it is
+};
+
+}  // namespace leitstand
