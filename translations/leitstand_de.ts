@@ -3143,10 +3143,6 @@ Funk: %4 %5</translation>
         <translation>Scans öffnen</translation>
     </message>
     <message>
-        <source>Scans (*.3d *.pcd *.ply *.xyz)</source>
-        <translation>Scans (*.3d *.pcd *.ply *.xyz)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
@@ -3177,6 +3173,10 @@ Funk: %4 %5</translation>
     <message>
         <source>&amp;Forget these</source>
         <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Scans (%1)</source>
+        <translation>Scans (%1)</translation>
     </message>
 </context>
 <context>

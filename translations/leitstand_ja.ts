@@ -3143,10 +3143,6 @@ Link: %4 %5</source>
         <translation>スキャンを開く</translation>
     </message>
     <message>
-        <source>Scans (*.3d *.pcd *.ply *.xyz)</source>
-        <translation>スキャン (*.3d *.pcd *.ply *.xyz)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>すべてのファイル (*)</translation>
     </message>
@@ -3177,6 +3173,10 @@ Link: %4 %5</source>
     <message>
         <source>&amp;Forget these</source>
         <translation>履歴を消去(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Scans (%1)</source>
+        <translation>スキャン (%1)</translation>
     </message>
 </context>
 <context>

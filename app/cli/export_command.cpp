@@ -53,6 +53,17 @@ int runExport(const ExportArguments& arguments) {
     return 0;
 }
 
+/// ".pcd .ply points, .bt OctoMap".
+std::string formatList() {
+    std::string list, subject;
+    for (const ExportFormat& format : exportFormats()) {
+        if (!subject.empty()) list += format.subject == subject ? " " : " " + subject + ", ";
+        list += format.ending;
+        subject = format.subject;
+    }
+    return list + " " + subject;
+}
+
 }  // namespace
 
 void addExport(CLI::App& app, int& exitCode) {
@@ -64,9 +75,10 @@ void addExport(CLI::App& app, int& exitCode) {
     command
         ->add_option(
             "--out", arguments->out,
-            "By its ending: .pcd .ply .xyz points, .bt OctoMap, .tif GeoTIFF, .tum trajectory, .csv list "
-            "(NAME_victims.csv and NAME_qr.csv those, others all points of interest), DIR/ uos scans with "
-            "poses. Of several robots NAME.tum becomes NAME_ROBOT.tum for each; what is written is printed")
+            "By its ending: " + formatList() +
+                " (NAME_victims.csv and NAME_qr.csv those, others all points of interest), DIR/ uos scans "
+                "with poses. Of several robots NAME.tum becomes NAME_ROBOT.tum for each; what is written is "
+                "printed")
         ->required();
     command
         ->add_option("--reduce", arguments->options.reduce,
@@ -84,8 +96,7 @@ void addExport(CLI::App& app, int& exitCode) {
     command->add_flag("--json", arguments->json, "Print JSON");
     command->final_callback([arguments, &exitCode] {
         if (!canExport(arguments->out)) {
-            throw CLI::ValidationError(
-                "--out", "expected an ending .pcd .ply .xyz .bt .tif .tum .csv, or a folder that ends in /");
+            throw CLI::ValidationError("--out", expectedOfExport());
         }
         if (arguments->options.storey && !arguments->out.ends_with(".tif"))
             throw CLI::ValidationError("--storey", "expected a GeoTIFF, NAME.tif, as --out");

@@ -42,9 +42,16 @@ QString itemText(ScoreItem item) {
             return text("place");
         case ScoreItem::Co2:
             return text("CO₂");
-        default:
-            return text(toString(item));
+        case ScoreItem::Map:
+        case ScoreItem::Form:
+        case ScoreItem::Motion:
+        case ScoreItem::Heat:
+        case ScoreItem::Sound:
+        case ScoreItem::Situation:
+        case ScoreItem::Tag:
+            break;
     }
+    return text(toString(item));
 }
 
 /// A key of a profile's file in words; one that is not known as it is.

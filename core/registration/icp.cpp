@@ -7,9 +7,7 @@
 #include <utility>
 
 #include "core/base/time.h"
-#include "core/registration/closed_forms.h"
 #include "core/registration/evaluation.h"
-#include "core/registration/normal_equations.h"
 #include "core/registration/pairing.h"
 #include "core/registration/pose_history.h"
 
@@ -36,42 +34,22 @@ struct IcpStep {
     double cost = 0.0;
 };
 
-Fit closedForm(const PairSums& sums, Minimizer minimizer) {
-    switch (minimizer) {
-        case Minimizer::Quaternion:
-            return fitByQuaternion(sums);
-        case Minimizer::Orthonormal:
-            return fitByOrthonormal(sums);
-        case Minimizer::DualQuaternion:
-            return fitByDualQuaternion(sums);
-        default:
-            return fitBySvd(sums);
-    }
-}
-
-bool usesNormals(Minimizer minimizer) {
-    return minimizer == Minimizer::Plane || minimizer == Minimizer::Gicp;
-}
-
-IcpStep minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose, Minimizer minimizer,
-                 double kernel, const GuessTerm* prior) {
-    if (usesNormals(minimizer)) {
-        NormalEquations equations = minimizer == Minimizer::Plane
-                                        ? planeEquations(pairing, pose, sums.sourceMean())
-                                        : gicpEquations(pairing, pose, sums.sourceMean(), kernel);
+IcpStep minimise(const Pairing& pairing, const PairSums& sums, const Pose& pose,
+                 const MinimizerRow& minimizer, double kernel, const GuessTerm* prior) {
+    if (minimizer.equations != nullptr) {
+        NormalEquations equations = minimizer.equations(pairing, pose, sums.sourceMean(), kernel);
         const double cost = equations.cost / static_cast<double>(sums.count);
-        if (prior != nullptr)
-            prior->add(equations, pose, sums.count, minimizer == Minimizer::Plane ? 1.0 : GicpAcrossVariance);
+        if (prior != nullptr) prior->add(equations, pose, sums.count, minimizer.pairVariance);
         return {equations.solve(), cost};
     }
-    const Fit fit = closedForm(sums, minimizer);
+    const Fit fit = minimizer.closedForm(sums);
     const bool usable = fit.outcome == FitOutcome::Ok || fit.outcome == FitOutcome::Mirror;
     return {usable ? std::optional(fit.pose) : std::nullopt, sums.squaredDistances / sums.weight};
 }
 
-bool hasNormals(const PointCloud& target, const PointCloud& source, Minimizer minimizer) {
-    if (minimizer == Minimizer::Gicp && source.normals.empty()) return false;
-    return !usesNormals(minimizer) || !target.normals.empty();
+bool hasNormals(const PointCloud& target, const PointCloud& source, const MinimizerRow& minimizer) {
+    if (minimizer.sourceNormals && source.normals.empty()) return false;
+    return minimizer.equations == nullptr || !target.normals.empty();
 }
 
 /// Runs one stage of the schedule from @p result.pose on; how it ended. Calls @p report after each iteration.
@@ -82,7 +60,8 @@ IcpStop runStage(Pairing& pairing, double maxDistance, double deviations, const 
     PoseHistory history;
     bool looked = false;
     std::optional<double> kernel;  // [m]
-    const double minStep = settings.minStep.value_or(usesNormals(settings.minimizer) ? 1e-4 : 1e-5);
+    const MinimizerRow minimizer = rowOf(settings.minimizer);
+    const double minStep = settings.minStep.value_or(minimizer.equations != nullptr ? 1e-4 : 1e-5);
     while (result.iterations < settings.maxIterations) {
         if (progress.cancelled()) return IcpStop::Cancelled;
         PairSums sums;
@@ -95,7 +74,7 @@ IcpStop runStage(Pairing& pairing, double maxDistance, double deviations, const 
         const Stopwatch watch(result.times.minimising);
         if (prior != nullptr && !std::exchange(looked, true)) prior->look(pairing, result.pose, maxDistance);
         if (!kernel) kernel = deviations > 0.0 ? deviations * deviationAcross(pairing, result.pose) : 0.0;
-        const IcpStep step = minimise(pairing, sums, result.pose, settings.minimizer, *kernel, prior);
+        const IcpStep step = minimise(pairing, sums, result.pose, minimizer, *kernel, prior);
         if (!step.motion) return IcpStop::Degenerate;
         history.add(result.pose, step.cost);
         const Pose next = orthonormalised(*step.motion * result.pose);
@@ -121,13 +100,14 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
                 const IcpSettings& settings, const Progress& progress) {
     IcpResult result;
     result.pose = guess;
-    if (settings.maxDistances.empty() || !hasNormals(target, source, settings.minimizer)) {
+    const MinimizerRow minimizer = rowOf(settings.minimizer);
+    if (settings.maxDistances.empty() || !hasNormals(target, source, minimizer)) {
         result.stop = IcpStop::Degenerate;
         return result;
     }
     Pairing pairing(target, search, source, settings.threads, settings.facing);
     std::optional<GuessTerm> prior;
-    if (settings.prior && usesNormals(settings.minimizer)) prior.emplace(*settings.prior, guess);
+    if (settings.prior && minimizer.equations != nullptr) prior.emplace(*settings.prior, guess);
     const auto stages = static_cast<double>(settings.maxDistances.size());
     double last = settings.maxDistances.front(), paired = last;  // [m]
     for (const double maxDistance : settings.maxDistances) {
@@ -142,7 +122,7 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
         result.converged = false;
         const Stopwatch watch(result.times.stages.emplace_back(0.0));
         const bool isLast = result.times.stages.size() == settings.maxDistances.size();
-        const bool robust = isLast && settings.minimizer == Minimizer::Gicp;
+        const bool robust = isLast && minimizer.heedsKernel;
         result.stop = runStage(pairing, maxDistance, robust ? settings.kernel : 0.0, settings, progress,
                                result, prior ? &*prior : nullptr, report);
         if (result.stop == IcpStop::Degenerate && stage > 0.0) {

@@ -11,18 +11,9 @@
 #include "core/cloud/scan.h"
 #include "core/cloud/search/search.h"
 #include "core/registration/guess_prior.h"
+#include "core/registration/minimizers.h"
 
 namespace leitstand {
-
-/// What an ICP step minimises.
-enum class Minimizer : std::uint8_t {
-    Svd,             ///< point to point, Arun, Huang & Blostein 1987
-    Quaternion,      ///< point to point, Horn 1987
-    Orthonormal,     ///< point to point, Horn, Hilden & Negahdaripour 1988
-    DualQuaternion,  ///< point to point, Walker, Shao & Volz 1991
-    Plane,           ///< point to plane, Chen & Medioni 1991 (needs the target's normals)
-    Gicp,            ///< plane to plane, Segal, Haehnel & Thrun 2009 (needs both normals)
-};
 
 /// Settings of one alignment.
 struct IcpSettings {
@@ -31,16 +22,16 @@ struct IcpSettings {
     std::optional<double> judgedWithin;  ///< pairs nearer than that tell how well the pose fits [m]; unless
                                          ///< set, those of the last stage
     std::optional<double> minStep;  ///< a stage ends when the pose moves less [m, rad]; unless set, 1e-4 for
-                                    ///< Plane and Gicp and 1e-5 for point to point, which creeps
+                                    ///< those with equations and 1e-5 for point to point, which creeps
     int maxIterations = 500;        ///< over all stages
     Minimizer minimizer = Minimizer::Gicp;
     int threads = 0;      ///< 0: one per core
     bool facing = false;  ///< points on either side of a wall are no pairs (Pairing)
-    /// For Gicp, in the last stage: pairs that are farther apart across their surface than so many times
-    /// their deviation there (by the median, when the stage begins) count little (Geman & McClure 1985); 0:
-    /// all count alike.
+    /// In the last stage, for minimisers that heed it (Gicp): pairs that are farther apart across their
+    /// surface than so many times their deviation there (by the median, when the stage begins) count little
+    /// (Geman & McClure 1985); 0: all count alike.
     double kernel = 0.0;
-    std::optional<GuessPrior> prior;  ///< how far the guess may be off; for Plane and Gicp
+    std::optional<GuessPrior> prior;  ///< how far the guess may be off; not for closed forms
 };
 
 /// Why the last stage ended.

@@ -7,32 +7,23 @@
 namespace leitstand {
 namespace {
 
+bool isTransforms(StreamRole role) {
+    return role == StreamRole::Transforms || role == StreamRole::StaticTransforms;
+}
+
 bool areTold(const RobotDescription& a, const StreamDescription& ofA, const RobotDescription& b,
              const StreamDescription& ofB) {
     if (ofA.role != ofB.role) return false;
-    switch (ofA.role) {
-        case StreamRole::Transforms:
-        case StreamRole::StaticTransforms:
-            return a.tfPrefix == TfPrefix::Frame && b.tfPrefix == TfPrefix::Frame;
-        case StreamRole::Diagnostics:
-            return !ofA.hardwareId.empty() && !ofB.hardwareId.empty() &&
-                   !ofA.hardwareId.starts_with(ofB.hardwareId) && !ofB.hardwareId.starts_with(ofA.hardwareId);
-        default:
-            return false;
-    }
+    if (isTransforms(ofA.role)) return a.tfPrefix == TfPrefix::Frame && b.tfPrefix == TfPrefix::Frame;
+    return ofA.role == StreamRole::Diagnostics && !ofA.hardwareId.empty() && !ofB.hardwareId.empty() &&
+           !ofA.hardwareId.starts_with(ofB.hardwareId) && !ofB.hardwareId.starts_with(ofA.hardwareId);
 }
 
 std::string remedy(StreamRole role) {
-    switch (role) {
-        case StreamRole::Transforms:
-        case StreamRole::StaticTransforms:
-            return "give each a topic of its own, or frames that begin with its name and frames.prefix: "
-                   "frame";
-        case StreamRole::Diagnostics:
-            return "tell them apart by hardware_id";
-        default:
-            return isCommand(role) ? "both would obey the same command" : "give each a topic of its own";
-    }
+    if (isTransforms(role))
+        return "give each a topic of its own, or frames that begin with its name and frames.prefix: frame";
+    if (role == StreamRole::Diagnostics) return "tell them apart by hardware_id";
+    return isCommand(role) ? "both would obey the same command" : "give each a topic of its own";
 }
 
 void compareTopics(const RobotDescription& a, const RobotDescription& b, std::string& clashes) {

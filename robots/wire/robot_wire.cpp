@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/event/station_topics.h"
+#include "core/robot/streams/stream_table.h"
 #include "robots/wire/raw_picture.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
@@ -21,19 +22,10 @@ constexpr std::size_t MostWaiting = 1000;
 constexpr const char* RawPictures = "sensor_msgs/msg/Image";
 
 Flow flowOf(StreamRole role) {
-    switch (role) {
-        case StreamRole::Points:
-            return Flow::Scans;
-        case StreamRole::Picture:
-        case StreamRole::Thermal:
-            return Flow::Pictures;
-        case StreamRole::StopState:
-        case StreamRole::Mode:
-        case StreamRole::Pong:
-            return Flow::Immediate;
-        default:
-            return Flow::Telemetry;
-    }
+    if (role == StreamRole::StopState || role == StreamRole::Mode || role == StreamRole::Pong)
+        return Flow::Immediate;
+    if (role == StreamRole::Points) return Flow::Scans;
+    return streamFacts(role).picture ? Flow::Pictures : Flow::Telemetry;
 }
 
 TwistSample noNumber() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -99,6 +100,21 @@ TEST(ArchitectureDocument, NamesEveryFolderInALineAndNoneThatIsNotThere) {
         EXPECT_TRUE(named.insert(folder).second) << folder << " is named twice";
     }
     EXPECT_THAT(named, testing::ContainerEq(folders));
+}
+
+TEST(Recipes, NameFilesAndFoldersThatAreThere) {
+    const std::string document = content("docs/recipes.md");
+    int named = 0;
+    for (std::size_t at = document.find('`'); at != std::string::npos; at = document.find('`', at + 1)) {
+        const std::size_t end = document.find('`', at + 1);
+        const std::string name = document.substr(at + 1, end - at - 1);
+        at = end;
+        const bool path = name.find('/') != std::string::npos && name.find("CODE") == std::string::npos;
+        if (!path) continue;
+        ++named;
+        EXPECT_TRUE(std::filesystem::exists(sourceFolder() + "/" + name)) << name;
+    }
+    EXPECT_GT(named, 8);
 }
 
 TEST(SourceSizes, MainFilesHaveAtMost40Lines) {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/io/clouds/cloud_formats.h"
 #include "core/io/clouds/scan_source.h"
 #include "core/io/clouds/uos.h"
 #include "tests/io/file_checks.h"
@@ -44,7 +45,9 @@ protected:
 TEST_F(MapCloud, IsOneCloudOfAllEchoesInMapCoordinates) {
     const Scan& scan = *m_scans[0].scan;
     const std::size_t echoes = echoesOf(scan);
-    for (const std::string name : {"map.pcd", "map.ply", "map.xyz"}) {
+    for (const CloudFormat& format : cloudFormats()) {
+        if (format.write == nullptr) continue;
+        const std::string name = "map" + std::string(format.ending);
         const auto wrote = writeMapCloud(m_folder / name, m_scans);
         ASSERT_TRUE(wrote.ok()) << errorOf(wrote);
         const auto read = readScan(m_folder / name);

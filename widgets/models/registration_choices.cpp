@@ -35,25 +35,13 @@ std::vector<Choice<SearchMethod>> searchChoices() {
 }
 
 std::vector<Choice<Minimizer>> minimizerChoices() {
-    return {
-        {Minimizer::Svd, "svd", Texts::tr("Points · SVD"),
-         Texts::tr(
-             "Point to point, closed form by singular value decomposition (Arun, Huang & Blostein 1987).")},
-        {Minimizer::Quaternion, "quaternion", Texts::tr("Points · unit quaternion"),
-         Texts::tr("Point to point, closed form by unit quaternions (Horn 1987).")},
-        {Minimizer::Orthonormal, "orthonormal", Texts::tr("Points · orthonormal matrix"),
-         Texts::tr(
-             "Point to point, closed form by orthonormal matrices (Horn, Hilden & Negahdaripour 1988).")},
-        {Minimizer::DualQuaternion, "dual-quaternion", Texts::tr("Points · dual quaternion"),
-         Texts::tr("Point to point, closed form by dual quaternions (Walker, Shao & Volz 1991).")},
-        {Minimizer::Plane, "plane", Texts::tr("Point to plane"),
-         Texts::tr("Distances to the planes of the reference: fewer steps on walls and floors "
-                   "(Chen & Medioni 1991).")},
-        {Minimizer::Gicp, "gicp", Texts::tr("Plane to plane (GICP)"),
-         Texts::tr(
-             "Distances between small planes of both scans: fewest steps, hardly depends on the maximum "
-             "distance (Segal, Haehnel & Thrun 2009).")},
+    const auto translated = [](const char* text) {
+        return QCoreApplication::translate(MinimizerTexts, text);
     };
+    std::vector<Choice<Minimizer>> choices;
+    for (const MinimizerRow& row : minimizers())
+        choices.push_back({row.minimizer, row.key, translated(row.name), translated(row.hint)});
+    return choices;
 }
 
 std::vector<Choice<ScanFilter>> filterChoices() {

@@ -78,9 +78,16 @@ QString scanHint(const MapScan& scan, ScanListModel::Column column) {
             return countText(countOf(scan, Label::Ceiling));
         case ScanListModel::Certainty:
             return verdictReason(scan);
-        default:
-            return {};
+        case ScanListModel::Name:
+        case ScanListModel::Position:
+        case ScanListModel::Heading:
+        case ScanListModel::Iterations:
+        case ScanListModel::Rms:
+        case ScanListModel::Overlap:
+        case ScanListModel::ColumnCount:
+            break;
     }
+    return {};
 }
 
 QString columnTitle(ScanListModel::Column column) {

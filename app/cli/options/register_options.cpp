@@ -3,8 +3,10 @@
 #include <cmath>
 #include <map>
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "core/io/clouds/cloud_formats.h"
 #include "core/io/clouds/tum.h"
 
 namespace leitstand::cli {
@@ -41,7 +43,8 @@ void declareRegisterOptions(CLI::App& command, RegisterOptions& options) {
     RegistrationSettings& settings = options.settings;
     command
         .add_option("SOURCE", options.sources,
-                    "a folder of uos scans, cloud files (.3d .pcd .ply .xyz) in order, or a mission")
+                    fmt::format("a folder of uos scans, cloud files ({}) in order, or a mission",
+                                listOf(CloudEndings::All)))
         ->required()
         ->option_text(" ");
     command.add_option("--reduce", settings.reduce, "edge of the voxel grid in m; 0 takes all points")
@@ -65,13 +68,9 @@ void declareRegisterOptions(CLI::App& command, RegisterOptions& options) {
                     "of approximate and forest search: at most (1 + epsilon) too far")
         ->check(number(0.0, 100.0, "a number from 0 to 100"))
         ->option_text("E (0.5)");
-    addChoice<Minimizer>(command, "--minimizer", settings.minimizer,
-                         {{"svd", Minimizer::Svd},
-                          {"quaternion", Minimizer::Quaternion},
-                          {"orthonormal", Minimizer::Orthonormal},
-                          {"dual-quaternion", Minimizer::DualQuaternion},
-                          {"plane", Minimizer::Plane},
-                          {"gicp", Minimizer::Gicp}},
+    std::map<std::string, Minimizer> minimizerKeys;
+    for (const MinimizerRow& row : minimizers()) minimizerKeys.emplace(row.key, row.minimizer);
+    addChoice<Minimizer>(command, "--minimizer", settings.minimizer, minimizerKeys,
                          "what an iteration minimises, and how");
     command
         .add_option("--max-distance", settings.maxDistances,
@@ -110,7 +109,8 @@ void declareRegisterOptions(CLI::App& command, RegisterOptions& options) {
     command.add_option("--poses", options.posesFile, "write the poses as TUM lines")->option_text("OUT.tum");
     command
         .add_option("--map", options.mapFile,
-                    "write the map: a file (.pcd .ply .xyz), or a folder of uos scans, ending in /")
+                    fmt::format("write the map: a file ({}), or a folder of uos scans, ending in /",
+                                listOf(CloudEndings::Written)))
         ->option_text("OUT");
     command.add_flag("--json", options.json, "print JSON in place of a table");
 }

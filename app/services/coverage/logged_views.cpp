@@ -1,6 +1,7 @@
 #include "app/services/coverage/logged_views.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <variant>
 
@@ -10,6 +11,7 @@
 #include "core/event/station_topics.h"
 #include "core/mission/coverage/search_book.h"
 #include "core/mission/state/fold.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
 
@@ -37,6 +39,13 @@ private:
     Fold m_decisions;  ///< on scans
 };
 
+/// Whether streams of @p role tell where a camera was, or how it sees.
+bool tellsOfViews(StreamRole role) {
+    constexpr std::array Roles = {StreamRole::Odometry, StreamRole::Imu, StreamRole::Transforms,
+                                  StreamRole::StaticTransforms, StreamRole::CameraInfo};
+    return std::find(Roles.begin(), Roles.end(), role) != Roles.end();
+}
+
 }  // namespace
 
 LoggedViews loggedViews(BagReader& bag, EventDecoder& decoder, const Progress& progress) {
@@ -46,21 +55,9 @@ LoggedViews loggedViews(BagReader& bag, EventDecoder& decoder, const Progress& p
     std::map<std::string, Time> pictures;  // newest that was decoded, by topic
     for (const RobotDescription& robot : decoder.robots()) {
         for (const StreamDescription& stream : robot.streams) {
-            switch (stream.role) {
-                case StreamRole::Picture:
-                case StreamRole::Thermal:
-                    pictures[stream.topic] = Time{};
-                    [[fallthrough]];
-                case StreamRole::Odometry:
-                case StreamRole::Imu:
-                case StreamRole::Transforms:
-                case StreamRole::StaticTransforms:
-                case StreamRole::CameraInfo:
-                    query.topics.push_back(stream.topic);
-                    break;
-                default:
-                    break;
-            }
+            const bool picture = streamFacts(stream.role).picture;
+            if (picture) pictures[stream.topic] = Time{};
+            if (picture || tellsOfViews(stream.role)) query.topics.push_back(stream.topic);
         }
     }
     LoggedSearch search(decoder.robots());

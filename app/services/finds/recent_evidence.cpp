@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <variant>
+
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
 namespace {
@@ -28,30 +31,19 @@ void RecentEvidence::onEvent(const Event& event) {
     if (event.robot.empty() || !event.role) return;
     const std::scoped_lock lock(m_mutex);
     Newest& newest = m_newest[event.robot];
-    switch (*event.role) {
-        case StreamRole::Picture:
-        case StreamRole::Thermal:
-            keepRecent(m_pictures[{event.robot, event.sensor}], event, Pictures, MostPictures);
-            break;
-        case StreamRole::CameraInfo:
-            if (const auto* info = std::get_if<CameraInfoSample>(&event.sample))
-                m_infos[{event.robot, event.sensor}] = *info;
-            break;
-        case StreamRole::Points:
-        case StreamRole::Ranges:
-            newest.scan = event;
-            break;
-        case StreamRole::Odometry:
-            newest.odometry = event;
-            break;
-        case StreamRole::Sightings:
-            newest.sightings = event;
-            break;
-        case StreamRole::Gas:
-            keepRecent(newest.gas, event, Gas, MostGas);
-            break;
-        default:
-            break;
+    const StreamRole role = *event.role;
+    if (streamFacts(role).picture) {
+        keepRecent(m_pictures[{event.robot, event.sensor}], event, Pictures, MostPictures);
+    } else if (const auto* info = std::get_if<CameraInfoSample>(&event.sample)) {
+        m_infos[{event.robot, event.sensor}] = *info;
+    } else if (role == StreamRole::Points || role == StreamRole::Ranges) {
+        newest.scan = event;
+    } else if (role == StreamRole::Odometry) {
+        newest.odometry = event;
+    } else if (role == StreamRole::Sightings) {
+        newest.sightings = event;
+    } else if (role == StreamRole::Gas) {
+        keepRecent(newest.gas, event, Gas, MostGas);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "app/services/job_queue.h"
 #include "app/services/offline/mission_scans.h"
 #include "core/base/time.h"
+#include "core/io/clouds/cloud_formats.h"
 #include "core/io/clouds/scan_source.h"
 #include "core/mapping/mapper.h"
 
@@ -205,6 +206,12 @@ SessionOutcome ScanSession::State::clear() {
     files.clear();
     publish(std::make_shared<const Map>());
     return {};
+}
+
+std::vector<std::string> scanEndings() {
+    std::vector<std::string> endings;
+    for (const CloudFormat& format : cloudFormats()) endings.emplace_back(format.ending);
+    return endings;
 }
 
 ScanSession::ScanSession(SessionListener listener) : m_state(std::make_unique<State>()) {

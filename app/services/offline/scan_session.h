@@ -45,6 +45,9 @@ struct SessionListener {
     std::function<void(const SessionOutcome&)> onFinished;  ///< once for each job, after all else of it
 };
 
+/// Endings of files that hold a scan, with their dots, in small letters.
+[[nodiscard]] std::vector<std::string> scanEndings();
+
 /// Reads scans and registers them into one map on a thread of its own. Its functions give it jobs, return at
 /// once and may be called on any thread; jobs are done in order.
 class ScanSession {

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QWidget>
 
+#include "app/services/offline/scan_session.h"
 #include "app/window/commands/make_action.h"
 
 namespace leitstand {
@@ -84,7 +85,10 @@ void FileCommands::chooseFiles() {
     auto* dialog = new QFileDialog(&m_window, tr("Open scans"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFiles);
-    dialog->setNameFilters({tr("Scans (*.3d *.pcd *.ply *.xyz)"), tr("All files (*)")});
+    QStringList patterns;
+    for (const std::string& ending : scanEndings())
+        patterns += QLatin1Char('*') + QString::fromStdString(ending);
+    dialog->setNameFilters({tr("Scans (%1)").arg(patterns.join(QLatin1Char(' '))), tr("All files (*)")});
     connect(dialog, &QFileDialog::filesSelected, this,
             [this](const QStringList& files) { open(sourcesOf(files)); });
     dialog->open();

@@ -1,9 +1,14 @@
 #include "app/window/shell/options.h"
 
 #include <map>
+#include <string>
+#include <vector>
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/language/language.h"
+#include "app/services/offline/scan_session.h"
 #include "app/window/shell/terminal.h"
 #include "core/version/version.h"
 
@@ -35,7 +40,8 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
                  "leitstand");
     app.set_version_flag("--version", versionOf("leitstand"));
     app.add_option("SCANS", options.scans,
-                   "Scan files (.3d .pcd .ply .xyz), folders of them, and missions (rosbag2) to open");
+                   fmt::format("Scan files ({}), folders of them, and missions (rosbag2) to open",
+                               fmt::join(scanEndings(), " ")));
     app.add_flag("--register-again", options.registerAgain,
                  "Register the scans of a mission anew, where it would be reviewed otherwise");
     const std::map<std::string, MapLook> looks = {
@@ -51,8 +57,11 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     app.add_option("--theme", options.theme, "dark or light")
         ->transform(CLI::CheckedTransformer(themes).description(""))
         ->type_name("THEME");
-    app.add_option("--language", options.language, "en, de or ja (as chosen last, else the user's)")
-        ->check(CLI::IsMember({"en", "de", "ja"}, CLI::ignore_case).description(""))
+    std::vector<std::string> codes;
+    for (const Language& language : languages()) codes.push_back(language.code.toStdString());
+    app.add_option("--language", options.language,
+                   fmt::format("{} (as chosen last, else the user's)", fmt::join(codes, "|")))
+        ->check(CLI::IsMember(codes, CLI::ignore_case).description(""))
         ->type_name("LANGUAGE");
     app.add_option("--size", size, "Size of the screenshot in pixels, at any scale (a window of 1280x800)")
         ->type_name("WxH")

@@ -7,12 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "core/io/clouds/cloud_formats.h"
 #include "core/io/clouds/detail/uos_names.h"
-#include "core/io/clouds/pcd.h"
-#include "core/io/clouds/ply.h"
 #include "core/io/clouds/uos.h"
-#include "core/io/clouds/xyz.h"
-#include "core/io/detail/numbers.h"
 #include "core/io/detail/unfinished.h"
 
 namespace leitstand {
@@ -82,15 +79,14 @@ Result<void> writeFolder(const fs::path& folder, const std::vector<PlacedScan>& 
 }
 
 Result<void> writeMerged(const fs::path& out, const std::vector<PlacedScan>& scans, const CloudRange& range) {
-    const std::string ending = detail::lowerCase(out.extension().string());
-    if (ending != ".pcd" && ending != ".ply" && ending != ".xyz") {
-        return Error{out.string() + ": expected an ending .pcd, .ply or .xyz, or a folder that ends in /"};
+    const CloudFormat* const format = cloudFormatOf(out);
+    if (format == nullptr || format->write == nullptr) {
+        return Error{fmt::format("{}: expected an ending {}, or a folder that ends in /", out.string(),
+                                 listOf(CloudEndings::Written, ", ", " or "))};
     }
     const Scan merged = mergedCloud(scans, range);
     if (merged.points.empty()) return Error{out.string() + ": is not written: no point is in range"};
-    if (ending == ".pcd") return writePcd(out, merged);
-    if (ending == ".ply") return writePly(out, merged);
-    return writeXyz(out, merged);
+    return format->write(out, merged);
 }
 
 }  // namespace

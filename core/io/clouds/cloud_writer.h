@@ -22,8 +22,8 @@ struct CloudRange {
     double max = std::numeric_limits<double>::infinity();  ///< up to here [m]
 };
 
-/// Writes a map by @p out's ending. .pcd, .ply (both binary) or .xyz: one cloud in map coordinates of all
-/// points in @p range with an echo, with labels, and with intensities when all scans have them. A folder
+/// Writes a map by @p out's ending. That of a CloudFormat: one cloud in map coordinates of all points in
+/// @p range with an echo, with labels, and with intensities when all scans have them. A folder
 /// (ends in "/", or is one): uos scans scan000.3d, ... with all their points, their poses in the map as .pose
 /// and as .frames; a folder that holds further scans is an error.
 [[nodiscard]] Result<void> writeMapCloud(const std::filesystem::path& out,

@@ -1,42 +1,21 @@
 #include "core/io/clouds/scan_source.h"
 
 #include <algorithm>
-#include <array>
 #include <new>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/io/clouds/cloud_formats.h"
 #include "core/io/clouds/detail/uos_names.h"
-#include "core/io/clouds/pcd.h"
-#include "core/io/clouds/ply.h"
-#include "core/io/clouds/uos.h"
-#include "core/io/clouds/xyz.h"
-#include "core/io/detail/numbers.h"
 
 namespace leitstand {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-using Reader = Result<ScanReading> (*)(const fs::path&);
-
-constexpr std::string_view Endings = ".3d, .pcd, .ply or .xyz";
-
-/// The reader for @p file's ending; null when there is none.
-Reader readerFor(const fs::path& file) {
-    static constexpr std::array<std::pair<std::string_view, Reader>, 4> Readers = {
-        {{".3d", &readUosScan}, {".pcd", &readPcd}, {".ply", &readPly}, {".xyz", &readXyz}}};
-    const std::string ending = detail::lowerCase(file.extension().string());
-    for (const auto& [known, reader] : Readers) {
-        if (known == ending) return reader;
-    }
-    return nullptr;
-}
 
 Result<std::vector<fs::path>> uosScansIn(const fs::path& folder) {
     std::vector<std::pair<std::size_t, fs::path>> found;
@@ -70,9 +49,9 @@ Result<std::vector<fs::path>> listScans(const std::vector<fs::path>& sources) {
             files.insert(files.end(), inside->begin(), inside->end());
             continue;
         }
-        if (readerFor(source) == nullptr) {
+        if (cloudFormatOf(source) == nullptr) {
             return Error{fmt::format("{}: expected a folder of scans or a file that ends in {}",
-                                     source.string(), Endings)};
+                                     source.string(), listOf(CloudEndings::All, ", ", " or "))};
         }
         files.push_back(source);
     }
@@ -80,9 +59,11 @@ Result<std::vector<fs::path>> listScans(const std::vector<fs::path>& sources) {
 }
 
 Result<ScanReading> readScan(const fs::path& file) try {
-    const Reader reader = readerFor(file);
-    if (reader == nullptr) return Error{fmt::format("{}: expected an ending {}", file.string(), Endings)};
-    return reader(file);
+    const CloudFormat* const format = cloudFormatOf(file);
+    if (format == nullptr)
+        return Error{
+            fmt::format("{}: expected an ending {}", file.string(), listOf(CloudEndings::All, ", ", " or "))};
+    return format->read(file);
 } catch (const std::bad_alloc&) {
     return Error{file.string() + ": does not fit into memory"};
 }

@@ -31,13 +31,12 @@ constexpr double Far = 1e5, LongestJob = 1e6;  ///< [m], [s]
 constexpr double NearOne = 1e-3;               ///< of the length of a quaternion
 constexpr int Most = 1'000'000;
 
-const std::vector<std::pair<std::string, Minimizer>> Minimizers = {
-    {"svd", Minimizer::Svd},
-    {"quaternion", Minimizer::Quaternion},
-    {"orthonormal", Minimizer::Orthonormal},
-    {"dual-quaternion", Minimizer::DualQuaternion},
-    {"plane", Minimizer::Plane},
-    {"gicp", Minimizer::Gicp}};
+std::vector<std::pair<std::string, Minimizer>> minimizerKeys() {
+    std::vector<std::pair<std::string, Minimizer>> keys;
+    for (const MinimizerRow& row : minimizers()) keys.emplace_back(row.key, row.minimizer);
+    return keys;
+}
+
 const std::vector<std::pair<std::string, Reference>> References = {{"previous", Reference::Previous},
                                                                    {"map", Reference::Map}};
 
@@ -176,7 +175,7 @@ void readDistances(const YamlFields& fields, std::vector<double>& distances) {
 }
 
 void readAll(const YamlFields& fields, MapComparison& whole, YamlErrors& errors) {
-    fields.choice("minimizer", whole.settings.minimizer, Minimizers);
+    fields.choice("minimizer", whole.settings.minimizer, minimizerKeys());
     fields.choice("reference", whole.settings.reference, References);
     fields.number("reduce", whole.settings.reduce, 0.0, Far, " m");
     readDistances(fields, whole.settings.maxDistances);
@@ -199,7 +198,7 @@ std::string writeComparison(const MapComparison& whole) {
     std::string text =
         "# What registering this mission's key scans again made of them; Leitstand's review shows it.\n";
     text += fmt::format("minimizer: {}\nreference: {}\nreduce: {:.9g}\nmax_distances: {}\nrejected: {}\n",
-                        wordOf(Minimizers, settings.minimizer), wordOf(References, settings.reference),
+                        rowOf(settings.minimizer).key, wordOf(References, settings.reference),
                         settings.reduce, listOf(settings.maxDistances), whole.rejected);
     if (whole.again.seconds) text += fmt::format("seconds: {:.9g}\n", *whole.again.seconds);
     text += figuresText("recorded", whole.recorded) + figuresText("again", whole.again) + "scans:\n";

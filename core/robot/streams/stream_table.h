@@ -26,6 +26,7 @@ enum class ToldBy : std::uint8_t {
 /// All that is known of the streams of one role.
 struct StreamFacts {
     StreamRole role = StreamRole::Points;
+    const char* title = nullptr;              ///< for operators, translated in StreamTitles; null: its name
     std::span<const std::string_view> types;  ///< ROS types that it may have, the usual one first
     std::string_view topic;                   ///< usual one, below the robot's name; with a slash as it is
     Qos qos;                                  ///< usual one
@@ -48,6 +49,8 @@ struct StreamFacts {
     std::span<const std::string_view> words = {};
     bool tellsRobot = false;  ///< whose topic is the usual one directly below a name, that is a robot's
 };
+
+inline constexpr const char* StreamTitles = "leitstand::LinkStatus";  ///< context of their translation
 
 /// A row for each role, in the order of their declaration.
 [[nodiscard]] std::span<const StreamFacts> streamTable();

@@ -67,9 +67,11 @@ BrakeTest::Step BrakeTest::step(const BrakeFacts& facts, SteadyTime now) {
             return drive(now);
         case Phase::Cut:
             return watch(now);
-        default:
-            return {};
+        case Phase::Idle:
+        case Phase::Done:
+            break;
     }
+    return {};
 }
 
 BrakeTest::Step BrakeTest::neutral(const BrakeFacts& facts, SteadyTime now) {

@@ -76,7 +76,18 @@ Element elementOf(ElementKind kind) {
         case ElementKind::Victim:
             element.victim.emplace();
             break;
-        default:
+        case ElementKind::Floor:
+        case ElementKind::Wall:
+        case ElementKind::Ramp:
+        case ElementKind::Ceiling:
+        case ElementKind::Table:
+        case ElementKind::Chair:
+        case ElementKind::Overhang:
+        case ElementKind::Curtain:
+        case ElementKind::LoosePaper:
+        case ElementKind::Foil:
+        case ElementKind::Rubble:
+        case ElementKind::Sign:
             break;
     }
     return element;

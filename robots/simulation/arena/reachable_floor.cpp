@@ -152,7 +152,12 @@ private:
                 const Eigen::Vector2d margin = Eigen::Vector2d::Constant(boxed ? 0.06 : 0.0);
                 return block(element.pose, -half - margin, half + margin);
             }
-            default:
+            case ElementKind::Curtain:
+            case ElementKind::LoosePaper:
+            case ElementKind::Foil:
+            case ElementKind::Sign:
+            case ElementKind::Spectator:
+            case ElementKind::Smoke:
                 return;  // soft, on walls, or outside
         }
     }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/services/handin/writing/mission_export.h"
 #include "core/io/clouds/pcd.h"
 #include "core/io/clouds/ply.h"
 #include "core/io/clouds/scan_source.h"
@@ -193,6 +194,17 @@ TEST_F(Export, OfSeveralRobotsEachHasATrajectoryAndTheNamesAreTold) {
         program("leitstandctl"), {"export", sample.string(), "--out", asked.string(), "--robot", "crawler"});
     ASSERT_EQ(one.exitCode, 0) << one.err;
     EXPECT_EQ(readText(asked), readText(m_folder / "way_crawler.tum"));
+}
+
+TEST_F(Export, EachFormatIsWrittenReadAgainAndInTheHelp) {
+    const ProcessOutcome help = runProcess(program("leitstandctl"), {"export", "--help"});
+    for (const ExportFormat& format : exportFormats()) {
+        const fs::path file = exported("each" + format.ending);
+        EXPECT_THAT(m_outcome.out, HasSubstr("each")) << "what was read again is told";
+        EXPECT_TRUE(fs::exists(file)) << format.ending;
+        EXPECT_THAT(help.out, HasSubstr(format.ending));
+        EXPECT_THAT(help.out, HasSubstr(format.subject));
+    }
 }
 
 TEST_F(Export, TheHelpSaysHowTrajectoriesOfSeveralRobotsAreNamed) {

@@ -23,9 +23,13 @@ Rgba colourOf(const SceneScan& scan, std::size_t index, const SceneContent& cont
             return onRamp(scan.age, content.ramp.value_or(ColourRamp{}));
         case MapColouring::Scan:
             return scanColour(index);
-        default:
-            return {};
+        case MapColouring::Label:
+        case MapColouring::Height:
+        case MapColouring::Range:
+        case MapColouring::Intensity:
+            break;
     }
+    return {};
 }
 
 /// How the points of @p scan, the @p index -th of @p content, are drawn; it has them.

@@ -33,9 +33,14 @@ QString shortName(PadAction action) {
         case PadAction::TiltUp:
         case PadAction::TiltDown:
             return Say::tr("cameras");
-        default:
-            return padActionName(action);
+        case PadAction::DeadMan:
+        case PadAction::Turbo:
+        case PadAction::Slow:
+        case PadAction::Stop:
+        case PadAction::WithoutEyes:
+            break;
     }
+    return padActionName(action);
 }
 
 /// @p of: what belongs to the spot, for example the axes of a stick.

@@ -126,9 +126,13 @@ QString padActionHint(PadAction action) {
         case PadAction::TiltUp:
         case PadAction::TiltDown:
             return Say::tr("Turns the cameras, also while the robot stands");
-        default:
-            return Say::tr("Drives the selected robot while the trigger is held");
+        case PadAction::Forward:
+        case PadAction::Back:
+        case PadAction::TurnLeft:
+        case PadAction::TurnRight:
+            break;
     }
+    return Say::tr("Drives the selected robot while the trigger is held");
 }
 
 QString padControlName(const PadControl& control, PadLayout layout) {

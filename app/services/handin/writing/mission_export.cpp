@@ -11,6 +11,7 @@
 #include "app/services/handin/report_source.h"
 #include "app/services/handin/writing/report_files.h"
 #include "core/handin/file_names.h"
+#include "core/io/clouds/cloud_formats.h"
 #include "core/io/clouds/cloud_writer.h"
 #include "core/io/detail/numbers.h"
 #include "core/io/handin/geotiff.h"
@@ -20,8 +21,6 @@ namespace leitstand {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 7> Endings = {".pcd", ".ply", ".xyz", ".bt", ".tif", ".tum", ".csv"};
 
 std::string endingOf(const fs::path& out) {
     return detail::lowerCase(out.extension().string());
@@ -105,49 +104,105 @@ Result<void> hasMap(const ReportModel& model, const ReportMap& map, const fs::pa
                              fmt::join(numbers, ", "), *map.storey)};
 }
 
+/// What an export is made of.
+struct Exported {
+    const ReportInput& input;
+    const ReportModel& model;
+    const ExportOptions& options;
+};
+
+Result<ExportOutcome> oneFile(Result<ReportFile> file) {
+    if (!file) return file.error();
+    ExportOutcome outcome;
+    outcome.files.push_back(std::move(file).value());
+    return outcome;
+}
+
+Result<ExportOutcome> exportMap(const fs::path& out, const Exported& from) {
+    const ReportMap shown{from.options.upper ? std::size_t{1} : std::size_t{0}, from.options.storey};
+    if (const auto known = hasMap(from.model, shown, out); !known) return known.error();
+    const MapPicture map = paintMap(drawingOf(from.model, shown, out.filename().string()));
+    return oneFile(again(writeGeoTiff(out, map), out, contentsOf(map)));
+}
+
+Result<ExportOutcome> exportList(const fs::path& out, const Exported& from) {
+    if (isSearchList(out)) {
+        const std::vector<ListedSearch> rows = searchListOf(from.model);
+        return oneFile(again(writeSearchList(out, rows), out, {.count = rows.size()}));
+    }
+    const FindList list = listOf(from.model, listKind(out));
+    return oneFile(again(writeFindList(out, list), out, {.count = list.finds.size()}));
+}
+
+/// A format that is made of the report's model; clouds have a table of their own (CloudFormat).
+struct ModelFormat {
+    std::string_view ending, subject;
+    bool showsMap = false;  ///< it is nothing where no scan counts
+    Result<ExportOutcome> (*write)(const fs::path& out, const Exported& from);
+};
+constexpr std::array<ModelFormat, 4> ModelFormats = {{
+    {".bt", "OctoMap", true,
+     [](const fs::path& out, const Exported& from) {
+         return oneFile(again(writeOctomap(out, from.model.evidence), out));
+     }},
+    {".tif", "GeoTIFF", true, &exportMap},
+    {".tum", "trajectory", false,
+     [](const fs::path& out, const Exported& from) {
+         return exportTrajectories(out, from.model, from.options.robot);
+     }},
+    {".csv", "list", false, &exportList},
+}};
+
+const ModelFormat* modelFormatOf(const fs::path& out) {
+    const std::string ending = endingOf(out);
+    const auto* const found = std::find_if(ModelFormats.begin(), ModelFormats.end(),
+                                           [&](const ModelFormat& one) { return one.ending == ending; });
+    return found != ModelFormats.end() ? found : nullptr;
+}
+
+bool isCloud(const fs::path& out) {
+    const CloudFormat* const format = cloudFormatOf(out);
+    return isFolder(out) || (format != nullptr && format->write != nullptr);
+}
+
 Result<ExportOutcome> exportInto(const fs::path& out, const ReportInput& input, const ExportOptions& options,
                                  const Progress& progress) {
-    const auto one = [](Result<ReportFile> file) -> Result<ExportOutcome> {
-        if (!file) return file.error();
-        ExportOutcome outcome;
-        outcome.files.push_back(std::move(file).value());
-        return outcome;
-    };
-    if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
-    const std::string ending = endingOf(out);
-    const bool cloud = isFolder(out) || ending == ".pcd" || ending == ".ply" || ending == ".xyz";
-    if ((cloud || ending == ".bt" || ending == ".tif") && input.scans.empty())
+    const Error cancelled{out.string() + ": is not written: cancelled"};
+    if (progress.cancelled()) return cancelled;
+    const ModelFormat* const format = isCloud(out) ? nullptr : modelFormatOf(out);
+    if ((format == nullptr || format->showsMap) && input.scans.empty())
         return Error{out.string() + ": is not written: no scan of the mission counts"};
-    if (cloud) return one(exportCloud(out, input, options.reduce));
+    if (format == nullptr) return oneFile(exportCloud(out, input, options.reduce));
     const ReportModel model = reportOf(input, progress);
-    if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
-    if (ending == ".bt") return one(again(writeOctomap(out, model.evidence), out));
-    if (ending == ".tif") {
-        const ReportMap shown{options.upper ? std::size_t{1} : std::size_t{0}, options.storey};
-        if (const auto known = hasMap(model, shown, out); !known) return known.error();
-        const MapPicture map = paintMap(drawingOf(model, shown, out.filename().string()));
-        return one(again(writeGeoTiff(out, map), out, contentsOf(map)));
-    }
-    if (ending == ".tum") return exportTrajectories(out, model, options.robot);
-    if (isSearchList(out)) {
-        const std::vector<ListedSearch> rows = searchListOf(model);
-        return one(again(writeSearchList(out, rows), out, {.count = rows.size()}));
-    }
-    const FindList list = listOf(model, listKind(out));
-    return one(again(writeFindList(out, list), out, {.count = list.finds.size()}));
+    if (progress.cancelled()) return cancelled;
+    return format->write(out, {input, model, options});
 }
 
 }  // namespace
 
+std::vector<ExportFormat> exportFormats() {
+    std::vector<ExportFormat> formats;
+    for (const CloudFormat& cloud : cloudFormats()) {
+        if (cloud.write != nullptr) formats.push_back({std::string(cloud.ending), "points"});
+    }
+    for (const ModelFormat& format : ModelFormats)
+        formats.push_back({std::string(format.ending), std::string(format.subject)});
+    return formats;
+}
+
 bool canExport(const fs::path& out) {
-    return isFolder(out) || std::find(Endings.begin(), Endings.end(), endingOf(out)) != Endings.end();
+    return isCloud(out) || modelFormatOf(out) != nullptr;
+}
+
+std::string expectedOfExport() {
+    std::string expected = "expected an ending";
+    for (const ExportFormat& format : exportFormats()) expected += " " + format.ending;
+    return expected + ", or a folder that ends in /";
 }
 
 Result<ExportOutcome> exportMission(const fs::path& mission, const fs::path& out,
                                     const ExportOptions& options, const Progress& progress) {
-    if (!canExport(out))
-        return Error{out.string() +
-                     ": expected an ending .pcd .ply .xyz .bt .tif .tum .csv, or a folder that ends in /"};
+    if (!canExport(out)) return Error{out.string() + ": " + expectedOfExport()};
     auto source = ReportSource::open(mission, progress);
     if (!source) return source.error();
     auto outcome = exportInto(out, source->input(), options, progress);

@@ -25,13 +25,21 @@ struct ExportOutcome {
     std::vector<std::string> warnings;
 };
 
-/// The endings that exportMission() writes; a folder ends in "/".
+/// What exportMission() writes into a file.
+struct ExportFormat {
+    std::string ending;   ///< with its dot
+    std::string subject;  ///< what it holds, in English
+};
+[[nodiscard]] std::vector<ExportFormat> exportFormats();
+/// Whether @p out has one of their endings, or is a folder: exists as one, or ends in "/".
 [[nodiscard]] bool canExport(const std::filesystem::path& out);
+/// What is expected where it cannot: the endings, and a folder.
+[[nodiscard]] std::string expectedOfExport();
 
-/// Writes part of @p mission by @p out's ending: .pcd .ply .xyz the map's points with labels, .bt OctoMap,
-/// .tif GeoTIFF, .tum trajectories (with several robots FILE_robot.tum each), .csv a list (FILE_victims.csv
-/// and FILE_qr.csv those, others all points of interest), "DIR/" uos scans with poses. An error when the
-/// mission cannot be opened, does not have that part, or the file cannot be written.
+/// Writes part of @p mission by @p out's ending, which has one of exportFormats(): of several robots
+/// FILE_robot.tum each, of lists FILE_victims.csv, FILE_qr.csv and FILE_searched.csv those, others all points
+/// of interest. "DIR/": uos scans with poses. An error when the mission cannot be opened, does not have that
+/// part, or the file cannot be written.
 [[nodiscard]] Result<ExportOutcome> exportMission(const std::filesystem::path& mission,
                                                   const std::filesystem::path& out,
                                                   const ExportOptions& options,

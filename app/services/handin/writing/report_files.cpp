@@ -1,6 +1,7 @@
 #include "app/services/handin/writing/report_files.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -118,6 +119,12 @@ Result<std::string> checkPdf(const fs::path& file, const FileContents& expected)
     return pages > 0 ? fmt::format("{} pages", pages) : fmt::format("{} bytes", bytes.size());
 }
 
+/// How a file that was written is read again, by its ending.
+struct FileCheck {
+    std::string_view ending;
+    Result<std::string> (*check)(const fs::path& file, const FileContents& expected);
+};
+
 }  // namespace
 
 Scan labelledCloud(const std::vector<ReportScan>& scans, double edge) {
@@ -162,14 +169,21 @@ bool isSearchList(const fs::path& file) {
 }
 
 Result<std::string> checkFile(const fs::path& file, const FileContents& expected) {
+    static constexpr std::array<FileCheck, 6> Checks = {{
+        {".tif", &checkTiff},
+        {".csv",
+         [](const fs::path& list, const FileContents& contents) {
+             return isSearchList(list) ? checkSearch(list, contents) : checkList(list, contents);
+         }},
+        {".bt", [](const fs::path& map, const FileContents&) { return checkOctomap(map); }},
+        {".ply", &checkCloud},
+        {".tum", &checkTrajectory},
+        {".pdf", &checkPdf},
+    }};
     const std::string ending = detail::lowerCase(file.extension().string());
-    if (ending == ".tif") return checkTiff(file, expected);
-    if (isSearchList(file)) return checkSearch(file, expected);
-    if (ending == ".csv") return checkList(file, expected);
-    if (ending == ".bt") return checkOctomap(file);
-    if (ending == ".ply") return checkCloud(file, expected);
-    if (ending == ".tum") return checkTrajectory(file, expected);
-    if (ending == ".pdf") return checkPdf(file, expected);
+    for (const FileCheck& one : Checks) {
+        if (one.ending == ending) return one.check(file, expected);
+    }
     if (file.filename() == "SHA256SUMS") {
         const auto names = checkChecksums(file.parent_path());
         if (!names) return names.error();

@@ -71,9 +71,12 @@ int conversionCode(Layout layout) {
             return cv::COLOR_BayerGR2RGB;
         case Layout::BayerGrbg:
             return cv::COLOR_BayerGB2RGB;
-        default:
-            return -1;
+        case Layout::Grey:
+        case Layout::Rgb:
+        case Layout::Float:
+            break;
     }
+    return -1;
 }
 
 void swapValues(std::vector<std::byte>& bytes, std::size_t size) {

@@ -13,9 +13,10 @@ Cell beyond(const Cell& cell, Side side) {
             return {cell.column - 1, cell.row};
         case Side::South:
             return {cell.column, cell.row - 1};
-        default:
-            return {cell.column + 1, cell.row};
+        case Side::East:
+            break;
     }
+    return {cell.column + 1, cell.row};
 }
 
 Side opposite(Side side) {

@@ -17,9 +17,22 @@ bool isStructure(ElementKind kind) {
         case ElementKind::StepField:
         case ElementKind::Ceiling:
             return true;
-        default:
-            return false;
+        case ElementKind::Lamp:
+        case ElementKind::Heater:
+        case ElementKind::Table:
+        case ElementKind::Chair:
+        case ElementKind::Overhang:
+        case ElementKind::Curtain:
+        case ElementKind::LoosePaper:
+        case ElementKind::Foil:
+        case ElementKind::Rubble:
+        case ElementKind::Victim:
+        case ElementKind::Sign:
+        case ElementKind::Spectator:
+        case ElementKind::Smoke:
+            break;
     }
+    return false;
 }
 
 int textureOf(Material material, ElementKind kind, MeshBuilder& builder) {
@@ -34,9 +47,16 @@ int textureOf(Material material, ElementKind kind, MeshBuilder& builder) {
             return kind == ElementKind::LoosePaper ? builder.texture("newspaper", newspaperTexture) : -1;
         case Material::Cloth:
             return kind == ElementKind::Curtain ? builder.texture("cloth", clothTexture) : -1;
-        default:
-            return -1;
+        case Material::Metal:
+        case Material::Black:
+        case Material::Foil:
+        case Material::Skin:
+        case Material::Glass:
+        case Material::Rubber:
+        case Material::Pane:
+            break;
     }
+    return -1;
 }
 
 }  // namespace

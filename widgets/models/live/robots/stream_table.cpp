@@ -43,9 +43,12 @@ QString columnTitle(StreamTable::Column column) {
             return StreamTexts::tr("kbit/s");
         case StreamTable::Loss:
             return StreamTexts::tr("Loss");
-        default:
+        case StreamTable::Setting:
             return StreamTexts::tr("Setting");
+        case StreamTable::ColumnCount:
+            break;
     }
+    return {};
 }
 
 QString columnHint(StreamTable::Column column) {
@@ -60,9 +63,12 @@ QString columnHint(StreamTable::Column column) {
             return StreamTexts::tr("Samples of the last 10 s that never arrived");
         case StreamTable::Setting:
             return StreamTexts::tr("What the station asks of the stream; nothing: as the robot likes");
-        default:
-            return {};
+        case StreamTable::Name:
+        case StreamTable::Type:
+        case StreamTable::ColumnCount:
+            break;
     }
+    return {};
 }
 
 }  // namespace
@@ -148,9 +154,12 @@ QString StreamTable::text(const StreamRow& row, Column column) {
             return stream.samples == 0 ? QStringLiteral("–") : secondsText(stream.age);
         case Loss:
             return stream.samples == 0 ? QStringLiteral("–") : percentText(stream.lossRatio);
-        default:
+        case Setting:
             return settingText(row);
+        case ColumnCount:
+            break;
     }
+    return {};
 }
 
 QVariant StreamTable::data(const QModelIndex& index, int role) const {

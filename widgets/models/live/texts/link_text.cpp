@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include "core/robot/streams/stream_table.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/others_text.h"
@@ -33,43 +34,9 @@ QString streamText(StreamRole role, const std::string& sensor) {
 }
 
 QString streamRoleText(StreamRole role) {
-    switch (role) {
-        case StreamRole::Points:
-            return LinkTexts::tr("3D scans");
-        case StreamRole::Ranges:
-            return LinkTexts::tr("laser");
-        case StreamRole::Odometry:
-            return LinkTexts::tr("odometry");
-        case StreamRole::Imu:
-            return LinkTexts::tr("attitude");
-        case StreamRole::Joints:
-            return LinkTexts::tr("joints");
-        case StreamRole::Transforms:
-        case StreamRole::StaticTransforms:
-            return LinkTexts::tr("transforms");
-        case StreamRole::Picture:
-            return LinkTexts::tr("pictures");
-        case StreamRole::CameraInfo:
-            return LinkTexts::tr("camera data");
-        case StreamRole::Thermal:
-            return LinkTexts::tr("infrared");
-        case StreamRole::Gas:
-            return LinkTexts::tr("gas");
-        case StreamRole::Battery:
-            return LinkTexts::tr("battery");
-        case StreamRole::Diagnostics:
-            return LinkTexts::tr("diagnostics");
-        case StreamRole::Mode:
-            return LinkTexts::tr("mode");
-        case StreamRole::Bumps:
-            return LinkTexts::tr("contacts");
-        case StreamRole::Sightings:
-            return LinkTexts::tr("sightings");
-        case StreamRole::StopState:
-            return LinkTexts::tr("STOP");
-        default:
-            return QString::fromStdString(toString(role)).replace(QLatin1Char('_'), QLatin1Char(' '));
-    }
+    if (const char* const title = streamFacts(role).title)
+        return QCoreApplication::translate(StreamTitles, title);
+    return QString::fromStdString(toString(role)).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 QString linkStateText(LinkState state) {

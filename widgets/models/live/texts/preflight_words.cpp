@@ -80,7 +80,32 @@ QString clockText(const PreflightCheck& check) {
                               : Words::tr("clock %1 ahead of ours").arg(by);
 }
 
-QString robotText(const PreflightCheck& check, const QString& detail) {
+/// What a robot that failed does when commands cease.
+QString failureText(const PreflightCheck& check) {
+    if (check.brake.watchdog == BrakeResult::Watchdog::Stops) return standing(check);
+    return check.number > 0.0
+               ? Words::tr("still moves %1 after the last command").arg(secondsText(check.number))
+               : Words::tr("moves without commands");
+}
+
+QString guardText(const GuardView& guard) {
+    switch (guard.state) {
+        case GuardView::State::None:
+            break;
+        case GuardView::State::Starting:
+            return Words::tr("its guard is not heard by it yet");
+        case GuardView::State::Ready:
+            return Words::tr("its guard stands by");
+        case GuardView::State::Failed:
+            return Words::tr("no guard: %1").arg(othersText(guard.problem));
+    }
+    return {};
+}
+
+}  // namespace
+
+QString checkText(const PreflightCheck& check) {
+    const QString detail = othersText(check.detail);
     switch (check.kind) {
         case Kind::RobotConnected:
             if (!check.reasons.empty()) return Words::tr("connected, but %1").arg(reasonsText(check.reasons));
@@ -114,35 +139,6 @@ QString robotText(const PreflightCheck& check, const QString& detail) {
             return Words::tr("hears no drive commands");
         case Kind::Stopped:
             return Words::tr("stopped");
-        default:
-            return {};
-    }
-}
-
-/// What a robot that failed does when commands cease.
-QString failureText(const PreflightCheck& check) {
-    if (check.brake.watchdog == BrakeResult::Watchdog::Stops) return standing(check);
-    return check.number > 0.0
-               ? Words::tr("still moves %1 after the last command").arg(secondsText(check.number))
-               : Words::tr("moves without commands");
-}
-
-QString guardText(const GuardView& guard) {
-    switch (guard.state) {
-        case GuardView::State::None:
-            break;
-        case GuardView::State::Starting:
-            return Words::tr("its guard is not heard by it yet");
-        case GuardView::State::Ready:
-            return Words::tr("its guard stands by");
-        case GuardView::State::Failed:
-            return Words::tr("no guard: %1").arg(othersText(guard.problem));
-    }
-    return {};
-}
-
-QString brakeCheckText(const PreflightCheck& check, const QString& /*detail*/) {
-    switch (check.kind) {
         case Kind::BrakePassed:
             return Words::tr("brake: %1 without commands").arg(standing(check));
         case Kind::BrakeOld:
@@ -158,15 +154,10 @@ QString brakeCheckText(const PreflightCheck& check, const QString& /*detail*/) {
         }
         case Kind::BrakeUnclear:
             return Words::tr("brake: no result (%1)").arg(causeText(check.brake));
-        default:
-            return {};
-    }
-}
-
-QString stationText(const PreflightCheck& check, const QString& detail) {
-    switch (check.kind) {
-        case Kind::Wire:
-            return othersText(worded(check.wire));
+        case Kind::Wire: {
+            const QString complaint = othersText(worded(check.wire));
+            return complaint.isEmpty() ? detail : complaint;
+        }
         case Kind::Limits:
         case Kind::Versions:
         case Kind::Secured:
@@ -197,18 +188,6 @@ QString stationText(const PreflightCheck& check, const QString& detail) {
             return Words::tr("no gamepad: keys drive");
         case Kind::Sound:
             return Words::tr("sound: there is a device; try the tones");
-        default:
-            return {};
-    }
-}
-
-}  // namespace
-
-QString checkText(const PreflightCheck& check) {
-    const QString detail = othersText(check.detail);
-    for (const auto& words : {robotText, brakeCheckText, stationText}) {
-        const QString text = words(check, detail);
-        if (!text.isEmpty()) return text;
     }
     return detail;
 }
@@ -255,9 +234,25 @@ QString remedyText(const PreflightCheck& check) {
             return Words::tr("Make room, or record elsewhere (--mission)");
         case Kind::SoundNone:
             return Words::tr("Plug in a loudspeaker, then try the tones");
-        default:
-            return {};
+        case Kind::StreamsComing:
+        case Kind::PicturesFresh:
+        case Kind::ClockSteady:
+        case Kind::Grant:
+        case Kind::GrantFree:
+        case Kind::BrakePassed:
+        case Kind::Stranger:
+        case Kind::Network:
+        case Kind::Limits:
+        case Kind::Disk:
+        case Kind::Gamepad:
+        case Kind::GamepadNone:
+        case Kind::Sound:
+        case Kind::Secured:
+        case Kind::Open:
+        case Kind::Versions:
+            break;
     }
+    return {};
 }
 
 QString stateMark(CheckState state) {
@@ -305,7 +300,8 @@ QString brakeText(BrakeTest::Phase phase, const BrakeResult& result) {
             return Words::tr("Drives ... keep holding");
         case BrakeTest::Phase::Cut:
             return Words::tr("Says nothing more, and measures ...");
-        default:
+        case BrakeTest::Phase::Idle:
+        case BrakeTest::Phase::Done:
             break;
     }
     PreflightCheck check;
