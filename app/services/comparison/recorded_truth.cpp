@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "core/io/bag/bag_reader.h"
+#include "core/io/bag/raw_events.h"
 #include "core/robot/robot_description.h"
 #include "transport/convert/decode.h"
 
@@ -33,27 +34,27 @@ RecordedTruth readTruth(BagReader& bag, const Progress& progress) {
         if (pose || victims) query.topics.push_back(topic.info.name);
     }
     if (query.topics.empty()) return truth;
-    BagCursor cursor = bag.read(query);
-    while (const auto raw = cursor.next()) {
-        if (progress.cancelled()) break;
+    const auto take = [&truth](const RawEvent& raw) {
         StreamDescription stream;
-        stream.role = raw->type == Odometry ? StreamRole::Odometry : StreamRole::Sightings;
-        stream.topic = raw->topic;
-        stream.type = raw->type;
-        const auto said = decode(*raw, stream);
-        if (!said) continue;
-        if (const auto* pose = std::get_if<OdometrySample>(&*said)) {
-            const std::string robot = robotOf(raw->topic, *pose);
-            if (robot.empty() || !pose->baseInOdom.matrix().allFinite()) continue;
-            const Time at = pose->header.stamp == Time{} ? raw->received : pose->header.stamp;
+        stream.role = raw.type == Odometry ? StreamRole::Odometry : StreamRole::Sightings;
+        stream.topic = raw.topic;
+        stream.type = raw.type;
+        const auto sample = decode(raw, stream);
+        if (!sample) return true;
+        if (const auto* pose = std::get_if<OdometrySample>(&*sample)) {
+            const std::string robot = robotOf(raw.topic, *pose);
+            if (robot.empty() || !pose->baseInOdom.matrix().allFinite()) return true;
+            const Time at = pose->header.stamp == Time{} ? raw.received : pose->header.stamp;
             truth.robots[robot].push_back({at, pose->baseInOdom});
-        } else if (const auto* all = std::get_if<SightingSample>(&*said)) {
+        } else if (const auto* all = std::get_if<SightingSample>(&*sample)) {
             truth.victims.clear();  // always all of them
             for (const Sighting& one : all->sightings) {
                 if (one.position.allFinite()) truth.victims.push_back(one.position);
             }
         }
-    }
+        return true;
+    };
+    forEachRaw(bag, query, take, progress);
     for (auto& [robot, poses] : truth.robots) {
         std::stable_sort(poses.begin(), poses.end(),
                          [](const StampedPose& a, const StampedPose& b) { return a.at < b.at; });

@@ -9,6 +9,7 @@
 #include "app/services/log/mission_robots.h"
 #include "app/services/places/mission_map.h"
 #include "core/event/station_topics.h"
+#include "core/io/bag/raw_events.h"
 #include "core/mission/coverage/search_book.h"
 #include "core/mission/state/fold.h"
 #include "core/robot/streams/stream_table.h"
@@ -61,19 +62,17 @@ LoggedViews loggedViews(BagReader& bag, EventDecoder& decoder, const Progress& p
         }
     }
     LoggedSearch search(decoder.robots());
-    BagCursor cursor = bag.read(query);
-    const auto last = static_cast<double>(std::max<std::uint64_t>(1, bag.lastSequence()));
-    while (const auto raw = cursor.next()) {
-        if (const auto picture = pictures.find(raw->topic); picture != pictures.end()) {
+    const auto take = [&](const RawEvent& raw) {
+        if (const auto picture = pictures.find(raw.topic); picture != pictures.end()) {
             const bool soon =
-                raw->received >= picture->second && raw->received - picture->second < ViewFinder::Every;
-            if (soon) continue;
-            picture->second = raw->received;
+                raw.received >= picture->second && raw.received - picture->second < ViewFinder::Every;
+            if (soon) return true;
+            picture->second = raw.received;
         }
-        decoder.decode(*raw, [&](const Event& event) { search.onEvent(event); });
-        progress.done(static_cast<double>(raw->sequence) / last);
-        if (progress.cancelled()) break;
-    }
+        decoder.decode(raw, [&](const Event& event) { search.onEvent(event); });
+        return true;
+    };
+    forEachRaw(bag, query, take, progress);
     return search.views();
 }
 

@@ -6,6 +6,7 @@
 #include "app/services/finds/freezing.h"
 #include "app/services/log/event_decoder.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/io/bag/raw_events.h"
 
 namespace leitstand {
 namespace {
@@ -24,13 +25,15 @@ std::uint64_t receivedAbout(BagReader& bag, EventDecoder& decoder, const VictimE
     query.topics = {evidence.topic};
     query.from = about - reach;
     query.to = about + reach;
-    BagCursor cursor = bag.read(query);
-    bool found = false;
-    while (const auto raw = cursor.next()) {
-        decoder.decode(*raw, [&](const Event& event) { found = found || hasStamp(event, evidence.stamp); });
-        if (found) return raw->sequence;
-    }
-    return 0;
+    std::uint64_t found = 0;
+    const auto take = [&](const RawEvent& raw) {
+        decoder.decode(raw, [&](const Event& event) {
+            if (hasStamp(event, evidence.stamp)) found = raw.sequence;
+        });
+        return found == 0;
+    };
+    forEachRaw(bag, query, take);
+    return found;
 }
 
 }  // namespace

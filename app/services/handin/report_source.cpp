@@ -9,6 +9,7 @@
 #include "app/services/coverage/logged_views.h"
 #include "app/services/finds/told_evidence.h"
 #include "app/services/handin/writing/relative_names.h"
+#include "app/services/log/decoded_log.h"
 #include "app/services/log/event_decoder.h"
 #include "app/services/log/mission_robots.h"
 #include "app/services/log/replay/bag_history.h"
@@ -166,8 +167,6 @@ void ReportSource::readWays(const Progress& progress) {
                 query.topics.push_back(stream.topic);
         }
     }
-    BagCursor cursor = m_bag->read(query);
-    const auto last = static_cast<double>(std::max<std::uint64_t>(1, m_bag->lastSequence()));
     const auto take = [this](const Event& event) {
         if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
             auto& track = m_input.odometry[event.robot];
@@ -184,11 +183,8 @@ void ReportSource::readWays(const Progress& progress) {
             if (place->certain) m_input.places[place->robot].push_back({place->measured, place->baseInMap});
         }
     };
-    while (const auto raw = cursor.next()) {
-        m_decoder->decode(*raw, take);
-        progress.done(static_cast<double>(raw->sequence) / last);
-        if (progress.cancelled()) return;
-    }
+    forEachEvent(*m_bag, *m_decoder, query, take, progress);
+    if (progress.cancelled()) return;
     for (auto& [robot, track] : m_input.odometry) {
         std::stable_sort(track.begin(), track.end(),
                          [](const PathPose& a, const PathPose& b) { return a.time < b.time; });
@@ -248,12 +244,9 @@ std::optional<Pose> ReportSource::sensorInBase(const Event& event) {
     moving.from = event.received - About;
     moving.to = event.received + About;
     for (const BagQuery& query : {fixed, moving}) {
-        if (query.topics.empty()) continue;  // would be all topics
-        BagCursor cursor = m_bag->read(query);
-        while (const auto raw = cursor.next())
-            m_decoder->decode(*raw, [&](const Event& one) {
-                if (one.robot == event.robot) frames.add(one);
-            });
+        forEachEvent(*m_bag, *m_decoder, query, [&](const Event& one) {
+            if (one.robot == event.robot) frames.add(one);
+        });
     }
     const Time stamp = header->stamp == Time{} ? event.received : header->stamp;
     return frames.inBase(event.sensor, header->frame, stamp);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/services/log/decoded_log.h"
 #include "app/services/log/event_decoder.h"
 #include "app/services/log/mission_robots.h"
 #include "app/services/places/sensor_poses.h"
@@ -82,16 +83,9 @@ private:
 
 void Reading::forEach(std::vector<std::string> topics, const Progress& progress,
                       const std::function<void(const Event&)>& take) {
-    if (topics.empty()) return;
     BagQuery query;
     query.topics = std::move(topics);
-    BagCursor cursor = m_bag.read(query);
-    const auto last = static_cast<double>(std::max<std::uint64_t>(m_bag.lastSequence(), 1));
-    while (const auto raw = cursor.next()) {
-        m_decoder.decode(*raw, take);
-        progress.done(static_cast<double>(raw->sequence) / last);
-        if (progress.cancelled()) return;
-    }
+    forEachEvent(m_bag, m_decoder, query, take, progress);
 }
 
 void Reading::readPoses(const Progress& progress) {

@@ -11,6 +11,7 @@
 
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/io/bag/raw_events.h"
 #include "core/mapping/graph/map_parts.h"
 #include "core/mapping/graph/scan_graph.h"
 #include "core/mission/state/scans_in_parts.h"
@@ -25,12 +26,12 @@ template <class Kind, class Take>
 void read(BagReader& bag, std::string_view topic, const Take& take) {
     BagQuery query;
     query.topics = {std::string(topic)};
-    BagCursor cursor = bag.read(query);
-    while (const auto raw = cursor.next()) {
-        auto event = decodeStationEvent(*raw);
-        if (!event) continue;
-        if (auto* sample = std::get_if<Kind>(&event->sample)) take(std::move(*sample));
-    }
+    forEachRaw(bag, query, [&take](const RawEvent& raw) {
+        auto event = decodeStationEvent(raw);
+        auto* const sample = event ? std::get_if<Kind>(&event->sample) : nullptr;
+        if (sample != nullptr) take(std::move(*sample));
+        return true;
+    });
 }
 
 /// The log of the mission @p folder; null where there is no mission yet, or none that can be read, of which

@@ -10,6 +10,7 @@
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/io/bag/raw_events.h"
 #include "core/mission/state/fold.h"
 
 namespace leitstand {
@@ -244,16 +245,15 @@ void ReviewLog::all(const std::vector<std::string>& topics, const Progress& prog
     if (topics.empty()) return;
     BagQuery query;
     query.topics = topics;
-    BagCursor cursor = m_bag->read(query);
-    const auto last = static_cast<double>(std::max<std::uint64_t>(m_bag->lastSequence(), 1));
     const bool scans = std::find(topics.begin(), topics.end(), station_topic::KeyScans) != topics.end();
     auto made = scans ? m_made.begin() : m_made.end();
-    while (const auto raw = cursor.next()) {
-        for (; made != m_made.end() && made->sequence < raw->sequence; ++made) take(*made);
-        m_decoder.decode(*raw, take);
-        progress.done(static_cast<double>(raw->sequence) / last);
-        if (progress.cancelled()) return;
-    }
+    const auto next = [&](const RawEvent& raw) {
+        for (; made != m_made.end() && made->sequence < raw.sequence; ++made) take(*made);
+        m_decoder.decode(raw, take);
+        return true;
+    };
+    forEachRaw(*m_bag, query, next, progress);
+    if (progress.cancelled()) return;
     for (; made != m_made.end(); ++made) take(*made);
 }
 

@@ -15,6 +15,7 @@
 #include "core/event/victim_sample.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"
+#include "core/io/bag/raw_events.h"
 #include "core/io/detail/unfinished.h"
 #include "core/robot/robot_description.h"
 #include "core/robot/streams/stream_table.h"
@@ -30,12 +31,12 @@ std::vector<VictimSample> formsOf(BagReader& bag) {
     std::vector<VictimSample> forms;
     BagQuery finds;
     finds.topics = {std::string(station_topic::Victims)};
-    BagCursor cursor = bag.read(finds);
-    while (const auto event = cursor.next()) {
-        const auto sample = decodeStationEvent(*event);
+    forEachRaw(bag, finds, [&forms](const RawEvent& event) {
+        const auto sample = decodeStationEvent(event);
         const VictimSample* form = sample ? std::get_if<VictimSample>(&sample->sample) : nullptr;
         if (form != nullptr) forms.push_back(*form);
-    }
+        return true;
+    });
     return forms;
 }
 
@@ -131,19 +132,19 @@ Result<ThinOutcome> thinMission(const std::filesystem::path& mission, const std:
         wanted.to = from.first() + std::chrono::duration_cast<std::chrono::nanoseconds>(
                                        std::chrono::duration<double>(settings.seconds));
     }
-    BagCursor cursor = from.read(wanted);
-    const double last = static_cast<double>(std::max<std::uint64_t>(1, from.lastSequence()));
-    while (auto event = cursor.next()) {
-        if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
-        if (progress.report) progress.report(static_cast<double>(event->sequence) / last);
-        if (!sieve.keeps(*event)) {
+    Result<void> written;
+    const auto take = [&](RawEvent& event) {
+        if (!sieve.keeps(event)) {
             ++outcome.left;
-            continue;
+            return true;
         }
-        (*writer)->write(std::move(*event));
-        if (++outcome.kept % EventsAFlush != 0) continue;
-        if (auto flushed = (*writer)->flush(); !flushed) return flushed.error();
-    }
+        (*writer)->write(std::move(event));
+        if (++outcome.kept % EventsAFlush == 0) written = (*writer)->flush();
+        return written.ok();
+    };
+    forEachRaw(from, wanted, take, progress);
+    if (!written) return written.error();
+    if (progress.cancelled()) return Error{out.string() + ": is not written: cancelled"};
     if (auto closed = (*writer)->close(); !closed) return closed.error();
     unfinished.done();
     for (const std::string& problem : from.problems()) outcome.problems.push_back(problem);

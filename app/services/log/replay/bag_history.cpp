@@ -1,5 +1,6 @@
 #include "app/services/log/replay/bag_history.h"
 
+#include "app/services/log/decoded_log.h"
 #include "core/event/station_topics.h"
 
 namespace leitstand {
@@ -25,9 +26,7 @@ void BagHistory::events(std::uint64_t after, std::uint64_t upTo,
     for (const BagTopic& topic : m_bag.topics()) {
         if (m_decoder.knows(topic.info.name)) query.topics.push_back(topic.info.name);
     }
-    if (query.topics.empty()) return;
-    BagCursor cursor = m_bag.read(query);
-    while (const auto raw = cursor.next()) m_decoder.decode(*raw, take);
+    forEachEvent(m_bag, m_decoder, query, take);
 }
 
 }  // namespace leitstand
