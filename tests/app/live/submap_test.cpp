@@ -69,7 +69,8 @@ TEST_F(SubmapsOnScreen, ARunIsDraggedTurnedSnappedLeftThereAndTakenBack) {
     EXPECT_TRUE(soon([&] { return bar().accessibleName().contains("seam") && seam() < dragged; }))
         << seam().toStdString() << ", dragged " << dragged.toStdString();
     trigger("submap.leave");
-    EXPECT_TRUE(soon([&] { return movedByHand() == 1; })) << m_window->newest().toStdString();
+    EXPECT_TRUE(soon([&] { return movedByHand() == 1; }))
+        << told() << "\nthe bar: " << bar().accessibleName().toStdString();
     EXPECT_TRUE(soon([&] { return !bar().isVisible() && !map().drawing(); }));
     EXPECT_TRUE(soon([&] { return countViolet(map()) == 0; }));
     const auto off = [&] {
