@@ -88,7 +88,7 @@ Result<MapComparisonPtr> compareMaps(const std::filesystem::path& folder, const 
     made->rejected = rejected;
     auto bag = BagReader::open(folder);
     if (!bag) return bag.error();
-    const RecordedTruth truth = readTruth(**bag, progress);
+    const RecordedTruth truth = readTruth(**bag, {{}, progress.stop});
     for (const bool again : {false, true}) {
         MapFigures& figures = again ? made->again : made->recorded;
         const auto pose = again ? &ComparedScan::again : &ComparedScan::recorded;

@@ -38,9 +38,9 @@ struct MapLogSetup {
 /// follows what the log has, ours and other stations'. Any thread, unless a method says otherwise.
 class MapLog {
 public:
-    /// @p mission must outlive it. Nothing is followed before follow().
+    /// @p mission must outlive it. Before follow() nothing may be called but what publishes, and crop().
     MapLog(LiveMission& mission, MapLogSetup setup);
-    /// @p mapping is what follows the log; it must outlive all calls of onEvent().
+    /// @p mapping is what follows the log; it must outlive all calls of onEvent() and whenSettled().
     void follow(LiveMapping& mapping) { m_mapping = &mapping; }
 
     /// Publishes @p sample, which the log gives back to onEvent(): what whenSettled() was given waits until
@@ -55,7 +55,8 @@ public:
     void publish(const Settled& settled);
     void publish(const RobotPlaceSample& place);
     void publish(ScanBodiesSample bodies);
-    /// The operator has moved something of the map: what the poses that follow come to is told.
+    /// The operator has moved something of the map: what the poses that follow come to is told. On the
+    /// mapping's thread.
     void movedByHand() { m_loopClosed = true; }
 
     /// An event of a station's, from the mission's thread.

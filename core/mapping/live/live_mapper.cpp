@@ -222,8 +222,8 @@ void LiveMapper::State::advance(RobotTrack& robot, const LiveScan& live, const R
     const Scan& scan = *live.scan;
     const Match& match = found.match;
     const Step& step = found.step;
-    const bool held = match.doubts == 0 && match.icp.open == 0;  // by surfaces, in all directions
-    if (robot.known && step.trusted && held) {
+    const bool bySurfaces = match.doubts == 0 && match.icp.open == 0;  // in all directions
+    if (robot.known && step.trusted && bySurfaces) {
         const double byWheels = distanceBetween(robot.sensorInOdom, scan.sensorInOdom);
         const double way = distanceBetween(robot.sensorInMap, match.scanInMap);
         if (!match.spun) robot.scale.add(byWheels, way);
@@ -233,7 +233,7 @@ void LiveMapper::State::advance(RobotTrack& robot, const LiveScan& live, const R
     }
     const bool comesByOdometry =
         step.trusted && live.motionKnown && !found.pushed && !match.spun && !robot.placedInMap;
-    robot.scanner.addMount(live, match.scanInMap, robot.sensorInMap, comesByOdometry && held);
+    robot.scanner.addMount(live, match.scanInMap, robot.sensorInMap, comesByOdometry && bySurfaces);
     robot.known = true;
     robot.beginsPart = robot.beginsPart && found.lost;
     robot.placedInMap.reset();

@@ -64,8 +64,6 @@ void Explorer::plan(const Pose& baseInOdom, Time now) {
     const Eigen::Vector3d here = baseInOdom.translation();
     if (m_goal) {
         m_way = m_memory.wayTo(here, *m_goal, m_settings.goalNear);
-        m_towards = m_way.empty() && !FloorMemory::isSameFloor(m_goal->z(), here.z());
-        if (m_towards) m_way = m_memory.wayTowards(here, *m_goal);
     } else {
         // Keeps its aim as long as there is something to see: no dithering between two.
         bool keep = !m_way.empty() && (m_way.back() - here).head<2>().norm() > m_settings.arrived &&
@@ -129,7 +127,7 @@ std::optional<DriveVelocity> Explorer::recover(const VirtualScanView& view, cons
     }
     if (secondsBetween(*m_progressAt, now) < m_settings.stuckAfter) return std::nullopt;
     if (++m_recoveries > MostRecoveries && !m_way.empty()) {
-        if (!m_goal || m_towards) m_memory.giveUp(m_way.back(), 0.5);
+        if (!m_goal) m_memory.giveUp(m_way.back(), 0.5);
         m_way.clear();
         m_planned.reset();
         m_recoveries = 0;
@@ -167,7 +165,7 @@ ExplorerStep Explorer::step(const VirtualScanView& view, const Pose& baseInOdom,
         return (place.head<2>() - here).norm() < m_settings.arrived &&
                FloorMemory::isSameFloor(place.z(), baseInOdom.translation().z());
     };
-    if (m_goal && (isAt(*m_goal) || (!m_way.empty() && !m_towards && isAt(m_way.back())))) {
+    if (m_goal && (isAt(*m_goal) || (!m_way.empty() && isAt(m_way.back())))) {
         step.done = true;
         step.reason = robot_says::AtTheGoal;
         return step;

@@ -69,7 +69,6 @@ private:
     FloorMemory m_memory;
     std::optional<Eigen::Vector3d> m_goal;
     std::vector<Eigen::Vector3d> m_way;
-    bool m_towards = false;  ///< it only leads towards the goal, to where more of the way shows
     std::optional<Time> m_planned, m_seen, m_progressAt, m_recoverUntil;
     Eigen::Vector2d m_progress = Eigen::Vector2d::Zero();  ///< place of then [m]
     Time m_patience{};  ///< until then it tries to come to where its way ends

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <queue>
 
@@ -283,21 +282,24 @@ std::vector<Eigen::Vector3d> FloorMemory::search(const Eigen::Vector3d& from, co
     const Key start = find(from).key;
     open.push({0.0, start});
     best[start] = {0.0, start, from.z()};
-    Node end{std::numeric_limits<double>::infinity(), start};  // with what is left from there
     while (!open.empty() && best.size() < MostCells) {
         const Node node = open.top();
         open.pop();
-        if (node.cost >= end.cost) break;
         Best& mine = best[node.key];
         if (mine.closed) continue;
         mine.closed = true;
         const double height = mine.height;
         const auto known = m_cells.find(node.key);
-        const Place here{node.key, known == m_cells.end() ? nullptr : &known->second};
-        if (goal.reached(here, height)) {
-            const double left = goal.left ? goal.left(here, height) / m_settings.cell : 0.0;
-            if (node.cost + left < end.cost) end = {node.cost + left, node.key};
-            if (!goal.left) break;
+        if (goal.reached({node.key, known == m_cells.end() ? nullptr : &known->second}, height)) {
+            std::vector<Eigen::Vector3d> way;
+            const auto add = [&](Key key) {
+                const Eigen::Vector2d middle = middleOf(key);
+                way.emplace_back(middle.x(), middle.y(), best[key].height);
+            };
+            for (Key key = node.key; key != start; key = best[key].before) add(key);
+            std::reverse(way.begin(), way.end());
+            if (way.empty()) add(start);
+            return way;
         }
         for (std::int64_t x = -1; x <= 1; ++x) {
             for (std::int64_t y = -1; y <= 1; ++y) {
@@ -317,21 +319,13 @@ std::vector<Eigen::Vector3d> FloorMemory::search(const Eigen::Vector3d& from, co
             }
         }
     }
-    if (!std::isfinite(end.cost)) return {};
-    std::vector<Eigen::Vector3d> way;
-    const auto add = [&](Key key) {
-        const Eigen::Vector2d middle = middleOf(key);
-        way.emplace_back(middle.x(), middle.y(), best[key].height);
-    };
-    for (Key key = end.key; key != start; key = best[key].before) add(key);
-    std::reverse(way.begin(), way.end());
-    if (way.empty()) add(start);
-    return way;
+    return {};
 }
 
 std::vector<Eigen::Vector3d> FloorMemory::wayToUnseen(const Eigen::Vector3d& from,
                                                       const Turning& turning) const {
-    return search(from, {[this](const Place& place, double) { return isBorder(place); }}, turning);
+    return search(from, {[this](const Place& place, double) { return isBorder(place); }, std::nullopt},
+                  turning);
 }
 
 std::vector<Eigen::Vector3d> FloorMemory::wayTo(const Eigen::Vector3d& from, const Eigen::Vector3d& goal,
@@ -353,16 +347,6 @@ std::vector<Eigen::Vector3d> FloorMemory::wayTo(const Eigen::Vector3d& from, con
         return (middleOf(place.key) - goal.head<2>()).norm() < near && isSameFloor(height, goal.z());
     };
     return search(from, {isNear, around}, {});
-}
-
-std::vector<Eigen::Vector3d> FloorMemory::wayTowards(const Eigen::Vector3d& from,
-                                                     const Eigen::Vector3d& goal) const {
-    constexpr double Climbs = 5.0;  // of way for each metre up or down [m]
-    const auto isThere = [this](const Place& place, double) { return isBorder(place); };
-    const auto left = [&](const Place& place, double height) {
-        return (middleOf(place.key) - goal.head<2>()).norm() + Climbs * std::abs(height - goal.z());
-    };
-    return search(from, {isThere, std::nullopt, left}, {});
 }
 
 bool FloorMemory::isSeen(const Eigen::Vector3d& place) const {

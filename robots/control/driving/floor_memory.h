@@ -61,11 +61,6 @@ public:
     /// too. Empty: none.
     [[nodiscard]] std::vector<Eigen::Vector3d> wayTo(const Eigen::Vector3d& from, const Eigen::Vector3d& goal,
                                                      double near = 0.5) const;
-    /// The way over seen floor to that border of the unseen from where @p goal seems least far, for one to
-    /// which there is no way as far as is seen: on another storey, it is known what lies below it, not where
-    /// a ramp leads. Empty: none.
-    [[nodiscard]] std::vector<Eigen::Vector3d> wayTowards(const Eigen::Vector3d& from,
-                                                          const Eigen::Vector3d& goal) const;
     /// Whether the border of the unseen is still at @p place.
     [[nodiscard]] bool isBorderNear(const Eigen::Vector3d& place) const;
     /// Whether the robot's middle may go straight from @p from to @p to.
@@ -107,11 +102,9 @@ private:
     [[nodiscard]] bool isBorder(const Place& place) const;
     struct Goal {
         std::function<bool(const Place& place, double height)> reached;
-        std::optional<double> unseen = std::nullopt;  ///< over unseen floor as well, so far away [m]
-        /// What is left from there, at least 0, as so long a way [m]; empty: nothing.
-        std::function<double(const Place& place, double height)> left = nullptr;
+        std::optional<double> unseen;  ///< over unseen floor as well, so far away [m]
     };
-    /// Dijkstra's cheapest way from @p from to a cell that is a goal, with what is left from there.
+    /// Dijkstra's cheapest way from @p from to the first cell that is a goal.
     [[nodiscard]] std::vector<Eigen::Vector3d> search(const Eigen::Vector3d& from, const Goal& goal,
                                                       const Turning& turning) const;
 

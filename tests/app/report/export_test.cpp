@@ -200,7 +200,6 @@ TEST_F(Export, EachFormatIsWrittenReadAgainAndInTheHelp) {
     const ProcessOutcome help = runProcess(program("leitstandctl"), {"export", "--help"});
     for (const ExportFormat& format : exportFormats()) {
         const fs::path file = exported("each" + format.ending);
-        EXPECT_THAT(m_outcome.out, HasSubstr("each")) << "what was read again is told";
         EXPECT_TRUE(fs::exists(file)) << format.ending;
         EXPECT_THAT(help.out, HasSubstr(format.ending));
         EXPECT_THAT(help.out, HasSubstr(format.subject));

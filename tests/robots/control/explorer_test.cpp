@@ -232,27 +232,6 @@ VirtualScanView inCorridor() {
     return view;
 }
 
-TEST(FloorMemory, TowardsAStoreyAboveOneThatItKnowsItGoesUpTheRamp) {
-    FloorMemory memory;
-    constexpr double Slope = degrees(11.3), Storey = 2.6, RampLength = 13.0, Begun = 1.5;
-    const Eigen::Vector3d goal(RampLength, 0.0, Storey);
-    // Below the goal it has been, and all round there: there is no unseen floor over which to come to it.
-    VirtualScanView open;
-    open.sectors.resize(180);
-    for (VirtualSector& sector : open.sectors) sector.age = 0.1;
-    for (double x = RampLength - 4.0; x < RampLength + 4.0; x += 0.1)
-        memory.see(open, poseFrom({x, 0.0, 0.0}, 0.0, 0.0, 0.0));
-    for (double up = 0.0; up < Begun; up += 0.1)
-        memory.see(inCorridor(), poseFrom({up, 0.0, Storey * up / RampLength}, 0.0, -Slope, 0.0));
-    const Eigen::Vector3d here(Begun, 0.0, Storey * Begun / RampLength);
-    EXPECT_TRUE(memory.wayTo(here, goal).empty())
-        << "as far as it has seen the ramp ends over the floor below";
-    const auto way = memory.wayTowards(here, goal);
-    ASSERT_FALSE(way.empty());
-    EXPECT_GT(way.back().x(), Begun + 1.0) << "up";
-    EXPECT_GT(way.back().z(), here.z() + 0.2);
-}
-
 TEST(FloorMemory, StoreysLieAboveEachOther) {
     FloorMemory memory;
     const VirtualScanView view = inCorridor();

@@ -1,6 +1,8 @@
 #include "core/mapping/live/loops/place_verifier.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "core/mapping/live/loops/found_links.h"
 #include "core/mapping/live/loops/free_space.h"
@@ -65,7 +67,10 @@ bool PlaceVerifier::fitsBeside(const MatchedPlace& place, const LiveKeyScan& sca
     FlatPose best = FlatPose::of(found * level.inverse());
     best.place.setZero();
     const WallRaster walls = wallsAbout(local, middle);
-    for (const RasterPlace& other : walls.beside(view, best, about, within + Slack, m_loops.alikeFromAbove)) {
+    constexpr std::size_t Most = 4;  // are tried: each takes what a scan that enters does
+    std::vector<RasterPlace> others = walls.beside(view, best, about, within + Slack, m_loops.alikeFromAbove);
+    others.resize(std::min(others.size(), Most));
+    for (const RasterPlace& other : others) {
         Pose guess = found;
         guess.translation().head<2>() += other.pose.place;
         const std::optional<MatchedPlace> there = verify(scan, older, local, guess);

@@ -14,11 +14,11 @@ constexpr std::size_t ComparedNext = 8;               ///< ... one key scan of s
 
 }  // namespace
 
-void ScannerTrack::restart(std::uint64_t newest) {
+void ScannerTrack::restart(std::uint64_t lastLeftOut) {
     m_rangeBias = {};
     m_lean = {};
     m_mount = {};
-    m_since = newest;
+    m_since = lastLeftOut;
     m_comparisons = 0;
 }
 

@@ -19,9 +19,9 @@ namespace leitstand {
 /// What the map tells of a robot's scanner, from scan to scan.
 class ScannerTrack {
 public:
-    /// The scanner is another one, or corrected, from the key scan after @p newest on: nothing is known of
-    /// it.
-    void restart(std::uint64_t newest);
+    /// The scanner is another one, or corrected: nothing is known of it. The key scan @p lastLeftOut, and
+    /// those before, do not tell.
+    void restart(std::uint64_t lastLeftOut);
 
     /// What @p live says is against gravity, in its frame, as far as the lean is known.
     [[nodiscard]] Eigen::Vector3d upOf(const LiveScan& live) const;
