@@ -50,7 +50,7 @@ struct LiveMapper::State {
     [[nodiscard]] std::variant<Registered, ScanDoubt> registered(const LiveScan& live,
                                                                  const RobotTrack& robot,
                                                                  std::span<const PlacedBody> others);
-    /// Whether @p found is a key scan of @p robot.
+    /// Whether @p found is a key scan of @p robot, which remembers whether it was left out for the next one.
     [[nodiscard]] bool isKeyScan(RobotTrack& robot, const LiveScan& live, const Registered& found) const;
     /// @p found enters the map: into @p update what there is to be logged.
     void enter(MapUpdate& update, RobotTrack& robot, const LiveScan& live, const Registered& found, Time now);

@@ -150,11 +150,11 @@ std::optional<MatchedPlace> LoopCloser::look(const LiveKeyScan& entered, const L
 }
 
 bool LoopCloser::fitsBeside(const MatchedPlace& found, const LiveKeyScan& entered, const LiveMap& map) const {
-    const auto older = std::find_if(map.scans.begin(), map.scans.end(),
-                                    [&](const LiveKeyScan& scan) { return scan.id == found.link.from; });
-    if (older == map.scans.end()) return false;
     const double expected = m_settings.askBeyond * deviation(found.link.from, found.link.to);
     const double within = std::min(m_settings.reach, std::max(expected, found.shift()));
+    const auto older = std::find_if(map.scans.begin(), map.scans.end(),
+                                    [&](const LiveKeyScan& scan) { return scan.id == found.link.from; });
+    if (older == map.scans.end() || !PlaceVerifier::mayFitBeside(found, within)) return false;
     const std::map<std::uint64_t, double> near = sameAge(entered.id);
     const LocalMap local =
         localAbout(*older, map, [&](const LiveKeyScan& scan) { return near.contains(scan.id); });

@@ -55,12 +55,15 @@ std::optional<MatchedPlace> PlaceVerifier::verify(const LiveKeyScan& scan, const
     return place;
 }
 
+bool PlaceVerifier::mayFitBeside(const MatchedPlace& place, double within) {
+    return place.shift() + within + Slack >= WallRaster::PlacesApart;
+}
+
 bool PlaceVerifier::fitsBeside(const MatchedPlace& place, const LiveKeyScan& scan, const LiveKeyScan& older,
                                const LocalMap& local, double within) const {
     const Pose found = place.correction * scan.pose.scanInMap;
     const Eigen::Vector3d middle = found.translation();
     const Eigen::Vector2d about = (place.at - middle).head<2>();
-    if (about.norm() + within + Slack < WallRaster::PlacesApart) return false;
     const Pose level = levelled(Pose::Identity(), upOf(scan), 1.0);
     const auto view =
         thinnedWalls(wallsFromAbove(scan.reduced->unpacked(), level.linear().cast<float>(), WallBand{}));

@@ -44,6 +44,9 @@ public:
     [[nodiscard]] bool fitsBeside(const MatchedPlace& place, const LiveKeyScan& scan,
                                   const LiveKeyScan& older, const LocalMap& local, double within) const;
 
+    /// Whether anything lies so near that this could be; else it need not be asked.
+    [[nodiscard]] static bool mayFitBeside(const MatchedPlace& place, double within);
+
 private:
     LoopSettings m_loops;
     MatchSettings m_match;
