@@ -170,6 +170,73 @@
     </message>
 </context>
 <context>
+    <name>Panes</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Second camera</source>
+        <translation>Zweite Kamera</translation>
+    </message>
+    <message>
+        <source>3D map</source>
+        <translation>3D-Karte</translation>
+    </message>
+    <message>
+        <source>Scans and decisions</source>
+        <translation>Scans und Entscheidungen</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Übersehen</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Geändert</translation>
+    </message>
+    <message>
+        <source>Virtual scan</source>
+        <translation>Virtueller Scan</translation>
+    </message>
+    <message>
+        <source>Victims</source>
+        <translation>Opfer</translation>
+    </message>
+    <message>
+        <source>Finds</source>
+        <translation>Funde</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Wertung</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Funk</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+</context>
+<context>
     <name>PdfText</name>
     <message>
         <source>page %1</source>
@@ -805,10 +872,6 @@
 <context>
     <name>leitstand::AlarmsFeature</name>
     <message>
-        <source>Alarms</source>
-        <translation>Alarme</translation>
-    </message>
-    <message>
         <source>&amp;Acknowledge the newest alarm</source>
         <translation>Neuesten &amp;Alarm quittieren</translation>
     </message>
@@ -946,14 +1009,6 @@
 </context>
 <context>
     <name>leitstand::CameraFeature</name>
-    <message>
-        <source>Camera</source>
-        <translation>Kamera</translation>
-    </message>
-    <message>
-        <source>Second camera</source>
-        <translation>Zweite Kamera</translation>
-    </message>
     <message>
         <source>Re-&amp;centre cameras</source>
         <translation>Kameras &amp;zentrieren</translation>
@@ -1241,10 +1296,6 @@ Die blaue Linie ist der Horizont.</translation>
 <context>
     <name>leitstand::ChangesFeature</name>
     <message>
-        <source>Changed</source>
-        <translation>Geändert</translation>
-    </message>
-    <message>
         <source>What c&amp;hanged</source>
         <translation>Was sich geän&amp;dert hat</translation>
     </message>
@@ -1382,10 +1433,6 @@ Die blaue Linie ist der Horizont.</translation>
 </context>
 <context>
     <name>leitstand::CompareFeature</name>
-    <message>
-        <source>Compare</source>
-        <translation>Vergleich</translation>
-    </message>
     <message>
         <source>&amp;Compare registrations</source>
         <translation>Registrierungen &amp;vergleichen</translation>
@@ -1714,10 +1761,6 @@ Die blaue Linie ist der Horizont.</translation>
 <context>
     <name>leitstand::CoverageFeature</name>
     <message>
-        <source>Missed</source>
-        <translation>Übersehen</translation>
-    </message>
-    <message>
         <source>Searched floor: &amp;hidden</source>
         <translation>Abgesuchter Boden: &amp;verborgen</translation>
     </message>
@@ -1848,10 +1891,6 @@ Die blaue Linie ist der Horizont.</translation>
 </context>
 <context>
     <name>leitstand::DecisionsFeature</name>
-    <message>
-        <source>Scans and decisions</source>
-        <translation>Scans und Entscheidungen</translation>
-    </message>
     <message>
         <source>Ne&amp;xt doubtful scan</source>
         <translation>Nächster z&amp;weifelhafter Scan</translation>
@@ -2096,10 +2135,6 @@ Die blaue Linie ist der Horizont.</translation>
     <message>
         <source>The keys do not drive: %1 lets them</source>
         <translation>Die Tasten fahren nicht: %1 lässt sie fahren</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>Roboter</translation>
     </message>
     <message>
         <source>&amp;Drive with keys</source>
@@ -3347,14 +3382,6 @@ Funk: %4 %5</translation>
 <context>
     <name>leitstand::FindsFeature</name>
     <message>
-        <source>Finds</source>
-        <translation>Funde</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>Form</translation>
-    </message>
-    <message>
         <source>Taken back</source>
         <translation>Zurückgenommen</translation>
     </message>
@@ -3586,10 +3613,6 @@ Funk: %4 %5</translation>
 </context>
 <context>
     <name>leitstand::HandInFeature</name>
-    <message>
-        <source>Score</source>
-        <translation>Wertung</translation>
-    </message>
     <message>
         <source>R&amp;eport into a folder…</source>
         <translation>B&amp;ericht in einen Ordner…</translation>
@@ -4115,10 +4138,6 @@ Apache License 2.0</translation>
         <translation>Von den Robotern wird weniger verlangt: andere Kameras kommen selten oder gar nicht</translation>
     </message>
     <message>
-        <source>Link</source>
-        <translation>Funk</translation>
-    </message>
-    <message>
         <source>Thin link: telemetry, scans and one camera come first (T ends it)</source>
         <translation>Sparfunk: Telemetrie, Scans und eine Kamera kommen zuerst (T beendet ihn)</translation>
     </message>
@@ -4621,10 +4640,6 @@ Apache License 2.0</translation>
 <context>
     <name>leitstand::MapFeature</name>
     <message>
-        <source>3D map</source>
-        <translation>3D-Karte</translation>
-    </message>
-    <message>
         <source>no scan is registered and drawn</source>
         <translation>kein Scan ist registriert und gezeichnet</translation>
     </message>
@@ -4900,10 +4915,6 @@ F1 listet alle Tasten</translation>
 </context>
 <context>
     <name>leitstand::MessagesFeature</name>
-    <message>
-        <source>Messages</source>
-        <translation>Meldungen</translation>
-    </message>
     <message>
         <source>Me&amp;ssages</source>
         <translation>Mel&amp;dungen</translation>
@@ -6587,10 +6598,6 @@ F1 listet alle Tasten</translation>
 <context>
     <name>leitstand::ReportFeature</name>
     <message>
-        <source>Score</source>
-        <translation>Wertung</translation>
-    </message>
-    <message>
         <source>Mission d&amp;ata…</source>
         <translation>Missions&amp;daten…</translation>
     </message>
@@ -6723,21 +6730,6 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Registering again was cancelled</source>
         <translation>Die erneute Registrierung wurde abgebrochen</translation>
-    </message>
-</context>
-<context>
-    <name>leitstand::ReviewPanes</name>
-    <message>
-        <source>Robot</source>
-        <translation>Roboter</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarme</translation>
-    </message>
-    <message>
-        <source>Link</source>
-        <translation>Funk</translation>
     </message>
 </context>
 <context>
@@ -7313,10 +7305,6 @@ F1 listet alle Tasten</translation>
 </context>
 <context>
     <name>leitstand::ScanFeature</name>
-    <message>
-        <source>Virtual scan</source>
-        <translation>Virtueller Scan</translation>
-    </message>
     <message>
         <source>&amp;Laser in the virtual scan</source>
         <translation>&amp;Laser im virtuellen Scan</translation>
@@ -9374,14 +9362,6 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
 </context>
 <context>
     <name>leitstand::VictimsFeature</name>
-    <message>
-        <source>Victims</source>
-        <translation>Opfer</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>Form</translation>
-    </message>
     <message>
         <source>&amp;Victim here</source>
         <translation>&amp;Opfer hier</translation>

@@ -170,6 +170,73 @@
     </message>
 </context>
 <context>
+    <name>Panes</name>
+    <message>
+        <source>Robot</source>
+        <translation>ロボット</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>カメラ</translation>
+    </message>
+    <message>
+        <source>Second camera</source>
+        <translation>第 2 カメラ</translation>
+    </message>
+    <message>
+        <source>3D map</source>
+        <translation>3D 地図</translation>
+    </message>
+    <message>
+        <source>Scans and decisions</source>
+        <translation>スキャンと判断</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>見落とし</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>Virtual scan</source>
+        <translation>仮想スキャン</translation>
+    </message>
+    <message>
+        <source>Victims</source>
+        <translation>被災者</translation>
+    </message>
+    <message>
+        <source>Finds</source>
+        <translation>発見</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>フォーム</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>得点</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>通信</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>警報</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比較</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>メッセージ</translation>
+    </message>
+</context>
+<context>
     <name>PdfText</name>
     <message>
         <source>page %1</source>
@@ -805,10 +872,6 @@
 <context>
     <name>leitstand::AlarmsFeature</name>
     <message>
-        <source>Alarms</source>
-        <translation>警報</translation>
-    </message>
-    <message>
         <source>&amp;Acknowledge the newest alarm</source>
         <translation>最新の警報を確認(&amp;A)</translation>
     </message>
@@ -946,14 +1009,6 @@
 </context>
 <context>
     <name>leitstand::CameraFeature</name>
-    <message>
-        <source>Camera</source>
-        <translation>カメラ</translation>
-    </message>
-    <message>
-        <source>Second camera</source>
-        <translation>第 2 カメラ</translation>
-    </message>
     <message>
         <source>Re-&amp;centre cameras</source>
         <translation>カメラを正面へ(&amp;C)</translation>
@@ -1241,10 +1296,6 @@ The blue line is the horizon.</source>
 <context>
     <name>leitstand::ChangesFeature</name>
     <message>
-        <source>Changed</source>
-        <translation>変化</translation>
-    </message>
-    <message>
         <source>What c&amp;hanged</source>
         <translation>変化したもの(&amp;H)</translation>
     </message>
@@ -1382,10 +1433,6 @@ The blue line is the horizon.</source>
 </context>
 <context>
     <name>leitstand::CompareFeature</name>
-    <message>
-        <source>Compare</source>
-        <translation>比較</translation>
-    </message>
     <message>
         <source>&amp;Compare registrations</source>
         <translation>レジストレーションを比較(&amp;C)</translation>
@@ -1714,10 +1761,6 @@ The blue line is the horizon.</source>
 <context>
     <name>leitstand::CoverageFeature</name>
     <message>
-        <source>Missed</source>
-        <translation>見落とし</translation>
-    </message>
-    <message>
         <source>Searched floor: &amp;hidden</source>
         <translation>探索済みの床: 表示しない(&amp;H)</translation>
     </message>
@@ -1848,10 +1891,6 @@ The blue line is the horizon.</source>
 </context>
 <context>
     <name>leitstand::DecisionsFeature</name>
-    <message>
-        <source>Scans and decisions</source>
-        <translation>スキャンと判断</translation>
-    </message>
     <message>
         <source>Ne&amp;xt doubtful scan</source>
         <translation>次の疑わしいスキャン(&amp;X)</translation>
@@ -2096,10 +2135,6 @@ The blue line is the horizon.</source>
     <message>
         <source>The keys do not drive: %1 lets them</source>
         <translation>キーでは動きません。%1 でキー操縦にします</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>ロボット</translation>
     </message>
     <message>
         <source>&amp;Drive with keys</source>
@@ -3347,14 +3382,6 @@ Link: %4 %5</source>
 <context>
     <name>leitstand::FindsFeature</name>
     <message>
-        <source>Finds</source>
-        <translation>発見</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>フォーム</translation>
-    </message>
-    <message>
         <source>Taken back</source>
         <translation>取り消した</translation>
     </message>
@@ -3586,10 +3613,6 @@ Link: %4 %5</source>
 </context>
 <context>
     <name>leitstand::HandInFeature</name>
-    <message>
-        <source>Score</source>
-        <translation>得点</translation>
-    </message>
     <message>
         <source>R&amp;eport into a folder…</source>
         <translation>フォルダーへ報告(&amp;E)…</translation>
@@ -4115,10 +4138,6 @@ Apache License 2.0</translation>
         <translation>ロボットへの要求を削減: 他のカメラはまれにしか届かないか、届かない</translation>
     </message>
     <message>
-        <source>Link</source>
-        <translation>通信</translation>
-    </message>
-    <message>
         <source>Thin link: telemetry, scans and one camera come first (T ends it)</source>
         <translation>低帯域: テレメトリ、スキャン、カメラ 1 台を優先（T で終了）</translation>
     </message>
@@ -4621,10 +4640,6 @@ Apache License 2.0</translation>
 <context>
     <name>leitstand::MapFeature</name>
     <message>
-        <source>3D map</source>
-        <translation>3D 地図</translation>
-    </message>
-    <message>
         <source>no scan is registered and drawn</source>
         <translation>位置合わせ・描画されたスキャンなし</translation>
     </message>
@@ -4900,10 +4915,6 @@ F1 でキー一覧</translation>
 </context>
 <context>
     <name>leitstand::MessagesFeature</name>
-    <message>
-        <source>Messages</source>
-        <translation>メッセージ</translation>
-    </message>
     <message>
         <source>Me&amp;ssages</source>
         <translation>メッセージ(&amp;S)</translation>
@@ -6587,10 +6598,6 @@ F1 でキー一覧</translation>
 <context>
     <name>leitstand::ReportFeature</name>
     <message>
-        <source>Score</source>
-        <translation>得点</translation>
-    </message>
-    <message>
         <source>Mission d&amp;ata…</source>
         <translation>ミッション情報(&amp;A)…</translation>
     </message>
@@ -6723,21 +6730,6 @@ F1 でキー一覧</translation>
     <message>
         <source>Registering again was cancelled</source>
         <translation>再レジストレーションを中止</translation>
-    </message>
-</context>
-<context>
-    <name>leitstand::ReviewPanes</name>
-    <message>
-        <source>Robot</source>
-        <translation>ロボット</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>警報</translation>
-    </message>
-    <message>
-        <source>Link</source>
-        <translation>通信</translation>
     </message>
 </context>
 <context>
@@ -7313,10 +7305,6 @@ F1 でキー一覧</translation>
 </context>
 <context>
     <name>leitstand::ScanFeature</name>
-    <message>
-        <source>Virtual scan</source>
-        <translation>仮想スキャン</translation>
-    </message>
     <message>
         <source>&amp;Laser in the virtual scan</source>
         <translation>仮想スキャンにレーザーを表示(&amp;L)</translation>
@@ -9374,14 +9362,6 @@ A function of this program, no certified emergency stop.</source>
 </context>
 <context>
     <name>leitstand::VictimsFeature</name>
-    <message>
-        <source>Victims</source>
-        <translation>被災者</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>フォーム</translation>
-    </message>
     <message>
         <source>&amp;Victim here</source>
         <translation>ここに被災者(&amp;V)</translation>

@@ -124,8 +124,12 @@ const std::vector<Order>& orders() {
                     "app/report/pdf",         "app/cli/console",
                     "app/cli/options",        "app/cli",
                     "app/window/commands",    "app/window/shell",
-                    "app/window/scans",       "app/window/live",
-                    "app/window/review",      "app/window"}},
+                    "app/window/source",      "app/window/map",
+                    "app/window/frame",       "app/window/input",
+                    "app/window/panes",       "app/window/scans",
+                    "app/window/robots",      "app/window/layouts",
+                    "app/window/live",        "app/window/review",
+                    "app/window"}},
     };
     return all;
 }

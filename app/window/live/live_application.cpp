@@ -27,9 +27,8 @@
 #include "app/services/recorded/carried_map.h"
 #include "app/services/station/choose_robots.h"
 #include "app/services/station/last_station.h"
+#include "app/window/layouts/layout_feature.h"
 #include "app/window/live/demo_robots.h"
-#include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
 #include "app/window/live/mission/mission_feature.h"
 #include "app/window/live/preflight/preflight_feature.h"
@@ -37,6 +36,7 @@
 #include "app/window/shell/picture_size.h"
 #include "app/window/shell/terminal.h"
 #include "app/window/shell/work_in_front.h"
+#include "app/window/source/live_bridge.h"
 #include "core/mission/state/mission_state.h"
 #include "core/version/version.h"
 #include "widgets/map_view/map_view.h"
@@ -206,13 +206,13 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
         return complain("--layout " + window.newest().toStdString()), Ended{2};
     if (options.look) window.setLook(*options.look);
     if (demo != nullptr) {
-        QObject::connect(demo, &DemoRobots::failed, &window, &LiveWindow::tell);
+        QObject::connect(demo, &DemoRobots::failed, &window, &LiveWindow::showMessage);
         demo->start();
     }
     if (picture) return {takePicture(window, bridge.station(), options)};
     Ended ended;
     if (!earlier.empty()) window.mission().offerEarlier(QString::fromStdString(earlier.filename().string()));
-    if (!hint.isEmpty()) window.tell(hint);
+    if (!hint.isEmpty()) window.showMessage(hint);
     QObject::connect(&window.mission(), &MissionFeature::earlierWanted, &window, [&] {
         ended.earlier = true;
         window.closeUnasked();

@@ -8,32 +8,24 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
 #include "app/window/commands/language_commands.h"
-#include "app/window/live/alarms/alarms_feature.h"
-#include "app/window/live/cameras/camera_feature.h"
-#include "app/window/live/changes/changes_feature.h"
-#include "app/window/live/coverage/coverage_feature.h"
-#include "app/window/live/drive/drive_feature.h"
-#include "app/window/live/frame/closing_question.h"
-#include "app/window/live/frame/key_columns.h"
-#include "app/window/live/frame/pane_docks.h"
-#include "app/window/live/frame/window_frame.h"
-#include "app/window/live/input/selection.h"
-#include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/layouts/layout_switch.h"
-#include "app/window/live/link/link_feature.h"
-#include "app/window/live/live_bridge.h"
-#include "app/window/live/live_context.h"
-#include "app/window/live/map/map_actions.h"
-#include "app/window/live/map/map_feature.h"
-#include "app/window/live/messages/messages_feature.h"
+#include "app/window/frame/key_columns.h"
+#include "app/window/frame/pane_docks.h"
+#include "app/window/frame/window_frame.h"
+#include "app/window/input/selection.h"
+#include "app/window/layouts/layout_feature.h"
+#include "app/window/layouts/layout_switch.h"
+#include "app/window/live/closing_question.h"
 #include "app/window/live/mission/mission_feature.h"
 #include "app/window/live/pad/pad_feature.h"
 #include "app/window/live/preflight/preflight_feature.h"
-#include "app/window/live/report/report_feature.h"
-#include "app/window/live/robots/robots_feature.h"
-#include "app/window/live/scan/scan_feature.h"
-#include "app/window/live/victims/find_pointing.h"
-#include "app/window/live/victims/victims_feature.h"
+#include "app/window/panes/alarms/alarms_feature.h"
+#include "app/window/panes/camera/camera_feature.h"
+#include "app/window/panes/drive/drive_feature.h"
+#include "app/window/panes/link/link_feature.h"
+#include "app/window/panes/map/map_feature.h"
+#include "app/window/panes/view_context.h"
+#include "app/window/robots/robots_feature.h"
+#include "app/window/source/live_bridge.h"
 #include "widgets/models/others_text.h"
 #include "widgets/painting/plain_texts.h"
 #include "widgets/painting/theme.h"
@@ -58,34 +50,16 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_commands = new CommandTable(*this);
     m_panes = new PaneDocks(this);
     const LiveContext context{{m_bridge, *m_selection, *m_commands, *m_panes, *this, &bridge.station()},
-                              m_bridge};
-    // Each of these makes its panes and commands; the layouts come last, which place and bind them.
+                              bridge.station()};
+    // Each of these adds its commands; the layouts come last, which place the panes and bind the keys.
     m_mission = new MissionFeature(context, QString::fromStdString(bridge.station().folder()));
     m_robots = new RobotsFeature(context);
-    m_drive = new DriveFeature(context);
-    m_cameras = new CameraFeature(context);
-    m_map = new MapFeature(context, view);
-    auto* mapActions = new MapActions(context, *m_map);
-    connect(mapActions, &MapActions::told, this, &LiveWindow::tell);
-    connect(&m_drive->input(), &DriveInput::halted, mapActions, &MapActions::halt);
-    auto* coverage = new CoverageFeature(
-        context, *m_map, [&bridge](const LiveMoment&) { return bridge.station().searched(); }, mapActions);
-    connect(coverage, &CoverageFeature::told, this, &LiveWindow::tell);
-    auto* const changes = new ChangesFeature(context, *m_map);
-    connect(changes, &ChangesFeature::told, this, &LiveWindow::tell);
-    auto* scan = new ScanFeature(context);
-    m_victims = new VictimsFeature(context, *m_map, *m_cameras);
-    auto* pointing = new FindPointing(context, *m_map, *m_cameras, *scan);
-    connect(pointing, &FindPointing::told, this, &LiveWindow::tell);
-    m_report = new ReportFeature(context);
-    m_pads = new PadFeature(context, m_drive->input(), std::move(pads));
-    m_link = new LinkFeature(context);
+    m_features = makePanes(context, view);
+    m_pads = new PadFeature(context, m_features.drive->input(), std::move(pads));
     m_preflight = new PreflightFeature(context);
-    m_alarms = new AlarmsFeature(context);
-    m_messages = new MessagesFeature(context);
     m_closing = new ClosingQuestion(context);
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
-    m_layouts = new LayoutFeature(context, std::move(layouts), *m_map);
+    m_layouts = new LayoutFeature(context, std::move(layouts), *m_features.map);
     (new HelpCommands(*this, KeyColumns::live()))->fill(m_commands->menu(CommandMenu::Help));
     m_commands->adopt(CommandMenu::Help);
     build();
@@ -96,7 +70,8 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
 
 LiveWindow::~LiveWindow() {
     setDriving(false);
-    // What its parts still say while they go has nobody to hear it.
+    // Nobody receives what features emit while they go.
+    m_bridge.disconnect(this);
     for (QObject* part : children()) part->disconnect(this);
 }
 
@@ -107,50 +82,44 @@ void LiveWindow::build() {
                     {m_mission->bar()}},
                    {{m_robots->stop()}}, *m_panes);
     m_frame->addBadge(m_preflight->badge());
-    m_frame->addBadge(m_link->badge(), /*keepsPlace=*/true);
+    m_frame->addBadge(m_features.link->badge(), /*keepsPlace=*/true);
     m_panes->setFocus();  // and not STOP, which Space would press
 }
 
 void LiveWindow::connectFeatures() {
     const auto watch = [this] { m_bridge.watch(m_selection->name().toStdString()); };
     connect(m_selection, &Selection::changed, this, watch);
-    connect(m_cameras, &CameraFeature::driveWanted, this, [this] { setDriving(true); });
-    connect(m_cameras, &CameraFeature::told, this, &LiveWindow::tell);
-    connect(m_robots, &RobotsFeature::told, this, &LiveWindow::tell);
-    connect(m_mission, &MissionFeature::told, this, &LiveWindow::tell);
-    connect(m_victims, &VictimsFeature::told, this, &LiveWindow::tell);
-    connect(m_report, &ReportFeature::told, this, &LiveWindow::tell);
-    connect(m_layouts, &LayoutFeature::told, this, &LiveWindow::tell);
+    connect(m_features.cameras, &CameraFeature::driveWanted, this, [this] { setDriving(true); });
     connect(m_layouts, &LayoutFeature::padBound, m_pads, &PadFeature::useLayout);
-    connect(m_pads, &PadFeature::told, this, &LiveWindow::tell);
-    connect(m_link, &LinkFeature::told, this, &LiveWindow::tell);
-    connect(&m_pads->input(), &PadInput::panTilt, m_cameras,
-            [this](const PanTiltRate& rate) { m_cameras->setRate(rate.pan, -rate.tilt); });
+    connect(&m_pads->input(), &PadInput::panTilt, m_features.cameras,
+            [this](const PanTiltRate& rate) { m_features.cameras->setRate(rate.pan, -rate.tilt); });
     connect(&m_pads->input(), &PadInput::padsChanged, m_preflight,
             [this] { m_preflight->setGamepad(QString::fromStdString(m_pads->input().chosen().name)); });
-    connect(m_alarms, &AlarmsFeature::soundTroubleChanged, m_preflight, &PreflightFeature::setSoundTrouble);
-    m_preflight->setSoundTrouble(m_alarms->soundTrouble());
-    connect(m_preflight, &PreflightFeature::tonesWanted, m_alarms, &AlarmsFeature::tryTones);
-    connect(m_alarms, &AlarmsFeature::sounded, this, [this](AlarmTone tone) {
+    connect(m_features.alarms, &AlarmsFeature::soundTroubleChanged, m_preflight,
+            &PreflightFeature::setSoundTrouble);
+    m_preflight->setSoundTrouble(m_features.alarms->soundTrouble());
+    connect(m_preflight, &PreflightFeature::tonesWanted, m_features.alarms, &AlarmsFeature::tryTones);
+    connect(m_features.alarms, &AlarmsFeature::sounded, this, [this](AlarmTone tone) {
         const bool act = tone == AlarmTone::Act;
         m_pads->input().rumble(act ? StrongRumble : WeakRumble, act ? LongRumble : ShortRumble);
     });
-    connect(&m_bridge, &LiveBridge::told, this, &LiveWindow::tell);
+    connect(&m_bridge, &MomentSource::notified, this,
+            [this](const QString& text) { m_frame->showMessage(text); });
     watch();
 }
 
 MapView& LiveWindow::mapView() const {
-    return m_map->view();
+    return m_features.map->view();
 }
 
 MapViewSettings LiveWindow::view() const {
-    MapViewSettings view = m_map->settings();
+    MapViewSettings view = m_features.map->settings();
     view.look = m_layouts->ownSight().look;
     return view;
 }
 
 void LiveWindow::setLook(MapLook look) {
-    m_map->show({look, m_map->sight().follow});
+    m_features.map->show({look, m_features.map->sight().follow});
 }
 
 const QString& LiveWindow::selected() const {
@@ -158,16 +127,15 @@ const QString& LiveWindow::selected() const {
 }
 
 bool LiveWindow::driving() const {
-    return m_drive->driving();
+    return m_features.drive->driving();
 }
 
 void LiveWindow::setDriving(bool on) {
-    m_drive->setDriving(on);
+    m_features.drive->setDriving(on);
 }
 
-void LiveWindow::tell(const QString& text) {
-    m_frame->tell(text);
-    m_messages->add(text);
+void LiveWindow::showMessage(const QString& text) {
+    m_bridge.notify(text);
 }
 
 QString LiveWindow::newest() const {
@@ -185,8 +153,8 @@ QString LiveWindow::missing() const {
         if (state == LinkState::NeverSeen || state == LinkState::Lost)
             things += tr("%1 is not connected").arg(othersText(robot.title));
     }
-    things += m_map->missing();
-    things += m_cameras->missing();
+    things += m_features.map->missing();
+    things += m_features.cameras->missing();
     return things.join(QStringLiteral("; "));
 }
 

@@ -7,30 +7,23 @@
 
 #include "app/services/layouts/layout_book.h"
 #include "app/services/pad/pad_memory.h"
+#include "app/window/panes/pane_table.h"
 #include "app/window/shell/asks_before_closing.h"
 #include "widgets/models/map/map_view_settings.h"
 
 namespace leitstand {
 
-class AlarmsFeature;
-class CameraFeature;
 class ClosingQuestion;
 class CommandTable;
-class DriveFeature;
 class LayoutFeature;
-class LinkFeature;
 class LiveBridge;
-class MapFeature;
 class MapView;
-class MessagesFeature;
 class MissionFeature;
 class PadFeature;
 class PaneDocks;
 class PreflightFeature;
-class ReportFeature;
 class RobotsFeature;
 class Selection;
-class VictimsFeature;
 class WindowFrame;
 
 /// The window on live robots (design, section 7): a bar with all robots and STOP, below it the panes of its
@@ -67,7 +60,7 @@ signals:
 
 public slots:
     void setDriving(bool on);
-    void tell(const QString& text);  ///< shows it as the newest message
+    void showMessage(const QString& text);  ///< as the newest, and keeps it in the list of messages
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -83,18 +76,11 @@ private:
     LayoutFeature* m_layouts = nullptr;
     RobotsFeature* m_robots = nullptr;
     MissionFeature* m_mission = nullptr;
-    DriveFeature* m_drive = nullptr;
-    CameraFeature* m_cameras = nullptr;
-    MapFeature* m_map = nullptr;
     PadFeature* m_pads = nullptr;
-    LinkFeature* m_link = nullptr;
-    AlarmsFeature* m_alarms = nullptr;
     PreflightFeature* m_preflight = nullptr;
-    VictimsFeature* m_victims = nullptr;
-    ReportFeature* m_report = nullptr;
     ClosingQuestion* m_closing = nullptr;
+    PaneFeatures m_features;
     WindowFrame* m_frame = nullptr;
-    MessagesFeature* m_messages = nullptr;
 };
 
 }  // namespace leitstand

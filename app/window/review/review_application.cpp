@@ -12,17 +12,17 @@
 
 #include "app/language/language.h"
 #include "app/services/recorded/review_log.h"
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/layouts/layout_feature.h"
 #include "app/window/review/by_hand/by_hand.h"
 #include "app/window/review/merge_progress.h"
-#include "app/window/review/review_bridge.h"
-#include "app/window/review/review_report.h"
 #include "app/window/review/review_window.h"
 #include "app/window/scans/scans_window.h"
 #include "app/window/shell/first_geometry.h"
 #include "app/window/shell/orderly_end.h"
 #include "app/window/shell/picture_size.h"
 #include "app/window/shell/terminal.h"
+#include "app/window/source/review_bridge.h"
+#include "app/window/source/review_report.h"
 
 namespace leitstand {
 namespace {
@@ -124,7 +124,7 @@ int showWindow(ReviewBridge& bridge, const Options& options, const QString& text
         saveWindowState(remembered);
     });
     showAsLeft(window, remembered.liveGeometry, remembered.firstSize);
-    if (!text.isEmpty()) window.tell(text);
+    if (!text.isEmpty()) window.showMessage(text);
     return QApplication::exec();
 }
 

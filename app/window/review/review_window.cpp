@@ -12,37 +12,28 @@
 #include <QFileDialog>
 #include <QLabel>
 
-#include "app/services/coverage/coverage_replay.h"
 #include "app/services/recorded/carried_map.h"
 #include "app/services/recorded/review_log.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
 #include "app/window/commands/language_commands.h"
-#include "app/window/live/cameras/camera_feature.h"
-#include "app/window/live/changes/changes_feature.h"
-#include "app/window/live/coverage/coverage_feature.h"
-#include "app/window/live/frame/key_columns.h"
-#include "app/window/live/frame/pane_docks.h"
-#include "app/window/live/frame/window_frame.h"
-#include "app/window/live/input/selection.h"
-#include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/layouts/layout_switch.h"
-#include "app/window/live/live_context.h"
-#include "app/window/live/map/map_feature.h"
-#include "app/window/live/messages/messages_feature.h"
-#include "app/window/live/robots/robots_feature.h"
-#include "app/window/live/scan/scan_feature.h"
-#include "app/window/review/panes/compare_feature.h"
-#include "app/window/review/panes/finds_by_click.h"
-#include "app/window/review/panes/finds_feature.h"
-#include "app/window/review/panes/hand_in_feature.h"
-#include "app/window/review/panes/timeline_feature.h"
-#include "app/window/review/review_bridge.h"
-#include "app/window/review/review_comparison.h"
-#include "app/window/review/review_panes.h"
+#include "app/window/frame/key_columns.h"
+#include "app/window/frame/pane_docks.h"
+#include "app/window/frame/window_frame.h"
+#include "app/window/input/selection.h"
+#include "app/window/layouts/layout_feature.h"
+#include "app/window/layouts/layout_switch.h"
+#include "app/window/panes/camera/camera_feature.h"
+#include "app/window/panes/compare/compare_feature.h"
+#include "app/window/panes/finds/finds_feature.h"
+#include "app/window/panes/map/map_feature.h"
+#include "app/window/review/review_clock.h"
 #include "app/window/review/tidying_feature.h"
+#include "app/window/review/timeline_feature.h"
+#include "app/window/robots/robots_feature.h"
+#include "app/window/source/review_bridge.h"
+#include "app/window/source/review_comparison.h"
 #include "widgets/map_view/map_view.h"
-#include "widgets/models/victims/victim_rows.h"
 #include "widgets/painting/elided_label.h"
 #include "widgets/painting/plain_texts.h"
 #include "widgets/painting/theme.h"
@@ -66,46 +57,21 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_selection = new Selection(bridge.robots(), this);
     m_commands = new CommandTable(*this);
     m_panes = new PaneDocks(this);
-    const ViewContext context{m_bridge, *m_selection, *m_commands, *m_panes, *this};
-    // Each of these makes its panes and commands; the layouts come last, which place and bind them.
-    m_timeline = new TimelineFeature(context, bridge);
-    m_finds = new FindsFeature(context, bridge);
-    addCommands();
-    auto* handIn = new HandInFeature(context, bridge, *m_finds);
-    connect(handIn, &HandInFeature::told, this, &ReviewWindow::tell);
+    const ReviewContext context{{m_bridge, *m_selection, *m_commands, *m_panes, *this}, bridge};
+    // Each of these adds its commands; the layouts come last, which place the panes and bind the keys.
+    m_timeline = new TimelineFeature(context);
     m_robots = new RobotsFeature(context);
-    m_review = new ReviewPanes(context, bridge);
-    m_cameras = new CameraFeature(context);
-    m_map = new MapFeature(context, view);
-    auto* const tidying = new TidyingFeature(context, m_bridge, m_map->view(), this);
-    connect(tidying, &TidyingFeature::told, this, &ReviewWindow::tell);
+    m_clock = new ReviewClock(context);
+    m_features = makePanes(context, view);
+    addCommands();
+    auto* const tidying = new TidyingFeature(context, m_features.map->view(), this);
     connect(tidying, &TidyingFeature::wanted, this, &ReviewWindow::tidyingWanted);
-    auto* const scan = new ScanFeature(context);
-    auto* const clicks = new FindsByClick(context, bridge, *m_map, *m_cameras, *scan, *m_finds);
-    connect(clicks, &FindsByClick::told, this, &ReviewWindow::tell);
-    addCoverage(context);
-    auto* const changes = new ChangesFeature(context, *m_map);
-    connect(changes, &ChangesFeature::told, this, &ReviewWindow::tell);
-    m_messages = new MessagesFeature(context);
-    auto* compare = new CompareFeature(context, bridge, *m_map);
-    connect(compare, &CompareFeature::told, this, &ReviewWindow::tell);
-    connect(compare, &CompareFeature::wanted, this, [this] { m_layouts->use(QStringLiteral("compare")); });
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
-    m_layouts = new LayoutFeature(context, std::move(layouts), *m_map);
+    m_layouts = new LayoutFeature(context, std::move(layouts), *m_features.map);
     (new HelpCommands(*this, KeyColumns::review()))->fill(m_commands->menu(CommandMenu::Help));
     m_commands->adopt(CommandMenu::Help);
     build();
-    connect(m_selection, &Selection::changed, this,
-            [this] { m_bridge.watch(m_selection->name().toStdString()); });
-    connect(m_cameras, &CameraFeature::told, this, &ReviewWindow::tell);
-    connect(m_timeline, &TimelineFeature::told, this, &ReviewWindow::tell);
-    connect(m_finds, &FindsFeature::told, this, &ReviewWindow::tell);
-    connect(m_finds, &FindsFeature::marksChanged, m_timeline, &TimelineFeature::setOwnMarks);
-    connect(m_layouts, &LayoutFeature::told, this, &ReviewWindow::tell);
-    connect(m_finds, &FindsFeature::findsChanged, m_map, [this] {
-        m_map->view().setFinds(victimRows(m_finds->state(), std::nullopt), m_finds->chosen());
-    });
-    connect(&bridge, &MomentSource::told, this, &ReviewWindow::tell);
+    connectFeatures();
     m_bridge.watch(m_selection->name().toStdString());
     m_timeline->setOwnMarks(bridge.pen().marks());
     m_bridge.showAgain();
@@ -113,20 +79,19 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
 }
 
 ReviewWindow::~ReviewWindow() {
-    // What its parts still say while they go has nobody to hear it.
+    // Nobody receives what features emit while they go.
+    m_bridge.disconnect(this);
     for (QObject* part : children()) part->disconnect(this);
 }
 
-void ReviewWindow::addCoverage(const ViewContext& context) {
-    auto* coverage = new CoverageFeature(
-        context, *m_map,
-        [&bridge = m_bridge,
-         replay = std::make_shared<CoverageReplay>(m_bridge.player().folder())](const LiveMoment& moment) {
-            if (bridge.index() && moment.mission && moment.places)
-                replay->want({moment.now, moment.mission, moment.places, bridge.index()});
-            return replay->searched();
-        });
-    connect(coverage, &CoverageFeature::told, this, &ReviewWindow::tell);
+void ReviewWindow::connectFeatures() {
+    connect(m_selection, &Selection::changed, this,
+            [this] { m_bridge.watch(m_selection->name().toStdString()); });
+    connect(m_features.finds, &FindsFeature::marksChanged, m_timeline, &TimelineFeature::setOwnMarks);
+    connect(m_features.compare, &CompareFeature::wanted, this,
+            [this] { m_layouts->use(QStringLiteral("compare")); });
+    connect(&m_bridge, &MomentSource::notified, this,
+            [this](const QString& text) { m_frame->showMessage(text); });
 }
 
 void ReviewWindow::addCommands() {
@@ -169,11 +134,11 @@ void ReviewWindow::askToMerge() {
     connect(choice, &QFileDialog::fileSelected, this, [this, folder](const QString& other) {
         std::error_code none;
         if (std::filesystem::equivalent(folder, other.toStdString(), none))
-            return tell(tr("That is this mission: its map is merged with that of another one"));
+            return showMessage(tr("That is this mission: its map is merged with that of another one"));
         if (const auto there = hasMap(other.toStdString()); !there)
-            return tell(QString::fromStdString(there.error().text));
+            return showMessage(QString::fromStdString(there.error().text));
         if (m_bridge.reporting() || m_bridge.comparison().comparing())
-            return tell(
+            return showMessage(
                 tr("A report is being written, or scans are being registered again: merge after that"));
         emit mergingWanted(other);
     });
@@ -191,7 +156,7 @@ void ReviewWindow::addByHand() {
     byHand.setEnabled(false);
     connect(&byHand, &QAction::triggered, this, [this] {
         if (m_bridge.reporting() || m_bridge.comparison().comparing())
-            return tell(
+            return showMessage(
                 tr("A report is being written, or scans are being registered again: correct the map "
                    "after that"));
         emit byHandWanted();
@@ -214,28 +179,27 @@ void ReviewWindow::build() {
     name->setMinimumWidth(std::min(LeastName, name->sizeHint().width()));
     m_frame->build({{m_robots->bar(), GivesWay::LittleByLittle},
                     {m_layouts->bar(), GivesWay::AtOnce},
-                    {m_review->clock()}},
+                    {&m_clock->bar()}},
                    {{name, GivesWay::LittleByLittle}}, *m_panes, m_timeline->widget());
     m_timeline->bar().setFocus();
 }
 
 MapView& ReviewWindow::mapView() const {
-    return m_map->view();
+    return m_features.map->view();
 }
 
 MapViewSettings ReviewWindow::view() const {
-    MapViewSettings view = m_map->settings();
+    MapViewSettings view = m_features.map->settings();
     view.look = m_layouts->ownSight().look;
     return view;
 }
 
 void ReviewWindow::setLook(MapLook look) {
-    m_map->show({look, m_map->sight().follow});
+    m_features.map->show({look, m_features.map->sight().follow});
 }
 
-void ReviewWindow::tell(const QString& text) {
-    m_frame->tell(text);
-    m_messages->add(text);
+void ReviewWindow::showMessage(const QString& text) {
+    m_bridge.notify(text);
 }
 
 QString ReviewWindow::newest() const {
@@ -245,11 +209,12 @@ QString ReviewWindow::newest() const {
 QString ReviewWindow::missing() const {
     if (!m_bridge.reviewed()) return tr("the mission is still read through");
     const bool map = !m_bridge.reviewed()->map->scans.empty();
-    if (map && !m_map->missing().isEmpty()) return m_map->missing().join(QStringLiteral(", "));
+    if (map && !m_features.map->missing().isEmpty())
+        return m_features.map->missing().join(QStringLiteral(", "));
     for (const Event& event : m_bridge.reviewed()->pictures) {
         if (std::holds_alternative<PictureSample>(event.sample)) {
             // Cameras that sent pictures by then show them.
-            const QStringList cameras = m_cameras->missing();
+            const QStringList cameras = m_features.cameras->missing();
             if (cameras.size() == 2) return cameras.join(QStringLiteral(", "));
         }
     }

@@ -3,25 +3,21 @@
 #include <QMainWindow>
 
 #include "app/services/layouts/layout_book.h"
+#include "app/window/panes/pane_table.h"
 #include "app/window/review/tidy_progress.h"
 #include "widgets/models/map/map_view_settings.h"
 
 namespace leitstand {
 
-class CameraFeature;
 class CommandTable;
-class FindsFeature;
 class LayoutFeature;
-class MapFeature;
 class MapView;
-class MessagesFeature;
 class PaneDocks;
 class ReviewBridge;
-class ReviewPanes;
+class ReviewClock;
 class RobotsFeature;
 class Selection;
 class TimelineFeature;
-struct ViewContext;
 class WindowFrame;
 
 /// The window on a recorded mission (design, section 7): the live window's panes, and below them the
@@ -42,7 +38,7 @@ public:
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
     [[nodiscard]] LayoutFeature& layouts() const { return *m_layouts; }
     [[nodiscard]] TimelineFeature& timeline() const { return *m_timeline; }
-    [[nodiscard]] FindsFeature& finds() const { return *m_finds; }
+    [[nodiscard]] FindsFeature& finds() const { return *m_features.finds; }
     [[nodiscard]] QString newest() const;  ///< message
     /// What is not to be seen yet; empty: the mission is read through, and its map drawn where it has one.
     [[nodiscard]] QString missing() const;
@@ -57,7 +53,7 @@ signals:
     void mergingWanted(const QString& folder);
 
 public slots:
-    void tell(const QString& text);  ///< shows it as the newest message
+    void showMessage(const QString& text);  ///< as the newest, and keeps it in the list of messages
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -68,21 +64,18 @@ private:
     void addByHand();
     void addMerging();
     void askToMerge();
-    void addCoverage(const ViewContext& context);
+    void connectFeatures();
 
     ReviewBridge& m_bridge;
     Selection* m_selection;
     CommandTable* m_commands;
     PaneDocks* m_panes;
     RobotsFeature* m_robots = nullptr;
-    ReviewPanes* m_review = nullptr;
-    CameraFeature* m_cameras = nullptr;
-    MapFeature* m_map = nullptr;
     TimelineFeature* m_timeline = nullptr;
-    FindsFeature* m_finds = nullptr;
     LayoutFeature* m_layouts = nullptr;
+    ReviewClock* m_clock = nullptr;
+    PaneFeatures m_features;
     WindowFrame* m_frame = nullptr;
-    MessagesFeature* m_messages = nullptr;
 };
 
 }  // namespace leitstand

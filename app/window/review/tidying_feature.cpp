@@ -9,7 +9,8 @@
 #include "app/services/recorded/review_log.h"
 #include "app/services/review/map_tidying.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/review/review_bridge.h"
+#include "app/window/source/review_bridge.h"
+#include "app/window/source/review_comparison.h"
 #include "core/mission/state/mission_state.h"
 #include "widgets/map_decisions/map_question.h"
 #include "widgets/map_view/map_view.h"
@@ -17,11 +18,10 @@
 
 namespace leitstand {
 
-TidyingFeature::TidyingFeature(const ViewContext& context, ReviewBridge& bridge, MapView& view,
-                               QObject* parent)
+TidyingFeature::TidyingFeature(const ReviewContext& context, MapView& view, QObject* parent)
     : QObject(parent),
       m_context(context),
-      m_bridge(bridge),
+      m_bridge(context.review),
       m_view(view),
       m_tidy(
           add("review.tidy", tr("T&idy the map"),
@@ -57,7 +57,7 @@ QAction* TidyingFeature::add(const char* id, const QString& text, const QString&
 
 void TidyingFeature::ask(MapTidying what) {
     if (m_bridge.reporting() || m_bridge.comparison().comparing())
-        return emit told(
+        return m_context.notify(
             tr("A report is being written, or scans are being registered again: tidy the map after that"));
     emit wanted(what);
 }

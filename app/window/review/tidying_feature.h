@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "app/window/live/live_context.h"
+#include "app/window/panes/view_context.h"
 #include "app/window/review/tidy_progress.h"
 
 class QAction;
@@ -17,10 +17,9 @@ class ReviewBridge;
 class TidyingFeature final : public QObject {
     Q_OBJECT
 public:
-    TidyingFeature(const ViewContext& context, ReviewBridge& bridge, MapView& view, QObject* parent);
+    TidyingFeature(const ReviewContext& context, MapView& view, QObject* parent);
 
 signals:
-    void told(const QString& text);
     void wanted(leitstand::MapTidying what);
 
 private:

@@ -2,8 +2,8 @@
 
 #include <QMainWindow>
 
+#include "app/window/map/view_state.h"
 #include "app/window/scans/session_bridge.h"
-#include "app/window/shell/view_state.h"
 #include "app/window/shell/window_state.h"
 #include "widgets/models/message_list_model.h"
 #include "widgets/models/scan_list_model.h"

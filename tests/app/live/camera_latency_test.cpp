@@ -17,11 +17,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/window/live/cameras/camera_feature.h"
+#include "app/window/input/selection.h"
 #include "app/window/live/demo_robots.h"
-#include "app/window/live/input/selection.h"
-#include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
+#include "app/window/panes/camera/camera_feature.h"
+#include "app/window/source/live_bridge.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/latency.h"

@@ -12,7 +12,7 @@
 
 #include "app/services/station/cameras/station_cameras.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/cameras/camera_feature.h"
+#include "app/window/panes/camera/camera_feature.h"
 #include "core/base/pose.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/camera/camera_pane.h"

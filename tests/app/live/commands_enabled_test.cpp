@@ -12,7 +12,7 @@
 
 #include "app/services/finds/find_desk.h"
 #include "app/services/station/safety/station_alarms.h"
-#include "app/window/live/frame/pane_docks.h"
+#include "app/window/frame/pane_docks.h"
 #include "core/mission/state/mission_state.h"
 #include "widgets/victims/victim_form.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/frame/pane_docks.h"
+#include "app/window/frame/pane_docks.h"
 #include "core/mission/coverage/searched_floor.h"
 #include "tests/app/live/live_page.h"
 

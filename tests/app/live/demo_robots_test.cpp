@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/window/live/live_bridge.h"
+#include "app/window/source/live_bridge.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/support/dds/test_domain.h"
 #include "tests/support/places.h"

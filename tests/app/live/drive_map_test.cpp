@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "app/services/station/station_mapping.h"
-#include "app/window/live/input/selection.h"
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/input/selection.h"
+#include "app/window/layouts/layout_feature.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/map_view/map_view.h"
 

@@ -11,8 +11,8 @@
 
 #include "app/language/language.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/frame/pane_docks.h"
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/frame/pane_docks.h"
+#include "app/window/layouts/layout_feature.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/live/eventful.h"
 #include "tests/app/live/live_page.h"

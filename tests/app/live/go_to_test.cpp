@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/window/live/input/selection.h"
+#include "app/window/input/selection.h"
 #include "tests/app/live/map_on_screen.h"
 
 namespace leitstand::test {

@@ -20,10 +20,10 @@
 
 #include "app/services/station/station_clock.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/report/report_feature.h"
-#include "app/window/review/review_bridge.h"
+#include "app/window/layouts/layout_feature.h"
+#include "app/window/panes/score/report_feature.h"
 #include "app/window/review/review_window.h"
+#include "app/window/source/review_bridge.h"
 #include "core/io/handin/find_lists.h"
 #include "core/mission/state/mission_state.h"
 #include "robots/simulation/arena/arena_file.h"

@@ -14,7 +14,7 @@
 #include "app/language/language.h"
 #include "app/services/station/station_clock.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/report/report_feature.h"
+#include "app/window/panes/score/report_feature.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/places.h"

@@ -10,7 +10,7 @@
 
 #include "app/services/station/station_streams.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/frame/pane_docks.h"
+#include "app/window/frame/pane_docks.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/link/link_pane.h"
 #include "widgets/preflight/preflight_page.h"

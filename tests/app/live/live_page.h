@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "app/window/live/demo_robots.h"
-#include "app/window/live/live_bridge.h"
 #include "app/window/live/live_window.h"
+#include "app/window/source/live_bridge.h"
 #include "core/robot/robot_description.h"
 #include "tests/support/dds/test_domain.h"
 

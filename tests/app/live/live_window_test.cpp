@@ -185,7 +185,7 @@ TEST_F(LiveWindowTest, AnotherRobotIsSelectedByItsNumberAndEndsDriving) {
 }
 
 TEST_F(LiveWindowTest, AMessageStaysOnItsLineWhateverOthersSayInIt) {
-    m_window->tell(QString::fromUtf8("rover: \u202ewrong\nhot"));
+    m_window->showMessage(QString::fromUtf8("rover: \u202ewrong\nhot"));
     EXPECT_EQ(m_window->newest().toStdString(), "rover: \\u202ewrong · hot");
 }
 

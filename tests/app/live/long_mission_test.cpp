@@ -8,7 +8,7 @@
 #include "app/services/finds/find_desk.h"
 #include "app/services/handin/writing/report_writer.h"
 #include "app/services/station/station_mapping.h"
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/layouts/layout_feature.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 

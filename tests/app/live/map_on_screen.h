@@ -13,7 +13,7 @@
 #include "app/services/log/live_mission.h"
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/layouts/layout_feature.h"
 #include "core/base/pose.h"
 #include "core/event/station_topics.h"
 #include "core/mission/state/mission_state.h"

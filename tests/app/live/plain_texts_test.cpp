@@ -13,7 +13,7 @@
 #include "app/services/domain/station_types.h"
 #include "app/services/station/safety/station_alarms.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/layouts/layout_feature.h"
 #include "core/event/station_topics.h"
 #include "core/io/robot/robot_file.h"
 #include "core/mission/state/mission_state.h"
@@ -148,7 +148,7 @@ TEST_F(HostileRobot, ItsWordsAreShownAsTheyAre) {
     ASSERT_TRUE(soon([&] { return !station().mission()->victims->empty(); })) << "of the other station";
     for (const char* layout : {"drive", "explore", "map", "link", "report"}) {
         ASSERT_TRUE(m_window->layouts().use(QString::fromLatin1(layout)));
-        m_window->tell(QString::fromUtf8(Hostile));
+        m_window->showMessage(QString::fromUtf8(Hostile));
         QTest::qWait(500);
         look(layout);
     }

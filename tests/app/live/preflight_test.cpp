@@ -19,7 +19,7 @@
 #include <gmock/gmock.h>
 
 #include "app/services/station/safety/station_brakes.h"
-#include "app/window/live/input/selection.h"
+#include "app/window/input/selection.h"
 #include "app/window/live/live_application.h"
 #include "app/window/live/preflight/preflight_feature.h"
 #include "tests/app/live/live_page.h"

@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/layouts/layout_feature.h"
 #include "tests/app/live/eventful.h"
 #include "tests/app/live/quiet_page.h"
 #include "widgets/mission/clock_face.h"

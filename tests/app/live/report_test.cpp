@@ -12,8 +12,8 @@
 #include "app/services/handin/writing/report_folder.h"
 #include "app/services/handin/writing/report_keeper.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/report/report_feature.h"
+#include "app/window/layouts/layout_feature.h"
+#include "app/window/panes/score/report_feature.h"
 #include "tests/app/live/live_page.h"
 
 namespace leitstand::test {

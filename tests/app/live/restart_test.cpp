@@ -7,8 +7,8 @@
 
 #include "app/services/station/station_clock.h"
 #include "app/services/station/station_mapping.h"
-#include "app/window/live/frame/pane_docks.h"
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/frame/pane_docks.h"
+#include "app/window/layouts/layout_feature.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 

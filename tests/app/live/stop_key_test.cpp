@@ -1,4 +1,4 @@
-#include "app/window/live/input/stop_key.h"
+#include "app/window/input/stop_key.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/window/live/frame/pane_docks.h"
+#include "app/window/frame/pane_docks.h"
 #include "tests/app/live/quiet_page.h"
 #include "widgets/preflight/preflight_page.h"
 

@@ -9,7 +9,7 @@
 
 #include "app/services/log/sequencer.h"
 #include "app/services/station/safety/station_alarms.h"
-#include "app/window/live/alarms/alarms_feature.h"
+#include "app/window/panes/alarms/alarms_feature.h"
 #include "robots/wire/robot_wire.h"
 #include "tests/app/live/live_page.h"
 #include "tests/app/pad/virtual_pad.h"

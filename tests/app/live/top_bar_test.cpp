@@ -18,8 +18,8 @@
 #include "app/language/language.h"
 #include "app/services/station/safety/station_brakes.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/input/selection.h"
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/input/selection.h"
+#include "app/window/layouts/layout_feature.h"
 #include "core/io/robot/brake_file.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/live/live_page.h"
@@ -240,7 +240,7 @@ TEST_P(TopBar, NothingMovesWhateverRobotsAreLike) {
                 EXPECT_THAT(moved(before), IsEmpty())
                     << language << ' ' << width << ' ' << static_cast<int>(as);
             }
-            window().tell(QString(300, QLatin1Char('x')));
+            window().showMessage(QString(300, QLatin1Char('x')));
             EXPECT_THAT(moved(before), IsEmpty()) << "a long message";
         }
     }
@@ -335,7 +335,7 @@ TEST_F(MenuCorners, ShowThinLinkAndNoWatchdogBesideEachOtherAndBesideAnyMessage)
             override(true);
             ASSERT_TRUE(QTest::qWaitFor([&] { return seen("brakeBadge") > 0; }, 10'000)) << language;
             for (const QString& message : {QStringLiteral("short"), QString(400, QLatin1Char('m'))}) {
-                window().tell(message);
+                window().showMessage(message);
                 QApplication::processEvents();
                 EXPECT_GT(seen("thinBadge"), 200) << language << ' ' << width;
                 EXPECT_GT(seen("brakeBadge"), 300) << language << ' ' << width;

@@ -214,7 +214,7 @@ TEST_F(PadInputTest, WhatIsBoundIsKeptForThisKindOfPad) {
 }
 
 TEST_F(PadInputTest, AnUnknownJoystickSaysSoAndCanBeBound) {
-    QSignalSpy told(m_input.get(), &PadInput::told);
+    QSignalSpy told(m_input.get(), &PadInput::notified);
     m_pad.reset();
     VirtualPad stick(PadLayout::Plain, "Old stick");
     ASSERT_TRUE(soon([&] { return m_input->chosen().name == "Old stick" && told.count() == 1; }));

@@ -1,4 +1,4 @@
-#include "app/window/live/cameras/camera_keys.h"
+#include "app/window/panes/camera/camera_keys.h"
 
 #include <QLineEdit>
 #include <QSignalSpy>

@@ -1,8 +1,8 @@
-#include "app/window/live/cameras/camera_views.h"
+#include "app/window/panes/camera/camera_views.h"
 
 #include <gtest/gtest.h>
 
-#include "app/window/live/cameras/picture_looks.h"
+#include "app/window/panes/camera/picture_looks.h"
 
 namespace leitstand::test {
 namespace {

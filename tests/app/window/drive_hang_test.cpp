@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/window/live/input/drive_input.h"
+#include "app/window/input/drive_input.h"
 #include "core/robot/control/drive_setpoint.h"
 
 namespace leitstand::test {

@@ -1,4 +1,4 @@
-#include "app/window/live/input/drive_input.h"
+#include "app/window/input/drive_input.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/window/live/input/worked_in.h"
+#include "app/window/input/worked_in.h"
 
 namespace leitstand::test {
 namespace {

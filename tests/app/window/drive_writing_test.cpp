@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/window/live/input/drive_input.h"
+#include "app/window/input/drive_input.h"
 
 namespace leitstand::test {
 namespace {

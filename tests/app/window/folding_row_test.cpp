@@ -1,4 +1,4 @@
-#include "app/window/live/frame/folding_row.h"
+#include "app/window/frame/folding_row.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

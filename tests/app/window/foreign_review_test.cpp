@@ -5,10 +5,10 @@
 #include <QTest>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/review/panes/timeline_feature.h"
 #include "app/window/review/review_application.h"
-#include "app/window/review/review_bridge.h"
 #include "app/window/review/review_window.h"
+#include "app/window/review/timeline_feature.h"
+#include "app/window/source/review_bridge.h"
 #include "tests/app/report/foreign_bag.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/timeline/timeline_bar.h"

@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/layouts/layout_feature.h"
-#include "app/window/live/map/map_feature.h"
+#include "app/window/layouts/layout_feature.h"
+#include "app/window/panes/map/map_feature.h"
 #include "core/io/settings/layout_file.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window/review_page.h"
@@ -202,7 +202,7 @@ TEST_F(LayoutMapTest, KeysOfALayoutThatAreTakenAreRefusedAndTold) {
         layout.keys = std::move(keys);
         EXPECT_TRUE(saveLayout(layout, m_folder / "layouts" / "own-keys.yaml"));
         QString text;
-        const auto heard = QObject::connect(&m_window->layouts(), &LayoutFeature::told,
+        const auto heard = QObject::connect(m_bridge.get(), &MomentSource::notified,
                                             [&](const QString& said) { text += said; });
         use("own-keys");
         QObject::disconnect(heard);

@@ -1,11 +1,11 @@
-#include "app/window/shell/map_pane.h"
+#include "app/window/map/map_pane.h"
 
 #include <QCoreApplication>
 #include <QLabel>
 
 #include <gtest/gtest.h>
 
-#include "app/window/shell/view_state.h"
+#include "app/window/map/view_state.h"
 
 namespace leitstand::test {
 namespace {

@@ -1,9 +1,10 @@
-#include "app/window/live/frame/pane_docks.h"
+#include "app/window/frame/pane_docks.h"
 
 #include <QAction>
 #include <QLabel>
 #include <QTest>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace leitstand::test {
@@ -142,6 +143,44 @@ TEST_F(PaneDocksTest, PanesThatAreNotHereLeaveTheirRoom) {
     odd.arrangement = "bm90IGEgc3RhdGU=";  // "not a state"
     m_docks.arrange(odd);
     EXPECT_TRUE(m_docks.isPaneVisible("map"));
+}
+
+/// Docks of the panes "map" and "scan", which is called @p id today.
+struct Renamed {
+    explicit Renamed(const QString& id) {
+        docks.add("map", "Map", map);
+        docks.add(id, "Scan", scan, id == "scan" ? QString() : QString("scan"));
+        docks.resize(1200, 800);
+        docks.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&docks));
+    }
+
+    PaneDocks docks;
+    QWidget& map = *new QLabel("map");
+    QWidget& scan = *new QLabel("scan");
+};
+
+TEST(PaneDocksFormerId, ALayoutThatNamesAPaneByItsFormerIdShowsIt) {
+    Renamed now("surroundings");
+    now.docks.arrange({.name = "old", .panes = {.parts = {pane("map", 3.0), pane("scan")}}});
+    EXPECT_TRUE(now.docks.isPaneVisible("surroundings"));
+    EXPECT_TRUE(now.docks.has("scan"));
+    EXPECT_THAT(now.docks.ids(), testing::ElementsAre("map", "surroundings"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(now.scan.width() - 300) < 12; })) << now.scan.width();
+}
+
+TEST(PaneDocksFormerId, AnArrangementSavedUnderTheFormerIdIsRestored) {
+    Renamed before("scan");
+    before.docks.arrange({.name = "old", .panes = {.parts = {pane("scan", 2.0), pane("map")}}});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(before.scan.width() - 800) < 12; }));
+    Renamed now("surroundings");
+    now.docks.arrange({.name = "old",
+                       .panes = {.parts = {pane("map"), pane("scan")}},
+                       .arrangement = before.docks.arrangement()});
+    EXPECT_TRUE(now.docks.isPaneVisible("surroundings"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(now.scan.width() - 800) < 12; })) << now.scan.width();
+    EXPECT_EQ(now.docks.arrangement(), before.docks.arrangement())
+        << "and today's is read by what was before";
 }
 
 }  // namespace

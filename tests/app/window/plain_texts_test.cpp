@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/layouts/layout_feature.h"
 #include "app/window/scans/main_window.h"
 #include "core/event/station_topics.h"
 #include "tests/app/plain_tips.h"
@@ -74,7 +74,7 @@ TEST_F(HostileReview, ShowsOthersWordsAsTheyAre) {
     int quoted = 0;
     for (const char* layout : {"review", "map", "drive", "explore", "link", "compare", "report"}) {
         ASSERT_TRUE(m_window->layouts().use(QString::fromLatin1(layout)));
-        m_window->tell(QString::fromLatin1(Hostile));
+        m_window->showMessage(QString::fromLatin1(Hostile));
         const QuotedHtml found = quotedHtml(*m_window);
         EXPECT_EQ(found.drawn.join(QStringLiteral("; ")).toStdString(), "") << layout;
         quoted += found.labels + found.tips;

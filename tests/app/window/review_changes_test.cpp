@@ -5,7 +5,7 @@
 #include <QTableView>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/frame/pane_docks.h"
+#include "app/window/frame/pane_docks.h"
 #include "core/event/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window/review_page.h"

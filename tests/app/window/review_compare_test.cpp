@@ -14,8 +14,8 @@
 #include "app/language/language.h"
 #include "app/services/comparison/map_comparing.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/frame/pane_docks.h"
-#include "app/window/review/review_comparison.h"
+#include "app/window/frame/pane_docks.h"
+#include "app/window/source/review_comparison.h"
 
 namespace leitstand::test {
 namespace {

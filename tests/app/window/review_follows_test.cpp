@@ -7,7 +7,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/layouts/layout_feature.h"
 #include "core/robot/robot_description.h"
 #include "tests/app/review/written_mission.h"
 #include "widgets/camera/camera_pane.h"

@@ -9,7 +9,7 @@
 #include <QLabel>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/layouts/layout_feature.h"
 #include "tests/app/reach.h"
 
 namespace leitstand::test {

@@ -8,7 +8,7 @@
 
 #include "app/language/language.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/review/review_report.h"
+#include "app/window/source/review_report.h"
 #include "tests/support/others_tools.h"
 
 namespace leitstand::test {

@@ -4,7 +4,7 @@
 #include <QTableView>
 
 #include "app/services/layouts/layout_book.h"
-#include "app/window/review/panes/timeline_feature.h"
+#include "app/window/review/timeline_feature.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window_size.h"
 #include "tests/support/places.h"

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <QTest>
 
-#include "app/window/review/review_bridge.h"
 #include "app/window/review/review_window.h"
+#include "app/window/source/review_bridge.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::test {

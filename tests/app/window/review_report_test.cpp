@@ -11,8 +11,8 @@
 #include <QToolButton>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/layouts/layout_feature.h"
-#include "app/window/review/review_report.h"
+#include "app/window/layouts/layout_feature.h"
+#include "app/window/source/review_report.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/support/pdf_pictures.h"
 #include "widgets/models/message_list_model.h"

@@ -6,7 +6,7 @@
 #include <QToolButton>
 
 #include "app/language/language.h"
-#include "app/window/live/layouts/layout_feature.h"
+#include "app/window/layouts/layout_feature.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/window_size.h"
 #include "widgets/map_view/map_view.h"

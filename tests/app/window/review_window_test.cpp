@@ -13,10 +13,10 @@
 #include "app/services/recorded/review_log.h"
 #include "app/services/review/review_pen.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/frame/pane_docks.h"
-#include "app/window/live/layouts/layout_feature.h"
-#include "app/window/review/panes/finds_feature.h"
-#include "app/window/review/panes/timeline_feature.h"
+#include "app/window/frame/pane_docks.h"
+#include "app/window/layouts/layout_feature.h"
+#include "app/window/panes/finds/finds_feature.h"
+#include "app/window/review/timeline_feature.h"
 #include "tests/app/review/written_mission.h"
 #include "widgets/camera/camera_pane.h"
 #include "widgets/link/stream_list.h"
@@ -183,8 +183,8 @@ TEST_F(ReviewWindowTest, ANoteOfAnEarlierReviewIsTakenBack) {
 
 TEST_F(ReviewWindowTest, WhatWasToldIsListedAndReachedByKeys) {
     goTo(33.0);
-    m_window->tell(QStringLiteral("the first"));
-    m_window->tell(QStringLiteral("the second"));
+    m_window->showMessage(QStringLiteral("the first"));
+    m_window->showMessage(QStringLiteral("the second"));
     QAction* const command = m_window->commands().find("messages.open");
     ASSERT_NE(command, nullptr);
     EXPECT_EQ(command->shortcut(), QKeySequence(Qt::Key_F4));

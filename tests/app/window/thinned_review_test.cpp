@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/review/panes/timeline_feature.h"
+#include "app/window/review/timeline_feature.h"
 #include "core/event/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window/review_page.h"

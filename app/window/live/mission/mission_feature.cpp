@@ -19,7 +19,7 @@
 #include "app/services/station/station.h"
 #include "app/services/station/station_clock.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/live_bridge.h"
+#include "app/window/source/moment_source.h"
 #include "widgets/mission/clock_face.h"
 #include "widgets/mission/record_light.h"
 #include "widgets/models/live/texts/clock_text.h"
@@ -54,14 +54,14 @@ MissionFeature::MissionFeature(const LiveContext& context, const QString& folder
         menu->addActions({m_run, m_length, m_reset});
         menu->popup(m_face->mapToGlobal(QPoint(0, m_face->height())));
     });
-    connect(&context.bridge, &LiveBridge::ticked, this, &MissionFeature::show);
+    connect(&context.source, &MomentSource::ticked, this, &MissionFeature::show);
 }
 
 void MissionFeature::addCommands() {
     CommandTable& commands = m_context.commands;
-    StationClock& clock = m_context.bridge.station().clock();
+    StationClock& clock = m_context.station.clock();
     const auto tell = [this](const Result<void>& done) {
-        if (!done) emit told(QString::fromStdString(done.error().text));
+        if (!done) m_context.notify(QString::fromStdString(done.error().text));
     };
     m_run = &commands.add({.id = "mission.clock",
                            .menu = CommandMenu::Mission,
@@ -117,7 +117,7 @@ void MissionFeature::askForMap() {
     choice->setOption(QFileDialog::ShowDirsOnly);
     connect(choice, &QFileDialog::fileSelected, this, [this](const QString& folder) {
         if (const auto there = hasMap(folder.toStdString()); !there) {
-            emit told(QString::fromStdString(there.error().text));
+            m_context.notify(QString::fromStdString(there.error().text));
             return;
         }
         askToEnd(QStringLiteral("newInMap"), tr("A new mission"),
@@ -145,7 +145,7 @@ void MissionFeature::askToEnd(const QString& name, const QString& title, const Q
 }
 
 void MissionFeature::askForLength() {
-    StationClock& clock = m_context.bridge.station().clock();
+    StationClock& clock = m_context.station.clock();
     auto* question = new QInputDialog(&m_context.window);  // not modal: robots may be driving
     question->setObjectName(QStringLiteral("missionLength"));
     question->setAttribute(Qt::WA_DeleteOnClose);
@@ -163,17 +163,17 @@ void MissionFeature::askForLength() {
         minutes->setAccessibleName(question->labelText());
     connect(question, &QInputDialog::intValueSelected, this, [this, &clock](int minutes) {
         if (const auto set = clock.limit(std::chrono::minutes(minutes)); !set)
-            emit told(QString::fromStdString(set.error().text));
+            m_context.notify(QString::fromStdString(set.error().text));
     });
     question->show();
 }
 
 void MissionFeature::show(const LiveMoment& /*moment*/) {
-    const MissionClock clock = m_context.bridge.station().clock().now();
+    const MissionClock clock = m_context.station.clock().now();
     m_face->show(clockText(clock));
     m_run->setChecked(clock.running);
     if (m_sinceLog++ % TicksALog != 0) return;
-    const LiveMissionStatus log = m_context.bridge.station().log();
+    const LiveMissionStatus log = m_context.station.log();
     m_light->show(recordText({.folder = m_folder,
                               .megabytes = static_cast<double>(log.bytes) / Megabyte,
                               .minutesLeft = log.minutesLeft,

@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QString>
 
-#include "app/window/live/live_context.h"
+#include "app/window/panes/view_context.h"
 
 class QAction;
 class QWidget;
@@ -31,7 +31,6 @@ public:
     void offerEarlier(const QString& name);
 
 signals:
-    void told(const QString& text);
     void earlierWanted();  ///< of offerEarlier()
     /// This mission is to end, and a new one to begin in the map of the mission @p folder.
     void mapWanted(const QString& folder);

@@ -9,10 +9,10 @@
 #include <QWindow>
 
 #include "app/window/commands/command_table.h"
-#include "app/window/live/input/drive_input.h"
-#include "app/window/live/input/selection.h"
-#include "app/window/live/input/worked_in.h"
-#include "app/window/live/live_bridge.h"
+#include "app/window/input/drive_input.h"
+#include "app/window/input/selection.h"
+#include "app/window/input/worked_in.h"
+#include "app/window/source/moment_source.h"
 #include "widgets/pad/pad_legend.h"
 #include "widgets/pad/pad_mapping_dialog.h"
 
@@ -29,8 +29,7 @@ bool isStopped(const RobotView& robot) {
 PadFeature::PadFeature(const LiveContext& context, DriveInput& drive, PadMemory memory)
     : QObject(&context.window),
       m_context(context),
-      m_input({.memory = std::move(memory),
-               .onStop = [&station = context.bridge.station()] { station.stopAll(); }},
+      m_input({.memory = std::move(memory), .onStop = [&station = context.station] { station.stopAll(); }},
               this),
       m_legend(new PadLegend(&context.window)) {
     m_legend->hide();
@@ -40,7 +39,7 @@ PadFeature::PadFeature(const LiveContext& context, DriveInput& drive, PadMemory 
     connectTexts();
     context.window.installEventFilter(this);
     connect(qApp, &QGuiApplication::focusWindowChanged, this, &PadFeature::allow);
-    connect(&context.bridge, &LiveBridge::ticked, this, &PadFeature::allow);
+    connect(&context.source, &MomentSource::ticked, this, &PadFeature::allow);
     connect(&context.selection, &Selection::changed, this, &PadFeature::useRobot);
     connect(&m_input, &PadInput::commandWanted, &context.commands, &CommandTable::trigger);
     connect(&m_input, &PadInput::padsChanged, this, [this] {
@@ -80,14 +79,15 @@ void PadFeature::connectDrive(DriveInput& drive) {
 }
 
 void PadFeature::connectTexts() {
-    connect(&m_input, &PadInput::told, this, &PadFeature::told);
+    connect(&m_input, &PadInput::notified, this, [this](const QString& text) { m_context.notify(text); });
     connect(&m_input, &PadInput::connected, this, [this](const QString& name) {
-        emit told(tr("%1 is plugged in; H shows its controls.").arg(name));
+        m_context.notify(tr("%1 is plugged in; H shows its controls.").arg(name));
     });
     connect(&m_input, &PadInput::gone, this,
-            [this](const QString& name) { emit told(tr("%1 is unplugged.").arg(name)); });
+            [this](const QString& name) { m_context.notify(tr("%1 is unplugged.").arg(name)); });
     connect(&m_input, &PadInput::needsNeutral, this, [this](bool needs) {
-        if (needs) emit told(tr("Let the sticks go first, and the trigger too if that is not enough."));
+        if (needs)
+            m_context.notify(tr("Let the sticks go first, and the trigger too if that is not enough."));
     });
 }
 
@@ -99,7 +99,7 @@ void PadFeature::useRobot() {
 }
 
 void PadFeature::allow() {
-    const RobotView& robot = m_context.bridge.moment().view(m_context.selection.name().toStdString());
+    const RobotView& robot = m_context.source.moment().view(m_context.selection.name().toStdString());
     m_input.setScope(!isWorkedIn(m_context.window) ? PadScope::Nothing
                      : isStopped(robot)            ? PadScope::Commands
                                                    : PadScope::All);

@@ -7,8 +7,8 @@
 #include <QObject>
 
 #include "app/services/pad/pad_memory.h"
-#include "app/window/live/live_context.h"
 #include "app/window/live/pad/pad_input.h"
+#include "app/window/panes/view_context.h"
 #include "widgets/models/pad/pad_texts.h"
 
 class QAction;
@@ -31,9 +31,6 @@ public:
     [[nodiscard]] PadInput& input() { return m_input; }
     /// Commands of the layout in use, by button of the pad.
     void useLayout(const std::map<std::string, std::string>& byButton);
-
-signals:
-    void told(const QString& text);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -16,7 +16,7 @@ PadInput::PadInput(PadInputSettings settings, QObject* parent)
                       .onGone = [this](int id) { went(id); },
                       .onTrouble =
                           [this](const std::string& text) {
-                              hop([this, words = QString::fromStdString(text)] { emit told(words); });
+                              hop([this, words = QString::fromStdString(text)] { emit notified(words); });
                           }})) {}
 
 PadInput::~PadInput() = default;
@@ -26,7 +26,7 @@ void PadInput::came(const PadInfo& info) {
     const PadBindings bindings = m_settings.memory.bindings(info.guid, info.layout, warning);
     watchStop(info.id, bindings);
     hop([this, info, bindings, words = QString::fromStdString(warning)] {
-        if (!words.isEmpty()) emit told(words);
+        if (!words.isEmpty()) emit notified(words);
         add(info, bindings);
     });
 }
@@ -69,7 +69,8 @@ void PadInput::add(const PadInfo& info, const PadBindings& bindings) {
     const QString name = QString::fromStdString(info.name);
     emit connected(name);
     const bool stops = bindings.at(PadAction::Stop).kind != PadControl::Kind::None;
-    if (!stops) emit told(tr("%1 has no known controls: give it some in the gamepad's dialog.").arg(name));
+    if (!stops)
+        emit notified(tr("%1 has no known controls: give it some in the gamepad's dialog.").arg(name));
     emit padsChanged();
 }
 
@@ -155,7 +156,7 @@ void PadInput::setBindings(const PadBindings& bindings) {
     useOwn(bindings);
     watchStop(pad.id, bindings);
     if (const auto kept = m_settings.memory.keep(pad.guid, pad.name, bindings); !kept)
-        emit told(QString::fromStdString(kept.error().text));
+        emit notified(QString::fromStdString(kept.error().text));
     update();
     emit padsChanged();
 }

@@ -65,7 +65,7 @@ signals:
     void gone(const QString& name);
     void padsChanged();  ///< other pads, another one chosen, or it does other things
     void moved();        ///< the chosen one's state changed
-    void told(const QString& text);
+    void notified(const QString& text);
 
 private:
     struct Pad {

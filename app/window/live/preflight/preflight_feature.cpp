@@ -14,10 +14,10 @@
 #include "app/services/station/choose_robots.h"
 #include "app/services/station/safety/station_brakes.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/live/frame/corner_badge.h"
-#include "app/window/live/frame/pane_docks.h"
-#include "app/window/live/input/selection.h"
-#include "app/window/live/live_bridge.h"
+#include "app/window/frame/corner_badge.h"
+#include "app/window/frame/pane_docks.h"
+#include "app/window/input/selection.h"
+#include "app/window/source/moment_source.h"
 #include "widgets/models/others_text.h"
 #include "widgets/preflight/preflight_page.h"
 
@@ -31,7 +31,7 @@ constexpr std::chrono::seconds Rhythm(1), FirstLook(8);  ///< robots are found w
 PreflightFeature::PreflightFeature(const LiveContext& context)
     : QObject(&context.window),
       m_context(context),
-      m_desk(context.bridge.station()),
+      m_desk(context.station),
       m_dialog(new QDialog(&context.window)),
       m_page(new PreflightPage(m_dialog)),
       m_badge(makeCornerBadge(context.window, QStringLiteral("brakeBadge"))) {
@@ -48,11 +48,11 @@ PreflightFeature::PreflightFeature(const LiveContext& context)
     layout->addWidget(m_page);
     m_dialog->resize(900, 640);
     buildPage();
-    connect(&context.bridge, &LiveBridge::ticked, this, &PreflightFeature::show);
+    connect(&context.source, &MomentSource::ticked, this, &PreflightFeature::show);
 }
 
 void PreflightFeature::buildPage() {
-    StationBrakes& brakes = m_context.bridge.station().brakes();
+    StationBrakes& brakes = m_context.station.brakes();
     connect(m_page, &PreflightPage::checkAgainWanted, this, [this] {
         m_desk.measure();
         refresh();
@@ -90,7 +90,7 @@ PreflightFacts PreflightFeature::facts() const {
 void PreflightFeature::openWhenSomethingFails() {
     QTimer::singleShot(FirstLook, this, [this] {
         for (const RobotDescription& robot : m_context.selection.robots()) {
-            if (m_context.bridge.moment().view(robot.name).drive.focus) return;
+            if (m_context.source.moment().view(robot.name).drive.focus) return;
         }
         if (worstOf(preflight(facts())) == CheckState::Fail) open();
     });
@@ -111,9 +111,7 @@ void PreflightFeature::open() {
 
 void PreflightFeature::refresh() {
     const PreflightFacts found = facts();
-    std::vector<RobotFace> faces;
-    for (const RobotDescription& robot : m_context.selection.robots())
-        faces.push_back(m_context.selection.faceOfRobot(robot));
+    const std::vector<RobotFace> faces = m_context.selection.faces();
     QStringList strangers;
     for (const std::string& stranger : found.strangers) strangers += QString::fromStdString(stranger);
     m_page->show(preflight(found), faces, strangers);
@@ -127,14 +125,14 @@ void PreflightFeature::show(const LiveMoment& moment) {
     }
     if (!m_dialog->isVisible()) return;
     if (due) refresh();
-    const StationBrakes& brakes = m_context.bridge.station().brakes();
+    const StationBrakes& brakes = m_context.station.brakes();
     const std::string robot = m_page->brakeRobot().toStdString();
     m_page->showBrake(brakeText(brakes.phase(robot), brakes.result(robot)), brakes.refuses(robot),
                       brakes.isOverridden(robot));
 }
 
 void PreflightFeature::showOverrides() {
-    const StationBrakes& brakes = m_context.bridge.station().brakes();
+    const StationBrakes& brakes = m_context.station.brakes();
     QStringList none, late, noneNames, lateNames;
     for (const RobotDescription& robot : m_context.selection.robots()) {
         if (!brakes.isOverridden(robot.name)) continue;
@@ -161,7 +159,7 @@ void PreflightFeature::showOverrides() {
 void PreflightFeature::add(const QString& stranger) {
     for (const RobotGuess& guess : m_desk.strangers()) {
         if (QString::fromStdString(guess.robot.name) != stranger) continue;
-        const auto file = writeFirstFile(guess.robot, m_context.bridge.station().robots());
+        const auto file = writeFirstFile(guess.robot, m_context.station.robots());
         if (!file) return m_page->complain(QString::fromStdString(file.error().text));
         return join(QString::fromStdString(*file));
     }
@@ -180,7 +178,7 @@ void PreflightFeature::addFile() {
 }
 
 void PreflightFeature::join(const QString& file) {
-    const auto joins = checkJoins(file.toStdString(), m_context.bridge.station().robots());
+    const auto joins = checkJoins(file.toStdString(), m_context.station.robots());
     if (!joins) return m_page->complain(QString::fromStdString(joins.error().text));
     emit robotWanted(file);
 }

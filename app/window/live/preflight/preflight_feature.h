@@ -7,7 +7,7 @@
 #include <QString>
 
 #include "app/services/preflight/preflight_desk.h"
-#include "app/window/live/live_context.h"
+#include "app/window/panes/view_context.h"
 
 class QDialog;
 class QLabel;

@@ -55,8 +55,8 @@ ByHandOutcome correctByHand(const std::filesystem::path& mission) {
     ByHandBridge& bridge = **opened.value();
     showUntilClosed(bridge);
     QStringList told;  // by what was still being done
-    const auto hears =
-        QObject::connect(&bridge, &MomentSource::told, qApp, [&told](const QString& text) { told += text; });
+    const auto hears = QObject::connect(&bridge, &MomentSource::notified, qApp,
+                                        [&told](const QString& text) { told += text; });
     Result<void> closed;
     workInFront({.name = QStringLiteral("closingByHand"),
                  .label = Words::tr("The map follows what was decided. The review opens again then."),

@@ -23,7 +23,6 @@ ByHandBridge::ByHandBridge()
     : m_tick(this),
       m_pictures(
           std::make_unique<PictureFeed>(std::vector<RobotDescription>(), PictureFeed::Listener{{}, {}})) {
-    connect(this, &MomentSource::told, &messages(), [this](const QString& text) { messages().tell(text); });
     m_tick.setInterval(Tick);
     connect(&m_tick, &QTimer::timeout, this, &ByHandBridge::tick);
 }
@@ -42,7 +41,7 @@ Result<std::unique_ptr<ByHandBridge>> ByHandBridge::open(const std::filesystem::
     };
     StationMappingListener listener;
     listener.onMessage = [raw, hop](const std::string& text) {
-        hop([raw, text = QString::fromStdString(text)] { emit raw->told(text); });
+        hop([raw, text = QString::fromStdString(text)] { raw->notify(text); });
     };
     listener.onMap = [raw, hop](const MapPtr& map) { hop([raw, map] { emit raw->mapChanged(map); }); };
     listener.onScans = [raw, hop](const LiveMapPtr& map) {

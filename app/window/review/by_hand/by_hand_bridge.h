@@ -7,7 +7,7 @@
 
 #include "app/services/by_hand/map_by_hand.h"
 #include "app/services/station/cameras/picture_feed.h"
-#include "app/window/live/moment_source.h"
+#include "app/window/source/moment_source.h"
 #include "core/base/result.h"
 
 namespace leitstand {
@@ -27,6 +27,7 @@ public:
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
     void watch(const std::string& /*robot*/) override {}  // nothing is around it any more
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
+    [[nodiscard]] GasTrend gas(const std::string& /*robot*/) const override { return {}; }
 
 private:
     ByHandBridge();

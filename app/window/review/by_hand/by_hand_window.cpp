@@ -10,15 +10,12 @@
 
 #include "app/window/commands/command_table.h"
 #include "app/window/commands/help_commands.h"
-#include "app/window/live/frame/key_columns.h"
-#include "app/window/live/frame/pane_docks.h"
-#include "app/window/live/frame/window_frame.h"
-#include "app/window/live/input/selection.h"
-#include "app/window/live/map/decisions/decisions_feature.h"
-#include "app/window/live/map/decisions/loops_feature.h"
-#include "app/window/live/map/decisions/submap_feature.h"
-#include "app/window/live/map/map_feature.h"
-#include "app/window/live/messages/messages_feature.h"
+#include "app/window/frame/key_columns.h"
+#include "app/window/frame/pane_docks.h"
+#include "app/window/frame/window_frame.h"
+#include "app/window/input/selection.h"
+#include "app/window/panes/map/map_feature.h"
+#include "app/window/panes/pane_table.h"
 #include "app/window/review/by_hand/by_hand_bridge.h"
 #include "core/settings/window_layout.h"
 #include "widgets/map_view/map_view.h"
@@ -34,7 +31,7 @@ constexpr int LeastName = 150;  ///< of the mission's name in the bar [px]
 /// The map, and its scans beside it.
 WindowLayout arrangement() {
     WindowLayout layout;
-    layout.panes.parts = {{.pane = "map", .share = 3.0}, {.pane = "scans"}};
+    layout.panes.parts = {{.pane = "map", .share = 3.0}, {.pane = "key-scans"}};
     return layout;
 }
 
@@ -51,17 +48,9 @@ ByHandWindow::ByHandWindow(ByHandBridge& bridge, const MapViewSettings& view, QW
     m_commands = new CommandTable(*this);
     m_panes = new PaneDocks(this);
     const MapContext context{{m_bridge, *m_selection, *m_commands, *m_panes, *this}, bridge.hand().mapping()};
-    m_map = new MapFeature(context, view);
-    auto* const decisions =
-        new DecisionsFeature(context, m_map->view(), m_map->gestures(), m_map->robots(), this);
-    connect(decisions, &DecisionsFeature::told, this, &ByHandWindow::tell);
-    auto* const loops = new LoopsFeature(context, m_map->view(), this);
-    connect(loops, &LoopsFeature::told, this, &ByHandWindow::tell);
-    auto* const submaps = new SubmapFeature(
-        context, m_map->view(), m_map->gestures(), [decisions] { return decisions->chosen(); }, this);
-    connect(submaps, &SubmapFeature::told, this, &ByHandWindow::tell);
-    m_messages = new MessagesFeature(context);
-    connect(&bridge, &MomentSource::told, this, &ByHandWindow::tell);
+    m_map = makePanes(context, view).map;
+    connect(&bridge, &MomentSource::notified, this,
+            [this](const QString& text) { m_frame->showMessage(text); });
     (new HelpCommands(*this, KeyColumns::mapByHand()))->fill(m_commands->menu(CommandMenu::Help));
     m_commands->adopt(CommandMenu::Help);
     build();
@@ -70,7 +59,8 @@ ByHandWindow::ByHandWindow(ByHandBridge& bridge, const MapViewSettings& view, QW
 }
 
 ByHandWindow::~ByHandWindow() {
-    // What its parts still say while they go has nobody to hear it.
+    // Nobody receives what features emit while they go.
+    m_bridge.disconnect(this);
     for (QObject* part : children()) part->disconnect(this);
 }
 
@@ -114,9 +104,8 @@ QStringList ByHandWindow::missing() const {
     return m_map->missing();
 }
 
-void ByHandWindow::tell(const QString& text) {
-    m_frame->tell(text);
-    m_messages->add(text);
+void ByHandWindow::showMessage(const QString& text) {
+    m_bridge.notify(text);
 }
 
 void ByHandWindow::closeEvent(QCloseEvent* event) {

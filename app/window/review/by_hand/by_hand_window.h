@@ -12,7 +12,6 @@ class ByHandBridge;
 class CommandTable;
 class MapFeature;
 class MapView;
-class MessagesFeature;
 class PaneDocks;
 class Selection;
 class WindowFrame;
@@ -37,7 +36,7 @@ signals:
     void closing();
 
 public slots:
-    void tell(const QString& text);  ///< shows it as the newest message
+    void showMessage(const QString& text);  ///< as the newest, and keeps it in the list of messages
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -51,7 +50,6 @@ private:
     PaneDocks* m_panes;
     MapFeature* m_map = nullptr;
     WindowFrame* m_frame = nullptr;
-    MessagesFeature* m_messages = nullptr;
 };
 
 }  // namespace leitstand

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <QList>
+#include <QObject>
+
+#include "app/window/map/view_state.h"
+
+class QAction;
+class QActionGroup;
+class QMenu;
+
+namespace leitstand {
+
+class MapView;
+
+/// How the map is looked at: the View menu and the tool column.
+class ViewCommands final : public QObject {
+    Q_OBJECT
+public:
+    /// Which keys the commands are on.
+    enum class Keys {
+        Plain,  ///< 1 to 3 and letters too
+        Aside,  ///< Alt with 1 to 3, Ctrl and Shift with letters alone: plain ones are needed otherwise
+    };
+    /// What Esc is for.
+    enum class Escape {
+        EndsMeasuring,
+        StopsRobots,  ///< measuring ends by its own command alone
+    };
+    /// The commands change @p state and move the camera of @p view; both must outlive them.
+    ViewCommands(ViewState& state, MapView& view, QObject* parent, Keys keys = Keys::Plain,
+                 Escape escape = Escape::EndsMeasuring);
+
+    /// Puts the commands into @p menu.
+    void fill(QMenu& menu);
+    /// The tool column's, from top to bottom; a null stands for a gap.
+    [[nodiscard]] QList<QAction*> tools() const;
+    /// Poses before registration and measuring make sense only for a map that has scans.
+    void setScans(int scans);
+    /// Shows the poses before registration while checked.
+    [[nodiscard]] QAction& before() const { return *m_before; }
+    /// Measures while checked.
+    [[nodiscard]] QAction& measure() const { return *m_measure; }
+
+private:
+    void addLooks();
+    void addColourings();
+    void addThemes();
+    void addCameras(MapView& view);
+    void addTools(MapView& view, Escape escape);
+    void addEscape(MapView& view);
+    void showState();
+    void setClipping(bool on);
+    void addPlainKeys();
+
+    ViewState& m_state;
+    QActionGroup* m_looks;
+    QActionGroup* m_colourings;
+    QActionGroup* m_themes;
+    QList<QAction*> m_cameras;
+    QAction* m_before = nullptr;
+    QAction* m_clip = nullptr;
+    QAction* m_measure = nullptr;
+};
+
+}  // namespace leitstand

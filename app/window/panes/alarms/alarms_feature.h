@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include "app/window/panes/alarms/tone_player.h"
+#include "app/window/panes/view_context.h"
+#include "core/station/alarms/alarm_voice.h"
+
+class QAction;
+
+namespace leitstand {
+
+struct LiveMoment;
+class AlarmPanel;
+
+/// The alarms: their list ("alarms"), their tones, and the keys that acknowledge and mute.
+class AlarmsFeature final : public QObject {
+    Q_OBJECT
+public:
+    explicit AlarmsFeature(const LiveContext& context);
+
+    [[nodiscard]] QWidget& pane() const;
+    void tryTones();  ///< both of them, one after the other
+    /// Why tones are not heard; empty: all is well.
+    [[nodiscard]] const QString& soundTrouble() const { return m_player.trouble(); }
+
+signals:
+    void soundTroubleChanged(const QString& why);
+    void sounded(leitstand::AlarmTone tone);  ///< also where there is no sound device
+
+private:
+    void addCommands();
+    void toggleMute();
+    void show(const LiveMoment& moment);
+
+    LiveContext m_context;
+    AlarmPanel* m_panel;
+    QAction* m_acknowledge = nullptr;  ///< only while one waits for it
+    TonePlayer m_player;
+    QTimer m_second;  ///< of the tones that are tried; a real one goes before
+    AlarmVoice m_voice;
+    int m_sinceShown = 0;  ///< ticks
+};
+
+}  // namespace leitstand

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/window/panes/view_context.h"
+
+class QWidget;
+
+namespace leitstand {
+
+class AlarmPanel;
+struct LiveMoment;
+
+/// The alarms that stood at the moment of a review: they are looked at, not acknowledged.
+class LoggedAlarms final : public QObject {
+    Q_OBJECT
+public:
+    explicit LoggedAlarms(const ReviewContext& context);
+
+    [[nodiscard]] QWidget& pane() const;
+
+private:
+    void show(const LiveMoment& moment);
+
+    ReviewContext m_context;
+    AlarmPanel* m_panel;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include "app/services/comparison/change_finder.h"
+#include "app/window/panes/view_context.h"
+
+class QAction;
+class QWidget;
+
+namespace leitstand {
+
+class ChangesPanel;
+class MapFeature;
+
+/// What came and went since the missions before, in the map and as a list ("changes"): where the map is put
+/// together from several.
+class ChangesFeature final : public QObject {
+    Q_OBJECT
+public:
+    ChangesFeature(const ViewContext& context, MapFeature& map);
+    ~ChangesFeature() override;
+
+    [[nodiscard]] QWidget& pane() const;
+
+private:
+    void addCommands();
+    void setMap(const MapPtr& map);
+    void show(bool shown);
+    void showChosen();
+    void follow();
+    void list();  ///< from where the selected robot is now
+
+    ViewContext m_context;
+    MapFeature& m_map;
+    ChangesPanel* m_panel;
+    QAction* m_shown = nullptr;  ///< whether the map shows them
+    MapPtr m_newest;             ///< null: none came
+    MapChangesPtr m_changes;
+    QTimer m_look;
+    ChangeFinder m_finder;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/window/input/drive_input.h"
+#include "app/window/panes/view_context.h"
+
+class QAction;
+
+namespace leitstand {
+
+class DriveStrip;
+
+/// Driving the selected robot: its keys and the drive focus, and the grant that the strip asks for.
+class DriveFeature final : public QObject {
+    Q_OBJECT
+public:
+    DriveFeature(const LiveContext& context, DriveStrip& strip);
+
+    [[nodiscard]] bool driving() const { return m_input.hasFocus(); }
+    [[nodiscard]] DriveInput& input() { return m_input; }
+    /// Takes the drive focus, and asks for the grant; or lets both sticks and focus go.
+    void setDriving(bool on);
+
+private:
+    void addCommands();
+    void connectStrip(DriveStrip& strip);
+
+    LiveContext m_context;
+    DriveInput m_input;
+    QAction* m_drive = nullptr;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <QKeySequence>
+#include <QObject>
+
+#include "app/services/finds/freezing.h"
+#include "app/window/panes/view_context.h"
+
+class QAction;
+
+namespace leitstand {
+
+class CameraFeature;
+class MapFeature;
+class ScanFeature;
+
+/// Finds that the operator points to: Shift and a click into a picture or the virtual scan files a victim,
+/// and after the command "victim.point" the next click there or on the map does; "victim.pointHazard",
+/// "victim.pointCode" and "victim.pointObject" do likewise for other finds.
+class FindPointing final : public QObject {
+    Q_OBJECT
+public:
+    FindPointing(const LiveContext& context, MapFeature& map, CameraFeature& cameras, ScanFeature& scan);
+
+private:
+    void add(const char* id, VictimSample::Kind kind, const QString& text, const QString& hint,
+             const QKeySequence& keys = {});
+    void arm(QAction& action, VictimSample::Kind kind, bool on);
+    [[nodiscard]] bool armed() const;
+    [[nodiscard]] VictimSample::Kind kind() const;  ///< of what the next click files
+    void fileIn(const PicturePoint& at);
+    void fileBeside(const Eigen::Vector2d& placeInBase);
+    void fileAt(const Eigen::Vector3d& placeInMap, VictimSample::Kind kind);
+
+    LiveContext m_context;
+    MapFeature& m_map;
+    CameraFeature& m_cameras;
+    ScanFeature& m_scan;
+    std::vector<std::pair<VictimSample::Kind, QAction*>> m_actions;
+};
+
+}  // namespace leitstand

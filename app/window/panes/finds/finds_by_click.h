@@ -1,0 +1,55 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <QKeySequence>
+#include <QObject>
+
+#include "app/services/finds/freezing.h"
+#include "app/window/panes/view_context.h"
+#include "core/event/victim_sample.h"
+
+class QAction;
+
+namespace leitstand {
+
+class CameraFeature;
+class FindsFeature;
+class MapFeature;
+class ReviewBridge;
+class ScanFeature;
+
+/// What a review does to finds by a click: the chosen one is moved to where the map is clicked
+/// ("review.move"), or one that nobody had filed is filed ("review.file", "review.fileHazard",
+/// "review.fileCode", "review.fileObject") where the map, a picture or the virtual scan is, with the pictures
+/// of the moment as evidence. In pictures and the virtual scan a click with Shift files a victim at any time.
+class FindsByClick final : public QObject {
+    Q_OBJECT
+public:
+    FindsByClick(const ReviewContext& context, MapFeature& map, CameraFeature& cameras, ScanFeature& scan,
+                 FindsFeature& finds);
+
+private:
+    QAction& add(const char* id, const QString& text, const QString& hint, const QKeySequence& keys = {});
+    void addFiling(const char* id, VictimSample::Kind kind, const QString& text, const QString& brief = {},
+                   const QKeySequence& keys = {});
+    void move(QAction& by, bool on);
+    void file(QAction& by, VictimSample::Kind kind, bool on);
+    void fileAt(VictimSample::Kind kind, const Eigen::Vector3d& placeInMap);
+    void fileIn(const PicturePoint& at);
+    void fileBeside(const Eigen::Vector2d& placeInBase);
+    void end();                                     ///< what was armed
+    [[nodiscard]] VictimSample::Kind kind() const;  ///< of what a click beside the map files
+    [[nodiscard]] bool armed() const;
+
+    ViewContext m_context;
+    ReviewBridge& m_bridge;
+    MapFeature& m_map;
+    CameraFeature& m_cameras;
+    ScanFeature& m_scan;
+    FindsFeature& m_finds;
+    std::vector<std::pair<VictimSample::Kind, QAction*>> m_filing;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <QKeySequence>
+#include <QObject>
+
+#include "app/services/review/review_pen.h"
+#include "app/window/panes/view_context.h"
+#include "core/mission/finds/find_moves.h"
+
+class QAction;
+
+namespace leitstand {
+
+class ReviewBridge;
+class FormPictures;
+class VictimForm;
+class VictimsPanel;
+
+/// What was found ("finds"), as then or as the mission has it now: corrections and notes of the review.
+class FindsFeature final : public QObject {
+    Q_OBJECT
+public:
+    FindsFeature(const ReviewContext& context);
+    ~FindsFeature() override;
+
+    [[nodiscard]] QWidget& list() const;
+    [[nodiscard]] QWidget& form() const;
+    [[nodiscard]] const MissionState& state() const;  ///< whose finds are shown
+    [[nodiscard]] std::optional<FindKey> chosen() const;
+    /// What a command is about.
+    enum class Of : std::uint8_t { Chosen, Mission };
+    /// Offers @p action beside the list; one about the chosen find while one is chosen.
+    void offer(QAction& action, Of of);
+
+public slots:
+    void askForNote();  ///< about the moment that is shown; the review goes on meanwhile
+
+signals:
+    void findsChanged();                                                   ///< the list, or which is chosen
+    void marksChanged(const std::vector<leitstand::TimelineMark>& marks);  ///< of what the pen wrote
+
+private:
+    QAction& add(const char* id, const QString& text, const QString& brief, const QString& hint,
+                 const QKeySequence& keys = {});
+    void addCommands();
+    void enable();  ///< commands that mean something now
+    void show();
+    void confirm();
+    void discard();
+    void judge(const FindKey& find, VictimSample::Status status);
+    void merge(const FindKey& find);
+    [[nodiscard]] const MissionState& finished() const;  ///< the mission as finished, and what was written
+    void openForm(const FindKey& find);
+    /// What the form shows of @p find: as it was at the moment that is shown, the newest once it is edited.
+    [[nodiscard]] std::optional<VictimSample> inForm(const std::optional<FindKey>& find) const;
+    void showForm(const std::optional<VictimSample>& find);
+    void correct(const VictimSample& corrected);  ///< as the form has it
+    void note(Time at, const QString& text);
+    void tellWritten(const QString& done, const QString& problem);
+    void undo();
+    [[nodiscard]] const VictimSample* newest(const FindKey& find) const;
+
+    ViewContext m_context;
+    ReviewBridge& m_bridge;
+    VictimsPanel* m_panel;
+    VictimForm* m_form;
+    FormPictures* m_pictures;
+    std::optional<VictimSample> m_shown;  ///< by the form, before it is edited
+    std::optional<FindKey> m_asked,
+        m_corrected;  ///< find whose correction is being written; whose newest is shown
+    FindMoves m_moves;
+    std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
+    QAction *m_confirm = nullptr, *m_discard = nullptr, *m_undo = nullptr;
+    mutable MissionStatePtr m_written;  ///< that state() told of: a newer one may come at any time
+};
+
+}  // namespace leitstand

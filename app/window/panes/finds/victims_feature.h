@@ -1,0 +1,73 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <QObject>
+
+#include "app/window/panes/view_context.h"
+#include "core/base/result.h"
+#include "core/mission/finds/find_moves.h"
+#include "core/mission/state/mission_state.h"
+#include "widgets/map_view/gestures/ground_pose.h"
+
+class QAction;
+class QKeySequence;
+
+namespace leitstand {
+
+class CameraFeature;
+class FindDesk;
+class FormPictures;
+class MapFeature;
+class VictimForm;
+class VictimsPanel;
+struct LiveMoment;
+
+/// What the operator finds (design, section 7): one key freezes evidence, a second one confirms; the list
+/// and the form for later. All of it is in the mission's log.
+class VictimsFeature final : public QObject {
+    Q_OBJECT
+public:
+    VictimsFeature(const LiveContext& context, MapFeature& map, CameraFeature& cameras);
+
+    [[nodiscard]] QWidget& list() const;
+    [[nodiscard]] QWidget& form() const;
+
+private:
+    QAction& add(const char* id, const QString& text, const QString& brief, const QString& hint,
+                 const QKeySequence& keys);
+    void addFreezing();
+    void addDecisions();
+    void addForm();
+    void addPlacing();
+    void freeze(VictimSample::Kind kind);
+    void confirm();
+    void merge();
+    void move(bool on);
+    void answer(const Result<void>& done);  ///< tells what went wrong
+    /// The find that a command is about: the chosen one, else what was just filed.
+    [[nodiscard]] std::optional<FindKey> meant() const;
+    void show(const LiveMoment& moment);
+    void showForm();
+    void fillIn(int step);  ///< opens the chosen find's form at its next or previous field
+    void changeField();
+    [[nodiscard]] bool isFillingIn() const;
+    [[nodiscard]] FindDesk& desk() const;
+
+    LiveContext m_context;
+    MapFeature& m_map;
+    CameraFeature& m_cameras;
+    VictimsPanel* m_panel;
+    VictimForm* m_form;
+    FormPictures* m_pictures;
+    std::map<QString, QAction*> m_actions;
+    std::uint64_t m_shown = 0;  ///< FindDesk::filings() that was chosen in the list
+    std::uint32_t m_asked = 0;  ///< candidate that was asked to be filed last; 0: none
+    int m_sinceRows = 0;        ///< ticks
+    FindMoves m_moves;
+    bool m_following = false;  ///< what m_moves tells is new
+};
+
+}  // namespace leitstand

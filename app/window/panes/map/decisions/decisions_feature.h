@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+
+#include <QKeySequence>
+#include <QObject>
+#include <QString>
+
+#include "app/window/panes/view_context.h"
+#include "core/base/result.h"
+#include "core/mapping/live/scan_cleaning.h"
+#include "widgets/models/map/key_scan_model.h"
+
+class QAction;
+
+namespace leitstand {
+
+class DecisionsPanel;
+class MapGestures;
+class MapView;
+class RobotsOnMap;
+struct MissionState;
+
+/// The operator's decisions on scans ("scans"), and what of the world belongs into the map. All of them are
+/// in the mission's log.
+class DecisionsFeature final : public QObject {
+    Q_OBJECT
+public:
+    DecisionsFeature(const MapContext& context, MapView& view, MapGestures& gestures, RobotsOnMap& robots,
+                     QObject* parent);
+
+    [[nodiscard]] QWidget& pane() const;
+    [[nodiscard]] const KeyScanModel& scans() const { return m_scans; }
+    [[nodiscard]] std::uint64_t chosen() const;  ///< id of a key scan; 0: none
+
+private:
+    void addDecisions();
+    void addArea();
+    QAction& add(const QString& id, const QString& text, const QString& hint, const QKeySequence& keys = {},
+                 bool checkable = false);
+    void answer(const Result<void>& done);  ///< tells what went wrong
+    void toNextUncertain();
+    void retry();
+    void dragForRetry(bool on);
+    void dragForLoop(bool on);
+    /// Lets the operator draw where the robot was at the chosen scan.
+    void dragChosen(const QString& command, const QString& text,
+                    const std::function<void(std::uint64_t, const Pose&)>& drawn);
+    void rewind();
+    void drawArea(bool on);
+    void follow(const MissionState& mission);
+    /// @p hint: empty when there is nothing for it to do.
+    void showUndo(const QString& id, const QString& hint, const QString& text);
+    void show();
+    void showArea();
+
+    MapContext m_context;
+    MapView& m_view;
+    MapGestures& m_gestures;
+    RobotsOnMap& m_robots;
+    KeyScanModel m_scans;
+    DecisionsPanel* m_panel;
+    std::map<QString, QAction*> m_onChosen;  ///< commands on the chosen scan
+    MapCrop m_area;                          ///< that is shown
+    std::uint64_t m_newest = 0;              ///< sequence of the newest decision of the mission that is shown
+};
+
+}  // namespace leitstand

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include <QObject>
+
+#include "app/services/mapping/scanner_advice.h"
+#include "app/window/panes/view_context.h"
+
+class QAction;
+
+namespace leitstand {
+
+class MapQuestion;
+class MapView;
+struct LiveMoment;
+
+/// A 3D scanner that the map finds to be off: the operator is asked whether it is to be corrected.
+class ScannerFeature final : public QObject {
+    Q_OBJECT
+public:
+    ScannerFeature(const LiveContext& context, MapView& view, QObject* parent);
+
+private:
+    void answer(bool correct);
+    void follow(const LiveMoment& moment);
+    [[nodiscard]] QString question() const;
+
+    LiveContext m_context;
+    QAction *m_use = nullptr, *m_leave = nullptr;
+    MapQuestion* m_question = nullptr;
+    std::optional<ScannerQuestion> m_asked;  ///< that is shown
+};
+
+}  // namespace leitstand

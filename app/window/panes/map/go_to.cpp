@@ -1,0 +1,255 @@
+#include "app/window/panes/map/go_to.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include <QAction>
+
+#include "app/services/station/station_mapping.h"
+#include "app/window/commands/command_table.h"
+#include "app/window/input/selection.h"
+#include "app/window/panes/map/goal_question.h"
+#include "app/window/panes/map/map_gestures.h"
+#include "app/window/panes/map/robots_on_map.h"
+#include "app/window/source/moment_source.h"
+#include "core/mapping/live/map/moved_places.h"
+#include "core/robot/goal.h"
+#include "widgets/models/others_text.h"
+
+namespace leitstand {
+namespace {
+
+constexpr double Arrived = 0.4;               ///< [m]
+constexpr std::chrono::seconds Patience(10);  ///< for the grant, and for the robot to begin
+constexpr auto DrivesByItself = "explore";    ///< mode in which robots drive to goals
+
+bool offers(const RobotState& said, const std::string& mode) {
+    if (!said.mode) return false;
+    const auto& modes = said.mode->sample.available;
+    return std::find(modes.begin(), modes.end(), mode) != modes.end();
+}
+
+bool moves(const RobotState& said) {
+    constexpr double Still = 0.02;  // [m/s, rad/s]
+    return said.odometry &&
+           (said.odometry->sample.linear.norm() > Still || said.odometry->sample.angular.norm() > Still);
+}
+
+}  // namespace
+
+GoTo::GoTo(const LiveContext& context, MapView& map, MapGestures& gestures, RobotsOnMap& robots,
+           QObject* parent)
+    : QObject(parent),
+      m_context(context),
+      m_gestures(gestures),
+      m_robots(robots),
+      m_action(&context.commands.add(
+          {.id = "map.goTo",
+           .menu = CommandMenu::Map,
+           .text = tr("&Go to a place"),
+           .hint = tr(
+               "Click where the selected robot shall go by itself, drag its heading; a double click on the "
+               "floor does the same"),
+           .keys = QKeySequence(Qt::Key_O),
+           .checkable = true})),
+      m_question(new GoalQuestion(context.commands, map, this)),
+      m_map(context.station.mapping().scans()) {
+    connect(m_action, &QAction::triggered, this, &GoTo::arm);
+    connect(m_question, &GoalQuestion::confirmed, this, &GoTo::begin);
+    connect(&context.selection, &Selection::changed, this, &GoTo::showSelected);
+    connect(&context.source, &MomentSource::ticked, this, &GoTo::follow);
+    connect(&context.source, &MomentSource::scansChanged, this, &GoTo::followMap);
+    showSelected();
+}
+
+void GoTo::showSelected() {
+    const RobotDescription* const robot = m_context.selection.robot();
+    m_action->setEnabled(robot != nullptr && robot->stream(StreamRole::GoalPose) != nullptr);
+    if (m_action->isChecked()) m_gestures.disarm();
+}
+
+void GoTo::arm(bool on) {
+    const std::string robot = m_context.selection.name().toStdString();
+    if (!on) return m_gestures.disarm();
+    if (!m_robots.placed(robot)) {
+        m_action->setChecked(false);
+        m_context.notify(tr("%1 is not in the map yet").arg(m_context.selection.face().title));
+        return;
+    }
+    m_gestures.armPose(*m_action, m_robots.mark(robot),
+                       tr("Click where %1 shall go, drag its heading · right button: not at all")
+                           .arg(m_context.selection.face().title),
+                       [this](const GroundPose& pose) { go(pose); });
+}
+
+void GoTo::go(const GroundPose& pose) {
+    const RobotDescription* const robot = m_context.selection.robot();
+    if (robot == nullptr) return;
+    if (!m_action->isEnabled())
+        return m_context.notify(tr("%1 takes no goals").arg(m_context.selection.face().title));
+    if (!m_robots.placed(robot->name)) {
+        m_context.notify(tr("%1 is not in the map yet").arg(m_context.selection.face().title));
+        return;
+    }
+    const Eigen::Vector3d from = m_robots.mark(robot->name).baseInMap.translation();
+    const Eigen::Vector3d way = pose.place - from;
+    const double heading = pose.heading.value_or(std::atan2(way.y(), way.x()));
+    begin(robot->name, poseFrom(pose.place, 0, 0, heading));
+}
+
+void GoTo::begin(const std::string& robot, const Pose& goalInMap) {
+    // Before another station is asked for its grant.
+    if (const auto may = m_context.station.maySend(robot); !may)
+        return m_context.notify(QString::fromStdString(may.error().text));
+    m_context.station.ask(robot);
+    m_ways[robot] = {goalInMap, m_context.source.moment().now};
+    m_robots.setGoal(robot, goalInMap);
+    m_question->forget(robot);
+}
+
+void GoTo::takeBack() {
+    const std::string robot = m_context.selection.name().toStdString();
+    m_question->forget(robot);
+    const auto way = m_ways.find(robot);
+    if (way == m_ways.end() || way->second.sent) return;
+    m_robots.setGoal(robot, std::nullopt);
+    m_ways.erase(way);
+    m_context.notify(tr("%1 is not sent: it was halted").arg(m_context.selection.face().title));
+}
+
+std::optional<RobotInMap> GoTo::placeOf(const std::string& robot) const {
+    const RobotsInMapPtr places = m_context.station.mapping().robots();
+    const auto place = std::find_if(places->begin(), places->end(),
+                                    [&robot](const RobotInMap& one) { return one.robot == robot; });
+    if (place == places->end() || !place->placed || !place->odomInMap) return std::nullopt;
+    return *place;
+}
+
+QString GoTo::titleOf(const std::string& robot) const {
+    const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
+    return known == nullptr ? othersText(robot) : m_context.selection.faceOfRobot(*known).title;
+}
+
+bool GoTo::send(const std::string& robot, const Way& way, const LiveMoment& moment) {
+    const RobotState& said = moment.said(robot);
+    const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
+    const auto place = placeOf(robot);
+    if (!said.odometry || known == nullptr || !place) return false;
+    // The robot does not know our map: it is told where that lies in its own odometry. Not by the newest
+    // odometry: while a scan is registered, that is of a later moment than the place in the map.
+    PoseSample goal;
+    goal.header.frame = known->odomFrame.empty() ? said.odometry->sample.header.frame : known->odomFrame;
+    goal.poseInFrame =
+        goalInOdom(place->baseInMap, place->odomInMap->inverse() * place->baseInMap, way.goalInMap);
+    Station& station = m_context.station;
+    Result<void> done = station.goTo(robot, goal);
+    if (done && offers(said, DrivesByItself)) done = station.setMode(robot, DrivesByItself);
+    if (!done) m_context.notify(QString::fromStdString(done.error().text));
+    return done.ok();
+}
+
+bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
+    const bool late = moment.now - way.asked > Patience;
+    if (!way.sent) {
+        // A stop is for what was asked before it, too.
+        const StopStatus& stop = moment.view(robot).stop;
+        if (stop.sent || stop.stopped || stop.releasing) return true;
+        const bool mine = moment.view(robot).grant.mine;
+        if (mine && placeOf(robot)) {
+            if (!send(robot, way, moment)) return true;
+            way.sent = true;
+            way.asked = moment.now;
+        } else if (late) {
+            m_context.notify((mine ? tr("%1 was not sent: its odometry began anew, and nobody knows where")
+                                   : tr("%1 was not sent: the grant to drive it is another station's"))
+                                 .arg(titleOf(robot)));
+            return true;
+        }
+        return false;
+    }
+    const RobotState& said = moment.said(robot);
+    const bool drives = said.mode && said.mode->sample.mode == DrivesByItself;
+    way.began = way.began || drives;
+    if (offers(said, DrivesByItself) && !drives && (way.began || late)) return true;
+    if (!way.began || moves(said)) way.moved = moment.now;
+    if (moment.now - way.moved > Patience) return true;  // it has come as near as it can, or gave up
+    const RobotMark mark = m_robots.mark(robot);
+    return (mark.baseInMap.translation() - way.goalInMap.translation()).head<2>().norm() < Arrived;
+}
+
+void GoTo::follow(const LiveMoment& moment) {
+    for (const std::string& robot : m_question->robots()) {
+        const StopStatus& stop = moment.view(robot).stop;
+        if (stop.sent || stop.stopped || stop.releasing) m_question->forget(robot);
+    }
+    for (auto way = m_ways.begin(); way != m_ways.end();) {
+        if (!over(way->first, way->second, moment)) {
+            ++way;
+            continue;
+        }
+        m_robots.setGoal(way->first, std::nullopt);
+        way = m_ways.erase(way);
+    }
+}
+
+bool GoTo::underWay(const std::string& robot, const Way& way) const {
+    const LiveMoment& moment = m_context.source.moment();
+    const StopStatus& stop = moment.view(robot).stop;
+    if (!way.sent || stop.sent || stop.stopped || stop.releasing) return false;
+    const RobotState& said = moment.said(robot);
+    const bool drives = said.mode && said.mode->sample.mode == DrivesByItself;
+    // Told, and not heard of since: it is about to.
+    const bool begins = !way.began && (!said.mode || said.mode->received <= way.asked);
+    return drives || begins || !offers(said, DrivesByItself);
+}
+
+void GoTo::stay(const std::string& robot) {
+    // It has come to where it is: a robot knows goals, not that one is none any more. By its odometry: its
+    // place in a map that moves may be doubted.
+    const RobotState& said = m_context.source.moment().said(robot);
+    const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
+    if (!said.odometry || known == nullptr) return;
+    PoseSample here;
+    here.header.frame = known->odomFrame.empty() ? said.odometry->sample.header.frame : known->odomFrame;
+    here.poseInFrame = said.odometry->sample.baseInOdom;
+    if (const auto done = m_context.station.goTo(robot, here); !done)
+        m_context.notify(QString::fromStdString(done.error().text));
+}
+
+void GoTo::withdraw(const std::string& robot, const Way& way, const Pose& correction) {
+    const bool goes = underWay(robot, way);
+    if (goes) stay(robot);
+    m_robots.setGoal(robot, std::nullopt);
+    if (goes || !way.sent)
+        m_question->ask(robot, titleOf(robot), way.goalInMap, correction * way.goalInMap);
+    else
+        m_context.notify(
+            tr("%1: the map moved under its goal, which is withdrawn; send it again").arg(titleOf(robot)));
+}
+
+void GoTo::followMap(const LiveMapPtr& map) {
+    const LiveMapPtr before = std::exchange(m_map, map);
+    if (!before || (m_ways.empty() && m_question->robots().empty())) return;
+    const MovedPlaces places(*before, *map);
+    if (places.any()) m_question->follow(places);
+    for (auto one = m_ways.begin(); places.any() && one != m_ways.end();) {
+        auto& [robot, way] = *one;
+        const Pose correction = places.at(way.goalInMap.translation());
+        const GoalMove move = goalMove(way.goalInMap, correction, underWay(robot, way));
+        if (move == GoalMove::Withdrawn) {
+            withdraw(robot, way, correction);
+            one = m_ways.erase(one);
+            continue;
+        }
+        if (move == GoalMove::Moves) {
+            way.goalInMap = correction * way.goalInMap;
+            m_robots.setGoal(robot, way.goalInMap);
+            (void)send(robot, way, m_context.source.moment());
+        }
+        ++one;
+    }
+}
+
+}  // namespace leitstand

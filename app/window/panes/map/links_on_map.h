@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/window/panes/view_context.h"
+
+class QAction;
+
+namespace leitstand {
+
+class MapView;
+struct LiveMoment;
+
+/// Where the map meets itself, as lines over it: a command that shows them.
+class LinksOnMap final : public QObject {
+    Q_OBJECT
+public:
+    LinksOnMap(const ViewContext& context, MapView& view, QObject* parent);
+
+private:
+    void follow(const LiveMoment& moment);
+
+    ViewContext m_context;
+    MapView& m_view;
+    QAction* m_shown;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <QObject>
+
+#include "app/window/panes/view_context.h"
+
+class QWidget;
+
+namespace leitstand {
+
+class DecisionsFeature;
+class GoTo;
+class MapFeature;
+
+/// What the operator does on the map with live robots and their scans: sends them, places them, decides.
+class MapActions final : public QObject {
+    Q_OBJECT
+public:
+    MapActions(const LiveContext& context, MapFeature& map);
+
+    [[nodiscard]] QWidget& keyScans() const;  ///< pane of key scans and of decisions on them
+    /// A robot that was not yet sent to a place stays.
+    void halt();
+    /// Sends the selected robot to @p place of the map [m].
+    void go(const Eigen::Vector3d& place);
+
+private:
+    GoTo* m_going = nullptr;
+    DecisionsFeature* m_decisions = nullptr;
+};
+
+}  // namespace leitstand

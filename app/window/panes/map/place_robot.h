@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include <QObject>
+
+#include "app/window/panes/view_context.h"
+#include "widgets/map_view/gestures/ground_pose.h"
+
+class QAction;
+
+namespace leitstand {
+
+class MapGestures;
+class RobotsOnMap;
+
+/// Puts a robot to where the operator draws it on the map: one that is not in it yet, else the selected one.
+class PlaceRobot final : public QObject {
+    Q_OBJECT
+public:
+    PlaceRobot(const LiveContext& context, MapGestures& gestures, RobotsOnMap& robots, QObject* parent);
+
+private:
+    void arm(bool on);
+    void lookFor();
+    void place(const std::string& robot, const GroundPose& pose);
+
+    LiveContext m_context;
+    MapGestures& m_gestures;
+    RobotsOnMap& m_robots;
+    QAction* m_action;
+};
+
+}  // namespace leitstand

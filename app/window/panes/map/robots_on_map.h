@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include <QObject>
+#include <QString>
+
+#include "app/window/panes/view_context.h"
+#include "widgets/models/map/map_view_settings.h"
+#include "widgets/models/map/robot_mark.h"
+
+class QAction;
+
+namespace leitstand {
+
+class MapGestures;
+class MapView;
+class ViewState;
+struct LiveMoment;
+
+/// The robots on the live map, 30 times a second, and the camera that follows the selected one.
+class RobotsOnMap final : public QObject {
+    Q_OBJECT
+public:
+    RobotsOnMap(const ViewContext& context, ViewState& state, MapView& view, MapGestures& gestures,
+                QObject* parent);
+
+    /// As drawn last; a robot that nobody knows the place of stands at the selected one's, or the origin.
+    [[nodiscard]] RobotMark mark(const std::string& robot) const;
+    /// A small square in @p robot's colours, for what is placed by hand.
+    [[nodiscard]] RobotMark placeMark(const std::string& robot) const;
+    [[nodiscard]] bool placed(const std::string& robot) const { return m_marks.contains(robot); }
+    /// How sure their places are, a line each.
+    [[nodiscard]] const QString& details() const { return m_details; }
+    /// The robot that most needs to be placed: one that is not in the map yet, else the selected one.
+    [[nodiscard]] std::string toPlace() const;
+    /// Where a robot was sent, to be shown; empty: nowhere.
+    void setGoal(const std::string& robot, const std::optional<Pose>& goalInMap);
+
+private:
+    void addCommands();
+    void follow(MapFollow how);
+    void show(const LiveMoment& moment);
+
+    ViewContext m_context;
+    ViewState& m_state;
+    MapView& m_view;
+    MapGestures& m_gestures;
+    std::map<MapFollow, QAction*> m_follow;
+    std::map<std::string, RobotMark> m_marks;  ///< of those that are placed
+    std::map<std::string, Pose> m_goals;
+    QString m_details;
+};
+
+}  // namespace leitstand

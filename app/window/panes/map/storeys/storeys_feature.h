@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QObject>
+
+#include "app/window/panes/view_context.h"
+#include "core/mapping/storeys.h"
+
+class QAction;
+
+namespace leitstand {
+
+class MapPane;
+class StoreyRow;
+class ViewState;
+
+/// Which storey of the map is shown: what is above and below it is hidden by the heights of the view.
+class StoreysFeature final : public QObject {
+    Q_OBJECT
+public:
+    /// Changes @p state; all must outlive it.
+    StoreysFeature(const ViewContext& context, ViewState& state, MapPane& pane, QObject* parent);
+
+private:
+    void setMap(const Map& map);
+    /// Shows the storey of this number, or all of them.
+    void choose(std::optional<int> number);
+    void step(int by);
+    void follow();
+    [[nodiscard]] std::optional<std::size_t> indexOf(std::optional<int> number) const;
+    void showChoice();
+    [[nodiscard]] static QString hint();  ///< of the commands
+
+    ViewContext m_context;
+    ViewState& m_state;
+    StoreyRow* m_row;
+    QAction *m_above = nullptr, *m_below = nullptr;
+    std::vector<Storey> m_storeys;  ///< of the map that is shown, as far as they are on the row
+    std::optional<int> m_chosen;    ///< by number; empty: all
+    StoreyHeights m_heights;        ///< that the view has for it
+};
+
+}  // namespace leitstand

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/window/panes/view_context.h"
+
+namespace leitstand {
+
+class MessagesPanel;
+
+/// The pane of messages (F4): those for the operator since the program began, each with its time.
+class MessagesFeature final : public QObject {
+    Q_OBJECT
+public:
+    explicit MessagesFeature(const ViewContext& context);
+
+    [[nodiscard]] MessagesPanel& pane() const { return *m_panel; }
+
+private:
+    MessagesPanel* m_panel;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <QObject>
+
+#include "app/window/panes/view_context.h"
+
+class QWidget;
+
+namespace leitstand {
+
+struct LiveMoment;
+class VirtualScanPane;
+
+/// The virtual 2D scan of the selected robot, in a pane of its own.
+class ScanFeature final : public QObject {
+    Q_OBJECT
+public:
+    explicit ScanFeature(const ViewContext& context);
+
+    [[nodiscard]] QWidget& pane() const;
+    void setPointing(bool pointing);  ///< the next click points
+
+signals:
+    void pointed(const Eigen::Vector2d& place);  ///< of the selected robot's base_link [m]
+    void pointingEnded();
+
+private:
+    void show(const LiveMoment& moment);
+
+    ViewContext m_context;
+    VirtualScanPane* m_pane;
+};
+
+}  // namespace leitstand

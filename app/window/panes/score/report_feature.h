@@ -1,0 +1,57 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+
+#include "app/services/score/score_board.h"
+#include "app/window/panes/view_context.h"
+
+class QAction;
+
+namespace leitstand {
+
+class ReportKeeper;
+class ScorePane;
+struct LiveMoment;
+
+/// The hand-in (design, section 7): what is known of the mission, the estimate of its score ("score"), and
+/// the judges' folder, written at once and every minute while the mission runs, also once it is resumed.
+class ReportFeature final : public QObject {
+    Q_OBJECT
+public:
+    explicit ReportFeature(const LiveContext& context);
+    ~ReportFeature() override;
+
+    [[nodiscard]] QWidget& pane() const;
+    /// How long after one report the next is written.
+    [[nodiscard]] std::chrono::nanoseconds interval() const { return m_interval; }
+    void setInterval(std::chrono::nanoseconds interval);  ///< also for the report that is being kept
+
+private:
+    void addCommands();
+    void askForData();
+    void askForFolder();
+    void keep(const QString& folder);
+    void beginKeeping(const QString& folder);
+    void endKeeping();
+    void stop();
+    void goOn();
+    void remember(const QString& folder);
+    void show(const LiveMoment& moment);
+
+    LiveContext m_context;
+    ScoreBoard m_board;
+    ScorePane* m_score;
+    QAction* m_keep = nullptr;
+    QString m_folder;  ///< that is written into; empty: none is
+    std::chrono::nanoseconds m_interval = std::chrono::seconds(60);
+    std::unique_ptr<ReportKeeper> m_keeper;
+    std::vector<std::unique_ptr<ReportKeeper>> m_ended;  ///< that may still be writing
+    int m_sinceScore = 0;                                ///< ticks
+};
+
+}  // namespace leitstand

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QObject>
+
+class QWidget;
+
+namespace leitstand {
+
+class ClockFace;
+struct LiveMoment;
+struct ViewContext;
+
+/// The mission's clock, as it stood at the moment of the review.
+class ReviewClock final : public QObject {
+    Q_OBJECT
+public:
+    explicit ReviewClock(const ViewContext& context);
+
+    [[nodiscard]] QWidget& bar() const;  ///< for the top bar
+
+private:
+    void show(const LiveMoment& moment);
+
+    ClockFace* m_face;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QTimer>
+
+#include "app/services/station/cameras/picture_feed.h"
+#include "app/services/station/station.h"
+#include "app/window/source/moment_source.h"
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// The station as the GUI thread sees it: what its threads tell arrives here as signals.
+class LiveBridge final : public MomentSource {
+    Q_OBJECT
+public:
+    /// Errors as of Station::open().
+    [[nodiscard]] static Result<std::unique_ptr<LiveBridge>> open(const StationSettings& settings);
+    ~LiveBridge() override;
+
+    /// Tells a new window of the map that is there.
+    void showAgain();
+    [[nodiscard]] Station& station() { return *m_station; }
+    [[nodiscard]] const std::vector<RobotDescription>& robots() const override;
+    [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
+    void watch(const std::string& robot) override;  ///< ten times a second
+    [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
+    [[nodiscard]] GasTrend gas(const std::string& robot) const override;
+
+private:
+    LiveBridge();
+    void tick();
+    void keepGas();
+    void lookAround();  ///< where something was scanned, or the robot may have driven on
+    template <class Call>
+    void hop(Call call) {
+        QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
+    }
+
+    QTimer m_tick;
+    std::string m_watched;
+    std::map<std::string, GasTrend> m_gas;  ///< by robot
+    std::optional<VirtualScanView> m_around;
+    int m_sinceAround = 0;                ///< ticks
+    std::optional<SteadyTime> m_scanned;  ///< when the newest of what is in m_around came
+    std::unique_ptr<PictureFeed> m_pictures;
+    std::unique_ptr<Station> m_station;  ///< last: its threads end first
+};
+
+}  // namespace leitstand

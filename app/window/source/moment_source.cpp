@@ -1,0 +1,10 @@
+#include "app/window/source/moment_source.h"
+
+namespace leitstand {
+
+void MomentSource::notify(const QString& text) {
+    m_messages.tell(text);
+    emit notified(text);
+}
+
+}  // namespace leitstand

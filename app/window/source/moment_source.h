@@ -1,0 +1,68 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+
+#include "app/services/station/cameras/picture_feed.h"
+#include "app/window/source/live_moment.h"
+#include "core/mapping/live/map/live_map.h"
+#include "core/mapping/map.h"
+#include "core/robot/robot_description.h"
+#include "widgets/models/live/robots/gas_trend.h"
+#include "widgets/models/live/texts/freshness.h"
+#include "widgets/models/message_list_model.h"
+
+namespace leitstand {
+
+/// Where panes have what they show from: the station on live robots, or a mission's log.
+class MomentSource : public QObject {
+    Q_OBJECT
+public:
+    [[nodiscard]] virtual const std::vector<RobotDescription>& robots() const = 0;
+    [[nodiscard]] virtual PictureFeed& pictures() = 0;
+    /// Whose surroundings are asked for.
+    virtual void watch(const std::string& robot) = 0;
+    /// When @p picture came, on the clock of LiveMoment::steady.
+    [[nodiscard]] virtual SteadyTime arrivalOf(const ShownPicture& picture) const = 0;
+    /// From which age pictures of a camera are old: how often they come is the source's to know.
+    [[nodiscard]] virtual FreshnessLimits pictureLimits(const std::string& /*robot*/,
+                                                        const std::string& /*sensor*/) const {
+        return {};
+    }
+    /// What the virtual scan of a robot is made of.
+    struct ScanSource {
+        bool keyScans = false;  ///< whole turns, as old as they are; else what its scanners send
+        FreshnessLimits limits = {};
+    };
+    [[nodiscard]] virtual ScanSource scanSource(const std::string& /*robot*/) const { return {}; }
+    /// The gas that @p robot measured in the minutes before moment(); also before a window was built again.
+    [[nodiscard]] virtual GasTrend gas(const std::string& robot) const = 0;
+    /// As of the newest tick.
+    [[nodiscard]] const LiveMoment& moment() const { return m_moment; }
+    /// Every message since the program began: a window that is built again in another language shows them
+    /// too.
+    [[nodiscard]] MessageListModel& messages() { return m_messages; }
+    /// Shows @p text to the operator, and keeps it in messages().
+    void notify(const QString& text);
+
+signals:
+    void notified(const QString& text);                    ///< a message for the operator
+    void pictured(const leitstand::ShownPicturePtr& one);  ///< of each camera the newest
+    /// A camera has no picture any more: a review went back to before its first.
+    void pictureGone(const std::string& robot, const std::string& sensor);
+    void mapChanged(const leitstand::MapPtr& map);
+    void scansChanged(const leitstand::LiveMapPtr& map);  ///< the same map: which scans count, and why not
+    void ticked(const leitstand::LiveMoment& moment);     ///< up to 30 times a second
+
+protected:
+    using QObject::QObject;
+    LiveMoment m_moment;
+
+private:
+    MessageListModel m_messages{this};
+};
+
+}  // namespace leitstand

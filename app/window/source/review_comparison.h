@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include <QObject>
+#include <QString>
+
+#include "app/services/comparison/map_comparing.h"
+
+namespace leitstand {
+
+/// The comparison of a review, whatever window it is looked at in: it goes on while a window is made anew in
+/// another language.
+class ReviewComparison final : public QObject {
+    Q_OBJECT
+public:
+    /// Of the mission @p folder.
+    explicit ReviewComparison(std::filesystem::path folder);
+    ~ReviewComparison() override;
+
+    void begin(const ReviewIndexPtr& index, const RegistrationSettings& settings);
+    /// What was compared in an earlier review comes, where something was.
+    void recall(const ReviewIndexPtr& index);
+    void cancel();
+    void show(ComparedMap which) { m_shown = which; }
+
+    [[nodiscard]] bool comparing() const { return m_comparing; }
+    [[nodiscard]] double progress() const { return m_progress; }                       ///< 0 to 1
+    [[nodiscard]] const RegistrationSettings& settings() const { return m_settings; }  ///< as begun last
+    [[nodiscard]] const ComparedMapsPtr& result() const { return m_result; }           ///< newest; null: none
+    [[nodiscard]] ComparedMap shown() const { return m_shown; }
+
+signals:
+    void progressed(double fraction);
+    void changed();                      ///< it began, is done, was cancelled or failed
+    void finished(const QString& text);  ///< what came of it, for the operator
+
+private:
+    void finish(const Result<ComparedMapsPtr>& result);
+    template <class Call>
+    void hop(Call call) {
+        QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
+    }
+
+    const std::filesystem::path m_folder;
+    bool m_comparing = false;
+    double m_progress = 0.0;
+    RegistrationSettings m_settings;
+    ComparedMapsPtr m_result;
+    ComparedMap m_shown = ComparedMap::Recorded;
+    std::unique_ptr<MapComparing> m_thread;  ///< last: ends first
+};
+
+}  // namespace leitstand
