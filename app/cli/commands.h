@@ -11,18 +11,18 @@ namespace leitstand::cli {
 
 /// `register`: registers scans into a map.
 void addRegister(CLI::App& app, int& exitCode);
-/// `table1`: measures Table 1 of the paper anew.
+/// `table1`: measures Table 1 of the paper again.
 void addTable1(CLI::App& app, int& exitCode);
-/// `graph`: solves a graph of poses.
+/// `graph`: solves a pose graph.
 void addGraph(CLI::App& app, int& exitCode);
 /// `keys`: makes identities for a secured domain.
 void addKeys(CLI::App& app, int& exitCode);
 
-/// `record`: records what robots say into a mission.
+/// `record`: records the messages of robots into a mission.
 void addRecord(CLI::App& app, int& exitCode);
-/// `info`: tells what a mission holds.
+/// `info`: lists the contents of a mission.
 void addInfo(CLI::App& app, int& exitCode);
-/// `replay`: publishes what a mission's robots said.
+/// `replay`: publishes the recorded messages of a mission's robots.
 void addReplay(CLI::App& app, int& exitCode);
 /// `report`: writes the hand-in of a mission.
 void addReport(CLI::App& app, int& exitCode);
@@ -34,9 +34,9 @@ void addThin(CLI::App& app, int& exitCode);
 void addTidy(CLI::App& app, int& exitCode);
 /// `merge`: brings the maps of two missions into one.
 void addMerge(CLI::App& app, int& exitCode);
-/// `changes`: tells what changed between the missions of a map.
+/// `changes`: lists what changed between the missions of a map.
 void addChanges(CLI::App& app, int& exitCode);
-/// `probe`: tells who is on a domain and what fits.
+/// `probe`: lists the robots and topics of a domain, and what fits.
 void addProbe(CLI::App& app, int& exitCode);
 
 }  // namespace leitstand::cli

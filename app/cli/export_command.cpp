@@ -53,7 +53,7 @@ int runExport(const ExportArguments& arguments) {
     return 0;
 }
 
-/// ".pcd .ply points, .bt OctoMap".
+/// Returns the endings by subject: ".pcd .ply points, .bt OctoMap".
 std::string formatList() {
     std::string list, subject;
     for (const ExportFormat& format : exportFormats()) {

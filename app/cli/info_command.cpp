@@ -33,7 +33,7 @@ std::string dateOf(Time time) {
     return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(seconds));
 }
 
-/// Messages in all sessions; pictures that a slow disk cost have sequences, but are none.
+/// Counts the messages of all sessions. Pictures dropped for a slow disk have a sequence, but no message.
 std::uint64_t eventsOf(const BagReader& bag) {
     std::uint64_t events = 0;
     for (const BagSession& session : bag.sessions()) {

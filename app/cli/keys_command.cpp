@@ -68,7 +68,7 @@ nlohmann::ordered_json jsonOf(const KeyInfo& info) {
             {"problem", problem}};
 }
 
-/// Prints identities; 1 when one that should work does not.
+/// Prints @p identities. Returns 1 when one that is not revoked cannot be used, else 0.
 int report(const std::vector<KeyInfo>& identities, const nlohmann::ordered_json& more, bool json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::vector<std::vector<std::string>> rows = {{"name", "role", "valid until", "state", "enclave"}};
@@ -99,7 +99,7 @@ int showKeys(const KeysOptions& options) {
                   options.json);
 }
 
-/// The requests that the options stand for; throws when options do not fit each other.
+/// Returns the requests of @p options. Throws CLI::ValidationError when options do not fit each other.
 std::vector<KeyRequest> requestsOf(const KeysOptions& options) {
     std::vector<KeyRequest> requests;
     const auto add = [&](KeyRole role, const std::vector<std::string>& names) {

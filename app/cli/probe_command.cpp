@@ -106,7 +106,8 @@ std::string probeJson(const ProbeReport& report, const std::map<std::string, std
         {{"seconds", report.seconds}, {"robots", robots}, {"topics", topics}, {"warnings", report.warnings}});
 }
 
-/// Writes a first file a robot; never over one that is there. Returns the files by robot.
+/// Writes a first file for each robot into @p folder and never overwrites one. Returns the files by robot.
+/// Sets @p ok to false when one cannot be written.
 std::map<std::string, std::string> writeRobotFiles(const ProbeReport& report, const fs::path& folder,
                                                    ProgressLine& line, bool& ok) {
     std::map<std::string, std::string> files;
@@ -149,7 +150,7 @@ int runProbe(const ProbeOptions& options) {
                   printable(file));
         }
     }
-    std::fflush(stdout);  // whatever becomes of the library's threads
+    std::fflush(stdout);  // before threads of the library can hang
     for (const std::string& warning : report.warnings) complain(line, warning);
     return ok ? 0 : 1;
 }

@@ -136,8 +136,8 @@ int runRecord(const RecordOptions& options) {
     const std::stop_token stop = interrupt.token();
     while (
         !ended.wait_for(lock, stop, std::chrono::milliseconds(500), [&] { return stop.stop_requested(); })) {
-        const RecorderStatus now =
-            (*recorder)->status();  // not while printing: who tells may hold what it locks
+        // Before `printing` is locked: a thread that reports may hold a lock that status() takes.
+        const RecorderStatus now = (*recorder)->status();
         const std::lock_guard quiet(printing);
         showStatus(line, now);
     }
@@ -146,7 +146,7 @@ int runRecord(const RecordOptions& options) {
     status.log = (*recorder)->status().log;
     line.clear();
     print(options.json ? recordJson(status) : recordTable(status));
-    std::fflush(stdout);  // whatever becomes of the library's threads
+    std::fflush(stdout);  // before threads of the library can hang
     for (const auto& [topic, errors] : status.log.broken) {
         complain(line, fmt::format("{}: {} samples make no sense (kept all the same), the last one: {}",
                                    topic, errors.count, errors.last));

@@ -29,7 +29,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Keeps the guess poses of the scans that could be read; an error when there are not as many poses as files.
+/// Keeps the guess poses of the scans that could be read. Error when there are not as many poses as @p files.
 Result<void> matchGuesses(RegistrationSettings& settings, const std::vector<LoadedScan>& scans,
                           std::size_t files) {
     if (settings.guess != GuessSource::Poses) return {};
@@ -43,7 +43,8 @@ Result<void> matchGuesses(RegistrationSettings& settings, const std::vector<Load
     return {};
 }
 
-/// @p given of @p files' places as links of the scans that could be read; an error names what there is not.
+/// Converts the links of @p given from positions among @p files to indices of @p scans. The error names a
+/// scan that does not exist or could not be read.
 Result<std::vector<GivenLink>> placed(std::vector<GivenLink> given, const std::vector<LoadedScan>& scans,
                                       std::size_t files) {
     const auto find = [&](std::size_t& place) -> Result<void> {
@@ -74,7 +75,7 @@ bool writeOutputs(const RegisterOptions& options, const Map& map, ProgressLine& 
         std::vector<TimedPose> poses;
         for (std::size_t i = 0; i < map.scans.size(); ++i) {
             const Time stamp = map.scans[i].scan->end;
-            // Scans without a time are numbered in seconds: TUM lines must have rising stamps.
+            // A scan without a time gets its number in seconds: stamps of TUM lines must rise.
             poses.push_back(
                 {stamp == Time{} ? Time(std::chrono::seconds(i)) : stamp, map.scans[i].poseInMap});
         }
@@ -88,7 +89,8 @@ bool writeOutputs(const RegisterOptions& options, const Map& map, ProgressLine& 
     return ok;
 }
 
-/// @p map with its loops closed, as --close-loops asks; an error when what is given by hand cannot be used.
+/// Closes the loops of @p map and moves its scans, for --close-loops. Error when links of @p byHand cannot be
+/// used.
 Result<ClosedMap> closed(Map& map, const std::vector<GivenLink>& byHand, const RegistrationSettings& chosen,
                          const Progress& progress) {
     LiveSettings settings;

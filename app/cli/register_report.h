@@ -7,11 +7,11 @@
 
 namespace leitstand::cli {
 
-/// The result of `register` as JSON, laid out as design section 6 says; @p loops: of --close-loops, else
-/// null.
+/// Returns the result of `register` as JSON, in the layout of design section 6. @p loops: the result of
+/// --close-loops, else null. @p seconds: total time [s].
 [[nodiscard]] std::string registerJson(const Map& map, const ClosedMap* loops, double seconds);
 
-/// The result of `register` as a table for people.
+/// Returns the result of `register` as a table for people.
 [[nodiscard]] std::string registerTable(const Map& map, const ClosedMap* loops, double seconds);
 
 }  // namespace leitstand::cli

@@ -26,7 +26,7 @@ struct ReplayOptions {
     bool json = false;
 };
 
-/// Switched by SIGUSR1; lock-free, so that a signal handler may touch it.
+/// Toggled by SIGUSR1. Lock-free, so that a signal handler may access it.
 std::atomic<bool> paused = false;
 
 void onPauseSignal(int) {
@@ -65,7 +65,7 @@ int runReplay(ReplayOptions& options) {
         }
         print("{}\n", outcome.heldBackTopics.empty() ? "" : ")");
     }
-    std::fflush(stdout);  // whatever becomes of the library's threads
+    std::fflush(stdout);  // before threads of the library can hang
     for (const std::string& problem : outcome.problems) complain(line, problem);
     if (interrupt.token().stop_requested() && !options.settings.loop) {
         complain(line, "interrupted");

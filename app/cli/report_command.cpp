@@ -59,15 +59,15 @@ std::string tableOf(const ReportOutcome& outcome) {
                        outcome.victims, outcome.finds, outcome.scans, outcome.explored, outcome.seconds);
 }
 
-/// When the PDF says that it was made: SOURCE_DATE_EPOCH [s] where that is set, as programs agree that make
-/// the same bytes again; else now.
+/// Returns the creation time that the PDF states: SOURCE_DATE_EPOCH [s], the convention of reproducible
+/// builds. The epoch, which stands for now, when that is not set or makes no sense.
 Time statedTime() {
     const char* seconds = std::getenv("SOURCE_DATE_EPOCH");
     if (seconds == nullptr) return {};
     std::int64_t since = 0;
     const std::string_view text(seconds);
     const auto read = std::from_chars(text.data(), text.data() + text.size(), since);
-    constexpr std::int64_t Most = 9'000'000'000;  // what a Time holds
+    constexpr std::int64_t Most = 9'000'000'000;  // [s], near the limit of Time
     if (read.ec != std::errc() || read.ptr != text.data() + text.size() || since < 0 || since > Most)
         return {};
     return Time(std::chrono::seconds(since));

@@ -17,7 +17,7 @@ static void registerTranslations() {
 namespace leitstand {
 namespace {
 
-/// Translators in use: of our texts, and of Qt's own dialogs.
+/// Translators in use: for our texts and for Qt's own dialogs.
 struct Translators {
     std::unique_ptr<QTranslator> own, qt;
     QString code = QStringLiteral("en");

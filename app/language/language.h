@@ -6,20 +6,20 @@
 
 namespace leitstand {
 
-/// A language that window and report speak.
+/// A language of the window and the report.
 struct Language {
     QString code;  ///< ISO 639-1, "de"
     QString name;  ///< in that language
 };
-/// English first.
+/// Returns the languages, English first.
 [[nodiscard]] const std::vector<Language>& languages();
 
-/// Texts, numbers and dates are in the language @p code from now on, where a QCoreApplication lives; windows
-/// that are there keep theirs until they are made anew. English when there is no such language; false then.
+/// Sets the language of texts, numbers and dates; requires a QCoreApplication. Existing windows keep their
+/// language until they are created again. Sets English and returns false when there is no language @p code.
 bool useLanguage(const QString& code);
-/// Code of the language in use.
+/// Returns the code of the language in use.
 [[nodiscard]] QString presentLanguage();
-/// The language of this computer's user, as far as it is spoken here, else English.
+/// Returns the code of the user's system language when it is one of languages(), else English.
 [[nodiscard]] QString systemLanguage();
 
 }  // namespace leitstand

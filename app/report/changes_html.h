@@ -6,7 +6,8 @@
 
 namespace leitstand {
 
-/// What came and what went since the missions before. Empty where the map is of one mission alone.
+/// Returns what came and what went since the earlier missions. Empty when nothing was compared, as in a map
+/// of a single mission.
 [[nodiscard]] QString changesHtml(const ReportContent& content);
 
 }  // namespace leitstand

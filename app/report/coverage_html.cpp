@@ -14,7 +14,7 @@ struct CoverageText {
     Q_DECLARE_TR_FUNCTIONS(CoverageText)
 };
 
-constexpr std::size_t MostListed = 5;  ///< pieces that were missed, for each sensor
+constexpr std::size_t MostListed = 5;  ///< missed regions per sensor
 
 QString titleOf(SearchSensor sensor) {
     switch (sensor) {
@@ -48,7 +48,7 @@ QString share(double seen, double reachable) {
                            : QStringLiteral("\u2013");
 }
 
-/// How much of each of several storeys was seen.
+/// Returns a table of the share of each storey that was seen. Empty when there is only one storey.
 QString storeysHtml(const ReportModel& model) {
     if (model.storeys.empty()) return {};
     QString html = QStringLiteral(

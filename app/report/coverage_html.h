@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// What was searched with each kind of sensor, and the largest pieces of floor that were missed. Empty where
-/// nobody knows of any floor.
+/// Returns what was searched with each kind of sensor, and the largest regions of floor that were missed.
+/// Empty when no floor is known.
 [[nodiscard]] QString coverageHtml(const ReportContent& content);
 
 }  // namespace leitstand

@@ -12,14 +12,14 @@ namespace leitstand {
 /// A picture of the evidence as it is printed.
 struct PrintedPicture {
     QString caption;
-    const Picture* picture = nullptr;  ///< of the FindPages that it was made of
+    const Picture* picture = nullptr;  ///< owned by the FindPages that it was made from
 };
 
-/// The pictures of @p pages in their order: of cameras, then scans from above.
+/// Returns the pictures of @p pages in their order: those of cameras, then scans from above.
 [[nodiscard]] std::vector<PrintedPicture> printedPictures(const FindPages& pages);
 
-/// The other evidence of @p pages in words, a line each: the newest CO2 of each trace, scans, where robots
-/// stood.
+/// Returns the other evidence of @p pages in words, one line each: the newest CO2 of each trace, scans, poses
+/// of robots, the number of further pictures.
 [[nodiscard]] QStringList evidenceLines(const FindPages& pages);
 
 }  // namespace leitstand

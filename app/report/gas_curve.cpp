@@ -16,13 +16,13 @@
 namespace leitstand {
 namespace {
 
-constexpr int Parts = 4;  ///< of the time's axis
+constexpr int Parts = 4;  ///< of the time axis
 
 struct CurveText {
     Q_DECLARE_TR_FUNCTIONS(CurveText)
 };
 
-/// 1, 2 or 5 times a power of ten, so that @p span has three to six of them.
+/// Returns 1, 2 or 5 times a power of ten, so that @p span holds three to seven of them.
 double stepFor(double span) {
     const double power = std::pow(10.0, std::floor(std::log10(span / 3.0)));
     for (const double times : {5.0, 2.0}) {
@@ -31,7 +31,7 @@ double stepFor(double span) {
     return power;
 }
 
-/// What the axes show.
+/// Ranges of the axes and their frame on the page.
 struct Axes {
     QRectF frame;
     double least = 0.0, most = 1.0, step = 1.0;  ///< of CO2 [ppm]
@@ -69,7 +69,7 @@ void drawGasCurve(QPainter& painter, const QRectF& room, const GasTrace& trace) 
     painter.setRenderHint(QPainter::Antialiasing);
     const double line = QFontMetricsF(painter.font()).height();
     const double left = 0.1 * room.width();
-    // Above the frame are its title, what the axis is of, and half of the topmost number.
+    // Above the frame are the title, the name of the axis and half of the topmost number.
     const Axes axes = axesOf(trace, room.adjusted(left, 2.6 * line, -0.1 * room.width(), -2.2 * line));
     const QPen thin(QColor(0x99, 0x99, 0x99), 0.5), ink(Qt::black, 1.0);
     painter.setPen(ink);

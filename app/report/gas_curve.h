@@ -8,10 +8,10 @@ class QPainter;
 
 namespace leitstand {
 
-/// Whether there is enough to draw a curve of.
+/// Whether @p trace has enough readings for a curve.
 [[nodiscard]] bool isCurve(const GasTrace& trace);
 
-/// Draws the CO2 of @p trace over time into @p room, with axes, their names and a title; in the painter's
+/// Draws the CO2 of @p trace over time into @p room, with axes, their names and a title. Uses the painter's
 /// font.
 void drawGasCurve(QPainter& painter, const QRectF& room, const GasTrace& trace);
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int Letters = 12;         ///< height of the names' font [dots]: 9 pt
 constexpr double Margin = 3.0;      ///< within a box [dots]
 constexpr double Apart = 2.0;       ///< between boxes [dots]
-constexpr double LeastClear = 4.0;  ///< about a mark [dots]
+constexpr double LeastClear = 4.0;  ///< around a mark [dots]
 constexpr double Speck = 6.0;       ///< a shorter bar cannot be read [dots]
 
 bool crosses(const QLineF& line, const QRectF& box) {
@@ -31,7 +31,7 @@ bool crosses(const QLineF& line, const QRectF& box) {
     });
 }
 
-/// From @p place to the nearest point of @p box.
+/// Returns the line from @p place to the nearest point of @p box.
 QLineF leader(const QPointF& place, const QRectF& box) {
     return {place,
             {std::clamp(place.x(), box.left(), box.right()), std::clamp(place.y(), box.top(), box.bottom())}};
@@ -47,14 +47,14 @@ QColor colourOf(MapMark::Kind kind) {
         case MapMark::Kind::Code:
             return colour(map_colour::Code);
         case MapMark::Kind::Object:
-            return colour(map_colour::Object).darker(150);  // to be seen on white
+            return colour(map_colour::Object).darker(150);  // visible on white
         case MapMark::Kind::Victim:
             break;
     }
     return colour(map_colour::Victim);
 }
 
-/// Whether @p box may stand for the place of number @p index; @p strict: without hiding any place or line.
+/// Whether @p box may name the place of number @p index. @p strict: it must not hide any place or line.
 bool fits(const QRectF& box, std::size_t index, const std::vector<QPointF>& places,
           const std::vector<QRectF>& boxes, const CalloutRoom& settings, bool strict) {
     if (!settings.room.contains(box)) return false;
@@ -95,7 +95,7 @@ std::vector<QRectF> placeCallouts(const std::vector<QPointF>& places, const std:
         for (const bool strict : {true, false}) {
             for (double away = settings.clear + Step; !found && away < farthest; away += Step) {
                 for (int turn = 0; !found && turn < Directions; ++turn) {
-                    // From the upper right on; the box touches a circle about the place from outside.
+                    // Starts at the upper right. The box touches a circle around the place from outside.
                     const double angle = (turn + 2) * 2.0 * std::numbers::pi / Directions;
                     const QPointF along(std::cos(angle), -std::sin(angle));
                     box.moveCenter(places[i] + QPointF(along.x() * (away + box.width() / 2),
@@ -135,7 +135,7 @@ void drawCallouts(QPainter& painter, const QRectF& picture, const MapPicture& ma
     for (std::size_t i = 0; i < marks.size(); ++i) {
         QLineF line = leader(places[i], boxes[i]);
         if (line.length() < clear + 1.0) continue;
-        line.setP1(line.pointAt(clear / line.length()));  // marks have numbers in them
+        line.setP1(line.pointAt(clear / line.length()));  // keeps the number in the mark visible
         painter.setPen(QPen(Qt::white, 3.0));
         painter.drawLine(line);
         painter.setPen(QPen(Qt::black, 1.0));

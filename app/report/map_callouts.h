@@ -12,26 +12,28 @@ class QPainter;
 
 namespace leitstand {
 
-/// Where names stand beside what they name.
+/// Room for names beside the places that they name.
 struct CalloutRoom {
-    QRectF room;         ///< all of them are in it
-    double clear = 0.0;  ///< about each place, nothing but a line to it may be
+    QRectF room;         ///< contains all names
+    double clear = 0.0;  ///< radius around each place that boxes leave free [dots]
 };
 
-/// A box of each of @p sizes beside the one of @p places with its number, as near as it fits: none over
-/// another, nor, where there is room for that, over places or over the lines from boxes to their places.
+/// Returns a box of each of @p sizes beside the place of the same index, as near as it fits. Boxes do not
+/// overlap. When there is room, they hide neither places nor the lines from boxes to their places. A box
+/// without any room is centred on its place.
 [[nodiscard]] std::vector<QRectF> placeCallouts(const std::vector<QPointF>& places,
                                                 const std::vector<QSizeF>& sizes,
                                                 const CalloutRoom& settings);
 
-/// Names @p marks of @p map, which is drawn as @p picture, so that they can be read however large the map is.
+/// Draws the names of @p marks on @p map, which is drawn as @p picture. They can be read at any size of the
+/// map.
 void drawCallouts(QPainter& painter, const QRectF& picture, const MapPicture& map,
                   const std::vector<MapMark>& marks);
 
-inline constexpr double ScaleHeight = 44.0;  ///< of what drawScale() draws [dots of 1/96 inch]
+inline constexpr double ScaleHeight = 44.0;  ///< height of what drawScale() draws [dots of 1/96 inch]
 
-/// From @p corner, its upper left one: which way x and y go, and a bar of a metre, or of ten where that would
-/// be a speck, of a map with so many @p dots a metre.
+/// Draws the directions of x and y and a scale bar, with @p corner as the upper left corner. The map has @p
+/// dots per metre. The bar is 1 m long, or 10 m when 1 m would be too short to read.
 void drawScale(QPainter& painter, const QPointF& corner, double dots);
 
 }  // namespace leitstand

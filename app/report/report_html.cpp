@@ -88,7 +88,7 @@ QString positionOf(const ReportFind& find) {
              reportNumber(find.position.z(), 2));
 }
 
-/// Words of the log, as the window has them, with the window's translations; others as they are.
+/// Returns @p word of the log with the window's translation; an unknown word as it is.
 QString situationOf(const std::string& word) {
     if (word.empty()) return orDash(word);
     return QCoreApplication::translate("leitstand::FindRow", word.c_str()).toHtmlEscaped();
@@ -117,7 +117,7 @@ QString signOf(const VictimSign& sign, const char* unit, int digits) {
     return text;
 }
 
-/// What was explored of each of several storeys, to go on with after a figure of all.
+/// Returns the explored area of each storey, to append to the total. Empty when there is only one storey.
 QString storeysText(const ReportModel& model) {
     QString text;
     for (const ReportStorey& storey : model.storeys) {
@@ -178,7 +178,7 @@ QString robotRows(const ReportModel& model) {
 
 QString findRows(const ReportModel& model) {
     if (model.finds.empty()) return QStringLiteral("<p>%1</p>").arg(ReportText::tr("Nothing was filed."));
-    constexpr qsizetype Place = 3;  // what storey it is on stands before it
+    constexpr qsizetype Place = 3;  // column of the place; the storey is inserted before it
     std::vector<QStringList> rows = {{QString(), ReportText::tr("What"), ReportText::tr("Status"),
                                       ReportText::tr("Place in the map"), ReportText::tr("Way"),
                                       ReportText::tr("Found"), ReportText::tr("By")}};
@@ -217,7 +217,7 @@ QString picturesHtml(const std::vector<PrintedPicture>& pictures, std::size_t fi
         html += QStringLiteral("<tr>");
         for (std::size_t j = i; j < std::min(i + 2, pictures.size()); ++j) {
             const Picture& picture = *pictures[j].picture;
-            // Without a height, a thread that is not the window's takes that of the file.
+            // Without a height, Qt takes the file's height on threads other than the GUI thread.
             html += QStringLiteral(
                         "<td width='50%'><img src='%1' width='%2' height='%3'><br><small>%4</small></td>")
                         .arg(evidenceName(find, j))

@@ -7,17 +7,17 @@
 
 namespace leitstand {
 
-/// Names of the pictures within the pages' HTML.
+/// Returns the name of picture number @p picture of find number @p find in the pages' HTML.
 [[nodiscard]] QString evidenceName(std::size_t find, std::size_t picture);
 
-/// The first pages, a section each: the mission, its robots, what was found, what was searched, the score,
+/// Returns the first pages, one string per section: mission, robots, finds, searched floor, changes, score,
 /// what was computed where, what is missing.
 [[nodiscard]] QStringList overviewHtml(const ReportContent& content);
-/// A find: form and evidence.
+/// Returns the form and evidence of find number @p find.
 [[nodiscard]] QString findHtml(const ReportContent& content, std::size_t find);
-/// The way to it, in words.
+/// Returns the way to @p find in words.
 [[nodiscard]] QString wayHtml(const ReportFind& find);
-/// What stands over the map of a height.
+/// Returns the text above @p map: its storey and heights above the floor.
 [[nodiscard]] QString mapCaption(const ReportContent& content, const ReportMap& map);
 
 }  // namespace leitstand

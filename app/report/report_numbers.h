@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// @p value with @p digits after the point, as the report's language writes it; a dash where it is not known.
+/// Returns @p value with @p digits decimals in the report's language; a dash when it is not finite.
 [[nodiscard]] QString reportNumber(double value, int digits);
 
 }  // namespace leitstand

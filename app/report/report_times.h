@@ -6,11 +6,11 @@
 
 namespace leitstand {
 
-// Dates and times of the computer's time zone, as the default QLocale writes them.
+// Dates and times are in the computer's time zone and in the format of the default QLocale.
 
-/// "21.11.2026", "2026/11/21", "11/21/2026": always with the whole year.
+/// Returns the date, always with the whole year: "21.11.2026", "2026/11/21", "11/21/2026".
 [[nodiscard]] QString reportDate(Time time);
-/// "20:11:54", "8:11:54 PM".
+/// Returns the time of day: "20:11:54", "8:11:54 PM".
 [[nodiscard]] QString reportClock(Time time);
 
 }  // namespace leitstand

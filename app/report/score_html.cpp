@@ -32,7 +32,7 @@ QString autonomyOf(Autonomy autonomy) {
     return {};
 }
 
-/// As the window's estimate has it, with the window's translations.
+/// Returns the name of @p item as in the window's estimate, with the window's translations.
 QString itemText(ScoreItem item) {
     const auto text = [](const char* words) {
         return QCoreApplication::translate("leitstand::ScoreText", words);
@@ -54,7 +54,7 @@ QString itemText(ScoreItem item) {
     return text(toString(item));
 }
 
-/// A key of a profile's file in words; one that is not known as it is.
+/// Returns @p key of a profile's file in words; an unknown key as it is.
 QString keyText(const std::string& key) {
     if (key == "areas") return ScoreText::tr("weights of the areas");
     if (key == "points") return ScoreText::tr("points of the items");
@@ -94,7 +94,7 @@ QString storeyOf(const ReportModel& model, const ScoredFind& scored) {
     return QStringLiteral("\u2013");
 }
 
-/// What the confirmed finds of each of several storeys bring.
+/// Returns the points of the confirmed finds on each storey. Empty when there is only one storey.
 QString storeySums(const ReportContent& content) {
     QStringList sums;
     for (const ReportStorey& storey : content.model.storeys) {

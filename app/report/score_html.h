@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// The estimate of the score: profile with its version, what every find brings, penalties, and which values
-/// of the profile nobody could confirm. Empty without a profile.
+/// Returns the estimate of the score: profile with its version, points of every find, penalties, and profile
+/// values without a readable source. Empty without a profile.
 [[nodiscard]] QString scoreHtml(const ReportContent& content);
 
 }  // namespace leitstand

@@ -6,7 +6,8 @@
 
 namespace leitstand {
 
-/// What was autonomous and what was computed where in this mission: on the robots, on stations, by people.
+/// Returns what was autonomous and what was computed where in this mission: on robots, on stations, by
+/// people.
 [[nodiscard]] QString workHtml(const ReportContent& content);
 
 }  // namespace leitstand

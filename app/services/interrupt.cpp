@@ -29,10 +29,10 @@ struct Taken {
     Action before = {};
 };
 
-constexpr char GuardGone = 0, Came = 1;  // what the pipe says
+constexpr char GuardGone = 0, Came = 1;  // messages in the pipe
 
 // request_stop is not allowed in a signal handler, so the handler writes to a pipe and a thread stops the
-// work. The pipe stays open: a handler may be at work in another thread when a guard goes.
+// work. The pipe stays open: a handler may run on another thread when a guard is destroyed.
 std::array<Taken, 3> signals = {{{.signal = SIGINT}, {.signal = SIGTERM}, {.signal = SIGHUP}}};
 std::array<int, 2> wakeUp = {-1, -1};
 
@@ -51,7 +51,7 @@ void say(char what) {
     [[maybe_unused]] const auto written = write(wakeUp[1], &what, 1);
 }
 
-/// What the pipe says next.
+/// Reads the next message from the pipe.
 char heard() {
     char byte = GuardGone;
     while (read(wakeUp[0], &byte, 1) < 0 && errno == EINTR) {
@@ -59,11 +59,11 @@ char heard() {
     return byte;
 }
 
-// When the first signal came, since the system started; 0: none did.
+// Time of the first signal since the system started [ns]; 0: none came.
 std::atomic<std::int64_t> firstAt = 0;
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
-/// Within that all signals are one wish: `timeout` tells the process, and then its group.
+/// Within that time all signals are one request: `timeout` signals the process, then its group.
 constexpr std::chrono::nanoseconds OneWish = std::chrono::milliseconds(500);
 
 /// Allowed in a signal handler, unlike the clocks of std.
@@ -88,12 +88,12 @@ void onSignal(int signal) {
     } else if (now - first >= OneWish.count()) {
         giveBack();
         ignoreHangUps();
-        raise(signal);  // it comes when this handler is left
+        raise(signal);  // delivered when this handler returns
     }
     errno = error;
 }
 
-/// What is to be done when a process does not end. Never destroyed: its process may be hanging in exit().
+/// Actions for a process that does not end. Never destroyed: its process may hang in exit().
 struct Late {
     std::mutex mutex;
     std::map<const WhenLate*, std::function<void()>> all;
@@ -113,7 +113,7 @@ bool endsBy(Clock::time_point until) {
     return poll(&pipe, 1, static_cast<int>(std::max<long long>(left, 0))) > 0;
 }
 
-/// Whatever happens, and wherever: the system ends the process by then.
+/// Makes the system end the process, whatever happens.
 void endAtTheLatest() {
     itimerval timer = {};
     timer.it_value = {.tv_sec = 4, .tv_usec = 500'000};
@@ -121,10 +121,10 @@ void endAtTheLatest() {
     setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
-/// Ends the process when the guard is not gone in time.
+/// Ends the process if the guard is not gone in time.
 void endSurely(Clock::time_point asked) {
     if (endsBy(asked + LateAfter)) return;
-    // Apart: it may hang as well.
+    // On a thread of its own: it may hang as well.
     std::thread([] {
         const std::lock_guard lock(late().mutex);
         for (const auto& [whose, what] : late().all) what();
@@ -134,7 +134,7 @@ void endSurely(Clock::time_point asked) {
     std::_Exit(EXIT_FAILURE);
 }
 
-/// Opens the pipe, or takes out what a handler said too late for the guard before.
+/// Opens the pipe, or drops what a handler wrote too late for the previous guard.
 bool openPipe() {
     if (wakeUp[0] < 0) return pipe2(wakeUp.data(), O_CLOEXEC) == 0;
     int waiting = 0;
@@ -157,7 +157,7 @@ WhenLate::~WhenLate() {
 InterruptGuard::InterruptGuard(End end) {
     if (!openPipe()) return;  // Ctrl-C then ends the process at once
     firstAt = 0;
-    // A copy: the guard does not go where a library ends the process by exit().
+    // A copy: the guard is not destroyed where a library ends the process by exit().
     m_waiter = std::thread([source = m_source, end]() mutable {
         if (heard() != Came) return;
         const auto asked = Clock::now();

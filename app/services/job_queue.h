@@ -9,19 +9,19 @@
 
 namespace leitstand {
 
-/// Jobs for one worker, in order, each with a stop source of its own, so that a cancel reaches a job at work
-/// as well as one that nobody has begun.
+/// Jobs for one worker, in order, each with its own stop source. A cancel reaches both the running job and
+/// jobs that have not begun.
 class JobQueue {
 public:
-    /// What a worker does; is told when nobody wants it any more.
+    /// What a worker runs; stop is requested on @p cancelled when nobody wants the job any more.
     using Job = std::function<void(std::stop_token cancelled)>;
 
-    /// Adds @p job; any thread. Unbounded: jobs are single wishes of an operator.
+    /// Adds @p job; any thread. Unbounded: jobs are single requests of an operator.
     void submit(Job job, bool cancellable = true);
-    /// Adds @p job before all that wait: somebody waits for it.
+    /// Adds @p job before all waiting jobs, for a caller that waits for it.
     void submitFirst(Job job);
-    /// Cancels the job at work and all that wait, except those that are not cancellable; they still run, and
-    /// see that they are cancelled.
+    /// Cancels the running job and all waiting jobs, except those that are not cancellable. Cancelled jobs
+    /// still run, and see that they are cancelled.
     void cancel();
     /// Runs jobs until @p stop.
     void work(const std::stop_token& stop);
@@ -37,7 +37,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable_any m_arrived;
     std::deque<Entry> m_waiting;
-    std::optional<std::stop_source> m_atWork;  ///< of the job at work, when it is cancellable
+    std::optional<std::stop_source> m_atWork;  ///< of the running job, if it is cancellable
 };
 
 }  // namespace leitstand

@@ -4,7 +4,8 @@
 
 namespace leitstand {
 
-/// What is told of a part of some work, from share @p begin to share @p end of it: @p whole outlives it.
+/// Returns the progress of a part of some work, from share @p begin to share @p end of it. @p whole outlives
+/// it.
 [[nodiscard]] inline Progress part(const Progress& whole, double begin, double end) {
     return {[&whole, begin, end](double fraction) { whole.done(begin + (end - begin) * fraction); },
             whole.stop};

@@ -4,11 +4,11 @@
 
 namespace leitstand {
 
-/// By which a row of states of SplitMix64 goes on.
+/// Increment between the states of a SplitMix64 sequence.
 inline constexpr std::uint64_t MixedBitsStep = 0x9e3779b97f4a7c15U;
 
 /// One step of SplitMix64 (Steele, Lea & Flood 2014) from @p bits: well-mixed bits of any number, the same on
-/// every machine. A row of them: of bits, bits + MixedBitsStep, ...
+/// every machine. A sequence is made from bits, bits + MixedBitsStep, ...
 [[nodiscard]] constexpr std::uint64_t mixedBits(std::uint64_t bits) {
     bits += MixedBitsStep;
     bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;

@@ -43,7 +43,7 @@ void runAll(std::size_t ranges, int threads, const Range& range) {
         if (one) std::rethrow_exception(one);
     }
 }
-void beginAll() {}  // there are none that are shared
+void beginAll() {}  // there are no shared threads
 #else
 void runAll(std::size_t ranges, int threads, const Range& range) {
     // More threads than processors compute nothing sooner, and oneTBB complains about them.
@@ -51,7 +51,7 @@ void runAll(std::size_t ranges, int threads, const Range& range) {
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, ranges, range); });
 }
 
-/// oneTBB begins a thread when there is work for it: work for all that ends when all have come, or soon.
+/// oneTBB starts a thread when there is work for it: gives all threads work until all run, or for 200 ms.
 void beginAll() {
     const int threads = tbb::info::default_concurrency();
     const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);

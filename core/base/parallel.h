@@ -5,7 +5,7 @@
 
 namespace leitstand {
 
-/// How many threads a setting of @p threads means: 0 is one per core.
+/// Number of threads that a setting of @p threads means: 0 is one per core.
 [[nodiscard]] int threadCount(int threads);
 
 /// Calls @p body(first, last) for the ranges [0, grain), [grain, 2 grain) ... below @p count, on up to
@@ -15,8 +15,8 @@ namespace leitstand {
 void parallelFor(std::size_t count, std::size_t grain, int threads,
                  const std::function<void(std::size_t first, std::size_t last)>& body);
 
-/// Begins the threads that parallelFor() shares work with, where they have not begun yet: a thread has the
-/// priority of the one that begins it, so whoever lowers its own does this before.
+/// Starts the threads that parallelFor() shares work with, unless they run already. A thread has the priority
+/// of the one that starts it, so lower the priority of the calling thread before this call.
 void beginSharedThreads();
 
 }  // namespace leitstand

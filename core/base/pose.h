@@ -30,7 +30,7 @@ constexpr double inDegrees(double radians) {
 /// The pose at @p share (0 to 1) of the way from @p a to @p b: straight line, shortest turn.
 [[nodiscard]] Pose interpolated(const Pose& a, const Pose& b, double share);
 
-/// The nearest rigid motion: numerical drift removed from the rotation.
+/// The nearest rigid motion to @p pose: numerical drift is removed from the rotation.
 [[nodiscard]] Pose orthonormalised(const Pose& pose);
 
 /// The motion exp([v, w]) of a twist with translation first (right Jacobian neglected: translation is taken

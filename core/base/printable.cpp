@@ -7,7 +7,7 @@
 namespace leitstand {
 namespace {
 
-/// The next character of @p text and how many bytes it takes; code -1: one byte that is no UTF-8.
+/// The next character of a text and how many bytes it takes; code -1: one byte that is no UTF-8.
 struct Character {
     std::int32_t code = -1;
     std::size_t bytes = 1;
@@ -24,14 +24,14 @@ Character characterAt(std::string_view text, std::size_t at) {
         if ((byte(at + i) & 0xc0U) != 0x80U) return {};
         code = (code << 6U) | (byte(at + i) & 0x3fU);
     }
-    // Longer than need be, half of a pair of UTF-16, or beyond the last one.
+    // Overlong, half of a surrogate pair of UTF-16, or above the last code point.
     const bool wrong = (bytes == 3 && code < 0x800) || (bytes == 4 && (code < 0x10000 || code > 0x10ffff)) ||
                        (code >= 0xd800 && code <= 0xdfff);
     if (wrong) return {};
     return {static_cast<std::int32_t>(code), bytes};
 }
 
-/// Characters that are obeyed, not shown.
+/// Whether a terminal obeys the character instead of showing it.
 bool isControl(std::int32_t code) {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x061c ||
            (code >= 0x200e && code <= 0x200f) || (code >= 0x2028 && code <= 0x202e) ||

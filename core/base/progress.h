@@ -5,10 +5,10 @@
 
 namespace leitstand {
 
-/// How a long piece of work reports how far it is, and learns that nobody wants it any more.
+/// Reports how far a long piece of work is, and carries the request to cancel it.
 struct Progress {
     std::function<void(double fraction)> report;  ///< 0 to 1, called on the worker's thread; may be empty
-    std::stop_token stop;                         ///< asked often enough to end within some 100 ms
+    std::stop_token stop;                         ///< checked often enough to end within some 100 ms
 
     void done(double fraction) const {
         if (report) report(fraction);

@@ -41,7 +41,7 @@ private:
     std::variant<T, Error> m_content;
 };
 
-/// Success, or the reason why not.
+/// Success, or the reason of the failure.
 template <>
 class [[nodiscard]] Result<void> {
 public:

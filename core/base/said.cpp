@@ -14,7 +14,7 @@ constexpr std::string_view Gap = "{}";
 constexpr std::string_view Speaks = ": ";
 constexpr std::size_t LongestSaid = 4'096;  // characters
 
-/// What stands at the gaps of @p words in @p said; empty when it is not of that form.
+/// Returns the texts of @p said at the gaps of @p words; empty when it is not of that form.
 std::optional<std::vector<std::string>> valuesIn(std::string_view said, std::string_view words) {
     std::vector<std::string> values;
     auto gap = words.find(Gap);
@@ -26,7 +26,7 @@ std::optional<std::vector<std::string>> valuesIn(std::string_view said, std::str
         const std::string_view next = words.substr(0, gap);
         const bool last = gap == std::string_view::npos;
         if (said.size() <= next.size()) return std::nullopt;
-        // A gap takes at least one character; the last one all that is left.
+        // A gap takes at least one character; the last one takes all that is left.
         const auto end = last ? said.size() - next.size() : said.find(next, 1);
         if (end == std::string_view::npos || !said.substr(end).starts_with(next)) return std::nullopt;
         values.emplace_back(said.substr(0, end));

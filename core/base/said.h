@@ -8,24 +8,25 @@
 
 namespace leitstand {
 
-/// A sentence that was said, known again.
+/// A received sentence, matched to a known one.
 struct SaidSentence {
-    const char* words = nullptr;           ///< one of those that are known; null: it is none of them
-    std::vector<std::string> values = {};  ///< what stands at its "{}", in order
+    const char* words = nullptr;           ///< the known sentence; null: none matches
+    std::vector<std::string> values = {};  ///< texts at its "{}", in order
 };
-/// Which of @p known @p said is; "{}" stands for whatever is not empty. Plain ones go first.
+/// Returns which of @p known @p said is; "{}" stands for any text that is not empty. Sentences without "{}"
+/// are tried first.
 [[nodiscard]] SaidSentence knownSentence(std::string_view said, std::span<const char* const> known);
 
-/// Which of @p known @p said ends with: who speaks goes before it, "Kurt: stands". The shortest end that
-/// fits; what is far longer than any sentence is none.
+/// Returns which of @p known @p said ends with, as after the name of a speaker: "Kurt: stands". The shortest
+/// end that fits counts; a text far longer than any sentence matches none.
 [[nodiscard]] SaidSentence knownEnding(std::string_view said, std::span<const char* const> known);
 
-/// The finite number that all of @p said is; empty: it is none.
+/// The finite number that the whole of @p said is; empty when it is none.
 [[nodiscard]] std::optional<double> figureIn(std::string_view said);
-/// A number as it is said: "12", "0.4".
+/// A number as such sentences contain it: "12", "0.4".
 [[nodiscard]] std::string saidFigure(double value, int decimals = 0);
 
-/// @p words with @p values at its "{}", in order; those that are missing stay "{}".
+/// Returns @p words with @p values at its "{}", in order; a "{}" without a value stays.
 [[nodiscard]] std::string withValues(std::string words, const std::vector<std::string>& values);
 
 }  // namespace leitstand

@@ -6,10 +6,10 @@
 
 namespace leitstand {
 
-/// Bytes that stand in a buffer which is kept alive as long as they are: a picture within its message.
+/// A part of a buffer, which stays alive as long as this refers to it: a picture within its message.
 struct SharedBytes {
-    std::shared_ptr<const void> owner;  ///< of the whole buffer
-    std::span<const std::byte> bytes;   ///< the part of it that is meant
+    std::shared_ptr<const void> owner;  ///< the whole buffer
+    std::span<const std::byte> bytes;   ///< the part of it
 };
 
 }  // namespace leitstand

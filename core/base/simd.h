@@ -4,14 +4,14 @@
 
 namespace leitstand {
 
-/// Vector instructions for which there is code of our own; all levels give the same answers.
+/// Vector instructions that this program has code for; all levels give the same answers.
 enum class SimdLevel : std::uint8_t {
     Plain,  ///< what every processor of the architecture has
-    Avx2,   ///< 8 floats at once
+    Avx2,   ///< 8 floats at a time
 };
 
-/// The best level of this processor. The environment LEITSTAND_SIMD=plain, read once, forbids more than
-/// Plain.
+/// The best level of this processor. The environment variable LEITSTAND_SIMD=plain, read once, forbids all
+/// above Plain.
 [[nodiscard]] SimdLevel simdLevel();
 
 }  // namespace leitstand

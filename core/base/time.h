@@ -6,7 +6,7 @@ namespace leitstand {
 
 /// A moment on a robot's or the station's clock: nanoseconds since the Unix epoch.
 using Time = std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds>;
-/// A moment on this computer's clock that nobody sets.
+/// A moment on this computer's monotonic clock, which nobody sets.
 using SteadyTime = std::chrono::steady_clock::time_point;
 
 [[nodiscard]] inline SteadyTime steadyNow() {

@@ -6,21 +6,21 @@
 
 namespace leitstand {
 
-/// What finds the translation of @p text in @p context; both as they are written in the program.
+/// Finds the translation of @p text in @p context; both are as written in the program.
 using Translator = std::string (*)(const char* context, const char* text);
-/// From now on translate() asks @p translator; null: nothing is translated. Any thread.
+/// Makes translate() use @p translator from now on; null: nothing is translated. Any thread.
 void setTranslator(Translator translator);
 
-/// Words for operators in the window's language, where there is a window: what core and session say has no
-/// Qt. Both arguments are literals, which lupdate reads. Never for what goes into the log. Any thread.
+/// Returns @p text in the window's language, or as it is without a translator: core and session have no Qt.
+/// For operators, never for the log. Both arguments are literals, which lupdate reads. Any thread.
 [[nodiscard]] std::string translate(const char* context, const char* text);
 
-/// @p text of a table: lupdate reads it with its @p context, and translate() is called where it is shown.
+/// Marks @p text of a table for lupdate, with its @p context; translate() is called where it is shown.
 constexpr const char* translatable(const char* /*context*/, const char* text) {
     return text;
 }
 
-/// @p words with what is to be filled in, as of fmt::format; as they are when a translation has it wrong.
+/// Returns @p words filled in by fmt::format; unchanged when a translation breaks the format.
 template <class... Arguments>
 [[nodiscard]] std::string fill(const std::string& words, const Arguments&... arguments) {
     try {

@@ -19,7 +19,7 @@ public:
         return *this;
     }
 
-    /// The commonest label; among equally common ones the last of the enumeration, so that any beats
+    /// The commonest label; of equally common ones the last of the enumeration, so that any label beats
     /// Unlabelled.
     [[nodiscard]] Label commonest() const {
         const auto last = std::max_element(m_votes.rbegin(), m_votes.rend());

@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-/// Tells the label of a surface from its normal.
+/// Finds the label of a surface from its normal.
 class Labeller {
 public:
     explicit Labeller(const LabelSettings& settings)
@@ -26,8 +26,8 @@ public:
         return upwards <= -m_level * length ? Label::Ceiling : Label::Wall;
     }
 
-    /// Normal of a surface at @p point of which only the direction along the vertical raw scan is known:
-    /// within the plane of that raw scan. Zero where the plane is too far from vertical to tell.
+    /// Returns the normal of a surface at @p point when only the direction along the vertical raw scan is
+    /// known. It lies within the plane of that raw scan; zero where this plane is too far from vertical.
     [[nodiscard]] Eigen::Vector3f profileNormal(const Eigen::Vector3f& tangent,
                                                 const Eigen::Vector3f& point) const {
         constexpr float MostTilt = 0.5F;  // sine of 30 degrees

@@ -15,19 +15,19 @@ struct LabelSettings {
     double steepest = degrees(45);  ///< surfaces up to this slope are floor or ceiling, others wall [rad]
 };
 
-/// Labels of all points of @p scan: one a point, Unlabelled where there is no echo or nothing decides.
-/// Floor is seen from above (table tops too), Ceiling from below. Organised scans: by the slope along their
-/// vertical raw scans, over at least 10 cm, with the direction across it where known, since neither a tilted
-/// robot's raw scans nor a tilting scanner's outer ones are vertical. Others: by the normals of their nearest
-/// neighbours.
+/// Returns the labels of all points of @p scan, one a point; Unlabelled where there is no echo or nothing
+/// decides. Floor is seen from above (table tops too), Ceiling from below. Organised scans are labelled by
+/// the slope along their vertical raw scans, over at least 10 cm, and by the direction across where it is
+/// known. A tilted robot's raw scans and a tilting scanner's outer ones are not vertical. Other scans are
+/// labelled by the normals of their nearest neighbours.
 [[nodiscard]] std::vector<Label> labelScan(const Scan& scan, const LabelSettings& settings = {});
 
-/// The same of an organised @p scan whose @p tangents and their @p normals (gridNormals()) are known.
+/// The same for an organised @p scan whose @p tangents and their @p normals (gridNormals()) are known.
 [[nodiscard]] std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents,
                                            std::span<const Eigen::Vector3f> normals,
                                            const LabelSettings& settings = {});
 
-/// Labels of points by their @p normals, which are towards the sensor; Unlabelled where zero.
+/// Returns the labels of points by their @p normals, which point towards the sensor; Unlabelled where zero.
 [[nodiscard]] std::vector<Label> labelNormals(std::span<const Eigen::Vector3f> normals,
                                               const LabelSettings& settings = {});
 

@@ -12,27 +12,27 @@ namespace {
 constexpr auto Most = static_cast<float>(std::numeric_limits<std::int16_t>::max());
 constexpr float NormalStep = 1.0F / Most;
 
-/// A whole number of steps covers the farthest coordinate.
+/// Returns the step [m]: a whole number of steps covers the farthest coordinate.
 float stepOf(const std::vector<Eigen::Vector3f>& points) {
     float farthest = 0.0F;
     for (const Eigen::Vector3f& point : points) farthest = std::max(farthest, point.cwiseAbs().maxCoeff());
     return farthest > 0.0F ? farthest / Most : NormalStep;
 }
 
-/// What stands before a cloud's bytes.
+/// Header of a cloud's bytes.
 struct Head {
     float step = 0.0F;
     std::uint32_t points = 0, normals = 0, labels = 0;
 };
 
-/// Copies @p list to the beginning of @p bytes, which has room for it.
+/// Copies @p list to the beginning of @p bytes, which has room for it, and moves @p bytes past it.
 template <typename T>
 void put(std::span<std::byte>& bytes, const std::vector<T>& list) {
     if (!list.empty()) std::memcpy(bytes.data(), list.data(), list.size() * sizeof(T));
     bytes = bytes.subspan(list.size() * sizeof(T));
 }
 
-/// Takes @p count elements from the beginning of @p bytes, which has them.
+/// Takes @p count elements from the beginning of @p bytes, which has them, and moves @p bytes past them.
 template <typename T>
 std::vector<T> taken(std::span<const std::byte>& bytes, std::size_t count) {
     std::vector<T> list(count);

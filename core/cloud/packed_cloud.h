@@ -11,24 +11,24 @@
 
 namespace leitstand {
 
-/// A cloud that waits to be used again, in about half the memory: 16 bits for each coordinate of a point and
-/// of a normal. An hour's map has a thousand of them, a scan is matched against a dozen. Immutable.
+/// A cloud stored for later use in about half the memory: 16 bits for each coordinate of a point and of a
+/// normal. An hour's map has a thousand of them; a scan is matched against a dozen. Immutable.
 class PackedCloud {
 public:
-    /// Of @p cloud's points, normals and labels; weights are left out. All of it finite.
+    /// Packs the points, normals and labels of @p cloud, all finite; weights are left out.
     explicit PackedCloud(const PointCloud& cloud);
 
-    /// The cloud again: points within step() / 2 along each axis, normals within 0.003 degrees.
+    /// Returns the cloud: points within step() / 2 along each axis, normals within 0.003 degrees.
     [[nodiscard]] PointCloud unpacked() const;
     [[nodiscard]] std::size_t size() const { return m_points.size(); }
     /// Coordinates are multiples of this [m]: 0.5 mm in a cloud that reaches 15 m far.
     [[nodiscard]] float step() const { return m_step; }
-    /// Bytes that it takes.
+    /// Memory that it takes [bytes].
     [[nodiscard]] std::size_t memory() const;
 
-    /// All of it in a row, for this computer to read again.
+    /// Returns the whole cloud as bytes, for fromBytes() on this computer.
     [[nodiscard]] std::vector<std::byte> bytes() const;
-    /// Empty where @p bytes are none of a cloud.
+    /// Reads a cloud from @p bytes; empty when they contain none.
     [[nodiscard]] static std::optional<PackedCloud> fromBytes(std::span<const std::byte> bytes);
 
 private:

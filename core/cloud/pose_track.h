@@ -9,14 +9,15 @@
 
 namespace leitstand {
 
-/// Where something was over time: poses with stamps, in any order of arrival.
+/// Stamped poses of one object over time; they may arrive in any order.
 class PoseTrack {
 public:
-    /// Keeps @p pose at @p stamp; a later one of the same stamp replaces it. Poses that are not finite are
+    /// Adds @p pose at @p stamp; a later one with the same stamp replaces it. Poses that are not finite are
     /// left out.
     void add(Time stamp, const Pose& pose);
-    /// The pose at @p stamp: between two stamps that are at most @p gap apart interpolated (translation
-    /// linearly, rotation by slerp), else the nearest that is at most @p gap away; empty when there is none.
+    /// Returns the pose at @p stamp, interpolated between two stamps that are at most @p gap apart
+    /// (translation linearly, rotation by slerp). Otherwise returns the nearest pose at most @p gap away;
+    /// empty when there is none.
     [[nodiscard]] std::optional<Pose> at(Time stamp,
                                          std::chrono::nanoseconds gap = std::chrono::milliseconds(500)) const;
     void forgetBefore(Time stamp) { m_poses.erase(m_poses.begin(), m_poses.lower_bound(stamp)); }

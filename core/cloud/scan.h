@@ -34,18 +34,18 @@ struct Scan {
     std::vector<Eigen::Vector3f> points;  ///< in the sensor's frame at the end of the sweep [m]; NaN: no echo
     std::vector<float> intensities;       ///< empty, or one per point
     std::vector<Label> labels;            ///< empty, or one per point
-    std::vector<std::uint8_t> shades;     ///< empty, or one per point: intensities to look at (shadesOf())
+    std::vector<std::uint8_t> shades;     ///< empty, or one per point: intensities for display (shadesOf())
 
     [[nodiscard]] bool organised() const { return rows > 0 && columns > 0; }
 };
 using ScanPtr = std::shared_ptr<const Scan>;
 
-/// Points made ready for registration, all finite, in their scan's frame.
+/// Points prepared for registration, all finite, in their scan's frame.
 struct PointCloud {
     std::vector<Eigen::Vector3f> points;   ///< [m]
     std::vector<Eigen::Vector3f> normals;  ///< empty, or one per point: unit length, or zero where unknown
     std::vector<Label> labels;             ///< empty, or one per point
-    std::vector<float> weights;  ///< empty, or one per point: how many measured points it stands for
+    std::vector<float> weights;  ///< empty, or one per point: number of measured points that it represents
 
     [[nodiscard]] std::size_t size() const { return points.size(); }
 };

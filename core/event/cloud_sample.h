@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// Points of a 3D scanner: a slice of its sweep or a whole one (sensor_msgs/msg/PointCloud2).
+/// Points of a 3D scanner: a slice of its sweep or a whole sweep (sensor_msgs/msg/PointCloud2).
 struct CloudSample {
     SampleHeader header;
     int rows = 0, columns = 0;            ///< row-major grid of the message; 0 x 0 when unorganised

@@ -7,34 +7,34 @@
 
 namespace leitstand {
 
-/// Stop a robot, or let it go again; repeated until StopStateSample tells its number (design, section 4).
+/// Stops or releases a robot; repeated until StopStateSample has its number (design, section 4).
 struct StopCommandSample {
     Time stamp{};                ///< station's clock, for the log only: never compared
     std::string station;         ///< identity of the sender
     std::uint64_t number = 0;    ///< rises with every command of a station
-    bool stop = true;            ///< false: release, which only the holder of the drive grant may
+    bool stop = true;            ///< false: release, allowed only to the holder of the drive grant
     std::uint64_t releases = 0;  ///< of a release: StopStateSample::stops that its operator saw
 };
 
-/// Ask a robot for another mode.
+/// Requests another mode of a robot.
 struct ModeCommandSample {
     Time stamp{};  ///< station's clock
     std::string station;
     std::string mode;  ///< one of ModeSample::available
 };
 
-/// Ask a robot for another rate or quality of one of its streams.
+/// Requests another rate or quality of one of a robot's streams.
 struct StreamCommandSample {
     Time stamp{};  ///< station's clock
     std::string station;
     std::string topic;    ///< ROS name of the stream, "/kurt3d/left/image/compressed"
     bool enabled = true;  ///< whether it is sent at all
-    double rate = 0.0;    ///< [Hz]; 0: as the robot likes
-    int quality = 0;      ///< of JPEG, 1 to 100; 0: as the robot likes
-    int maxWidth = 0;     ///< wider pictures are reduced [px]; 0: as the robot likes
+    double rate = 0.0;    ///< [Hz]; 0: the robot chooses
+    int quality = 0;      ///< of JPEG, 1 to 100; 0: the robot chooses
+    int maxWidth = 0;     ///< wider pictures are reduced [px]; 0: the robot chooses
 };
 
-/// Asks for PongSample.
+/// Requests a PongSample.
 struct PingSample {
     std::uint64_t number = 0;  ///< rises with every ping of a station
     std::string station;

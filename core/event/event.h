@@ -20,7 +20,7 @@
 
 namespace leitstand {
 
-/// What an event says, in core's own types.
+/// The content of an event, in core's own types.
 using Sample =
     std::variant<CloudSample, RangesSample, OdometrySample, ImuSample, JointSample, TransformsSample,
                  PictureSample, CameraInfoSample, GasSample, BatterySample, DiagnosticsSample, ModeSample,

@@ -12,7 +12,7 @@
 
 namespace leitstand {
 
-/// Where a robot believes to be by its wheels or tracks (nav_msgs/msg/Odometry).
+/// Pose and velocity of a robot by its wheels or tracks (nav_msgs/msg/Odometry).
 struct OdometrySample {
     SampleHeader header;                                ///< frame: of the odometry, "kurt3d/odom"
     std::string childFrame;                             ///< "kurt3d/base_link"
@@ -20,13 +20,13 @@ struct OdometrySample {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< velocity, in the child frame [m/s]
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< velocity, in the child frame [rad/s]
     std::array<double, 36> poseCovariance{};            ///< x y z roll pitch yaw, row-major; 0: unknown
-    std::array<double, 36> twistCovariance{};           ///< likewise
+    std::array<double, 36> twistCovariance{};           ///< x y z roll pitch yaw, row-major; 0: unknown
 };
 
-/// What an inertial unit measured (sensor_msgs/msg/Imu); what it does not measure is empty.
+/// Measurements of an inertial unit (sensor_msgs/msg/Imu); empty where it does not measure.
 struct ImuSample {
     SampleHeader header;
-    std::optional<Eigen::Quaterniond> orientation;      ///< unit length, of the header's frame in a level one
+    std::optional<Eigen::Quaterniond> orientation;      ///< unit length, header's frame in a level frame
     std::optional<Eigen::Vector3d> angularVelocity;     ///< [rad/s]
     std::optional<Eigen::Vector3d> linearAcceleration;  ///< with gravity: +9.81 upwards at rest [m/s2]
     std::array<double, 9> orientationCovariance{};      ///< row-major; 0: unknown
@@ -34,7 +34,7 @@ struct ImuSample {
     std::array<double, 9> linearAccelerationCovariance{};
 };
 
-/// Joints, or what is asked of them: joint_states, track_cmd and ptu_cmd (sensor_msgs/msg/JointState).
+/// Joints, or commands to them: joint_states, track_cmd and ptu_cmd (sensor_msgs/msg/JointState).
 struct JointSample {
     SampleHeader header;
     std::vector<std::string> names;
@@ -45,14 +45,14 @@ struct JointSample {
 using TrackCommand = JointSample;    ///< velocities of the tracks
 using PanTiltCommand = JointSample;  ///< positions of left_pan, left_tilt, right_pan, right_tilt
 
-/// Where one frame sits in another.
+/// Pose of one frame in another.
 struct FrameTransform {
     SampleHeader header;  ///< frame: the parent
     std::string childFrame;
     Pose childInParent = Pose::Identity();
 };
 
-/// What tf and tf_static say (tf2_msgs/msg/TFMessage).
+/// Content of tf and tf_static (tf2_msgs/msg/TFMessage).
 struct TransformsSample {
     std::vector<FrameTransform> transforms;
 };
@@ -65,7 +65,7 @@ struct PoseSample {
 
 /// A drive command (geometry_msgs/msg/Twist or TwistStamped).
 struct TwistSample {
-    std::optional<Time> stamp;                          ///< of TwistStamped; empty: none, sent as zero
+    std::optional<Time> stamp;                          ///< of TwistStamped; empty: none, on the wire zero
     std::string frame;                                  ///< of TwistStamped; may be empty
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< in the robot's base frame [m/s]
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]

@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// A picture as it was sent, not decoded yet; its bytes are those of the message, never copied.
+/// A picture as it was sent, not decoded; its bytes are those of the message, never copied.
 struct PictureSample {
     SampleHeader header;
     bool compressed = false;    ///< whether bytes are a JPEG or PNG file
@@ -21,7 +21,7 @@ struct PictureSample {
     SharedBytes content;        ///< raw: at least height * step bytes
 };
 
-/// How a camera sees (sensor_msgs/msg/CameraInfo).
+/// Calibration of a camera (sensor_msgs/msg/CameraInfo).
 struct CameraInfoSample {
     SampleHeader header;
     int width = 0, height = 0;              ///< of the picture that it was calibrated with [px]
@@ -30,7 +30,7 @@ struct CameraInfoSample {
     std::array<double, 9> intrinsics{};     ///< K: fx 0 cx 0 fy cy 0 0 1; all 0 when uncalibrated [px]
     std::array<double, 9> rectification{};  ///< R, row-major
     std::array<double, 12> projection{};    ///< P, row-major
-    int binningX = 1, binningY = 1;         ///< camera pixels that make one of the picture
+    int binningX = 1, binningY = 1;         ///< camera pixels binned into one picture pixel
     int roiX = 0, roiY = 0, roiWidth = 0, roiHeight = 0;  ///< 0 x 0: the whole picture [px]
 };
 

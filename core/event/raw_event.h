@@ -10,12 +10,12 @@
 
 namespace leitstand {
 
-/// Serialised bytes as they came over the wire: XCDR1 with its encapsulation header of 4 bytes.
+/// Serialised bytes as received: XCDR1 with its encapsulation header of 4 bytes.
 using Payload = std::shared_ptr<const std::vector<std::byte>>;
 
-/// One thing that reached the station, as it was received: the unit of the mission's log (design, section 1).
+/// One message as the station received it: the unit of the mission's log (design, section 1).
 struct RawEvent {
-    std::uint64_t sequence = 0;  ///< order of arrival within a mission, from 1; 0 before the sequencer saw it
+    std::uint64_t sequence = 0;  ///< order of arrival within a mission, from 1; 0 before the sequencer
     Time received{};             ///< station's clock
     std::string topic;           ///< ROS name, with its slash: "/kurt3d/odom"
     std::string type;            ///< ROS name: "nav_msgs/msg/Odometry"

@@ -8,7 +8,7 @@ namespace leitstand {
 
 /// Where and when a sample was taken.
 struct SampleHeader {
-    Time stamp{};       ///< sender's clock; epoch when the sender does not tell
+    Time stamp{};       ///< sender's clock; epoch when the sender gives none
     std::string frame;  ///< "kurt3d/base_link" (design, section 3); may be empty
 };
 

@@ -13,24 +13,24 @@ namespace leitstand {
 
 using Information = Eigen::Matrix<double, 6, 6>;
 
-/// What tells how two key scans lie to each other.
+/// Source of the relative pose of two key scans.
 enum class LinkKind : std::uint8_t {
-    Odometry,  ///< the robot's odometry and gyro between two scans that followed each other
+    Odometry,  ///< the robot's odometry and gyro between two successive scans
     Match,     ///< one scan was registered against another near it
-    Loop,      ///< two scans that are far from each other along the way were found to see the same place
+    Loop,      ///< two scans far from each other along the way were found to show the same place
     Operator,  ///< the operator put them together
     Gravity,   ///< which way is up in a scan
     Session,   ///< two runs or missions were joined
-    Geo,       ///< a place that was surveyed
+    Geo,       ///< a surveyed place
 };
 inline constexpr int LinkKindCount = 7;
 [[nodiscard]] std::string toString(LinkKind kind);
-/// Whether such a link brings parts of a map together that came to be apart from each other.
+/// Whether such a link rejoins parts of a map that drifted apart.
 [[nodiscard]] constexpr bool closesLoop(LinkKind kind) {
     return kind == LinkKind::Loop || kind == LinkKind::Operator || kind == LinkKind::Session;
 }
 
-/// What is known of how two key scans lie to each other.
+/// A measured relative pose of two key scans.
 struct Link {
     std::uint64_t id = 0;            ///< within the mission, from 1
     std::uint64_t from = 0, to = 0;  ///< KeyScanSample::id
@@ -39,14 +39,14 @@ struct Link {
     /// `to`.
     Information information = Information::Identity();
     LinkKind kind = LinkKind::Match;
-    std::string station;  ///< that found it
+    std::string station;  ///< station that found it
     bool active = true;   ///< whether poses follow it
 };
 
-/// Links that hold from then on; one whose id is known takes the place of that one.
+/// Links that hold from now on; a link replaces the one with the same id.
 struct ScanLinksSample {
     Time stamp{};         ///< station's clock
-    std::string station;  ///< of each of them
+    std::string station;  ///< station of all of them
     std::vector<Link> links;
 };
 

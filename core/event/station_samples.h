@@ -9,14 +9,14 @@
 
 namespace leitstand {
 
-/// Who may do what: heartbeat of a holder at 1 Hz, and what stations say to each other about it.
+/// Who holds a grant: heartbeat of the holder at 1 Hz, and the requests and answers of stations about it.
 struct GrantSample {
     enum class Kind : std::uint8_t { Drive, Camera, Map };
     enum class Action : std::uint8_t {
         Hold,     ///< heartbeat: the station has it
-        Request,  ///< the station asks the holder for it
+        Request,  ///< the station requests it from the holder
         Consent,  ///< the holder gives it to @ref other
-        Refuse,   ///< the holder keeps it, told to @ref other
+        Refuse,   ///< the holder keeps it and refuses @ref other
         Release,  ///< the station gives it up
     };
     Time stamp{};         ///< station's clock
@@ -25,49 +25,49 @@ struct GrantSample {
     Kind kind = Kind::Drive;
     Action action = Action::Hold;
     std::string robot;       ///< empty for Map
-    std::string other;       ///< station that Consent and Refuse speak to
+    std::string other;       ///< station that Consent and Refuse are for
     std::uint64_t term = 0;  ///< rises whenever the holder changes: the higher one is right
 };
 
 /// The mission's clock, on change.
 struct ClockSample {
-    Time stamp{};  ///< station's clock: when elapsed was as told
+    Time stamp{};  ///< station's clock when @ref elapsed was taken
     std::string station;
     bool running = false;
     std::chrono::nanoseconds elapsed{};  ///< mission time at the stamp
     std::chrono::nanoseconds limit{};    ///< length of the mission; 0: none
 };
 
-/// How far a robot's clock is ahead of the station's, whenever the estimate changed.
+/// How far a robot's clock is ahead of the station's; sent whenever the estimate changed.
 struct ClockOffsetSample {
     Time stamp{};  ///< station's clock
     std::string robot;
     std::chrono::nanoseconds ahead{};        ///< robot's clock minus station's
     std::chrono::nanoseconds uncertainty{};  ///< standard deviation
-    std::chrono::nanoseconds roundTrip{};    ///< newest
+    std::chrono::nanoseconds roundTrip{};    ///< of the newest ping
 };
 
-/// Takes back an event (or an undo: then does it again).
+/// Takes back an event; of an undo: does the event again.
 struct UndoSample {
     Time stamp{};  ///< station's clock
     std::string station;
-    std::uint64_t event = 0;  ///< its sequence in the mission
+    std::uint64_t event = 0;  ///< sequence of that event in the mission
     std::string text;         ///< what is undone, for people
 };
 
-/// The state of the fold after an event, from which reading can go on.
+/// The state of the fold after an event, from which reading can continue.
 struct CheckpointSample {
     Time stamp{};                ///< station's clock
-    std::uint64_t sequence = 0;  ///< last event that is in it
+    std::uint64_t sequence = 0;  ///< last event that it includes
     std::uint32_t version = 0;   ///< of the bytes; others are skipped
-    SharedBytes state;           ///< meaning is core/mission's own
+    SharedBytes state;           ///< meaning is private to core/mission
 };
 
-/// What the operator wrote down.
+/// A note of the operator.
 struct NoteSample {
     Time stamp{};  ///< station's clock
     std::string station;
-    std::string robot;  ///< that it is about; may be empty
+    std::string robot;  ///< robot that it is about; may be empty
     std::string text;
 };
 
@@ -82,7 +82,7 @@ struct SessionSample {
     std::uint32_t operators = 1;
 };
 
-/// What the report says of the mission, as the operator set it; the newest counts.
+/// The report's details of the mission, as the operator set them; the newest counts.
 struct MissionInfoSample {
     Time stamp{};                  ///< station's clock
     std::string station = {};      ///< persistent identity
@@ -90,11 +90,11 @@ struct MissionInfoSample {
     std::string team = {}, country = {};
     std::string mission = {};     ///< name, "Preliminary1"
     std::uint32_t operators = 1;  ///< people who drive
-    std::string area = {};        ///< where nothing else is said: "yellow", "orange", "red"; may be empty
-    std::string profile = {};     ///< of the score; empty: the newest
+    std::string area = {};        ///< default of a find's area: "yellow", "orange", "red"; may be empty
+    std::string profile = {};     ///< of the score; empty: the newest profile
 };
 
-/// Something that the operator must know; raised, acknowledged, over.
+/// Something that the operator must know: raised, acknowledged, cleared.
 struct AlarmSample {
     enum class Severity : std::uint8_t { Information, Warning, Critical };
     enum class State : std::uint8_t { Raised, Acknowledged, Cleared };

@@ -27,7 +27,7 @@ inline constexpr std::string_view Mission = "/leitstand/mission";             //
 inline constexpr std::string_view Sessions = "/leitstand/sessions";           ///< Session
 inline constexpr std::string_view Alarms = "/leitstand/alarms";               ///< Alarm
 
-/// Whether events on @p topic are what a person did: few, small, and the last to be lost.
+/// Whether events on @p topic are acts of a person: few, small, and the last to be dropped.
 [[nodiscard]] constexpr bool isByHand(std::string_view topic) {
     return topic == Grants || topic == Victims || topic == MapCrop || topic == RobotPlaces ||
            topic == Clock || topic == Undo || topic == Notes || topic == Mission;

@@ -12,7 +12,7 @@
 
 namespace leitstand {
 
-/// Numbers that a sender does not know.
+/// Value of numbers that a sender does not know.
 inline constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Concentration of a gas (leitstand_msgs/msg/GasConcentration; std_msgs/msg/Float32 without stamp and name).
@@ -34,10 +34,10 @@ struct BatterySample {
     double temperature = Unknown;  ///< [degrees C]
     Status status = Status::Unknown;
     bool present = true;
-    std::string location;  ///< where it sits
+    std::string location;  ///< where it is mounted
 };
 
-/// What one part of a robot says about itself.
+/// State that one part of a robot reports about itself.
 struct DiagnosticStatus {
     enum class Level : std::uint8_t { Ok, Warning, Error, Stale };
     Level level = Level::Ok;
@@ -54,10 +54,10 @@ struct DiagnosticsSample {
 /// What a robot is doing, on change.
 struct ModeSample {
     SampleHeader header;
-    std::string mode;                    ///< "teleoperation", "explore": key of RobotDescription::linkLoss
+    std::string mode;                    ///< "teleoperation", "explore": a key of RobotDescription::linkLoss
     bool autonomous = false;             ///< whether it drives by itself
     std::string reason;                  ///< why it changed; may be empty
-    std::vector<std::string> available;  ///< modes that may be asked for
+    std::vector<std::string> available;  ///< modes that may be requested
 };
 
 /// State of one bumper.
@@ -73,9 +73,9 @@ struct BumpSample {
     std::vector<Bumper> bumpers;
 };
 
-/// Something a robot itself believes to have found, on change.
+/// Something that a robot itself believes to have found, on change.
 struct Sighting {
-    std::uint32_t id = 0;  ///< the same for the same thing
+    std::uint32_t id = 0;  ///< the same for the same find
     std::string kind;      ///< "victim", "heat", "motion", "sound", "co2", "code", "hazard"
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the header's frame [m]
     double deviation = Unknown;                          ///< standard deviation of the position [m]
@@ -94,20 +94,20 @@ struct SightingSample {
 struct StopStateSample {
     SampleHeader header;
     std::uint64_t number = 0;  ///< of the last stop or release that it answered
-    std::string station;       ///< whose command that was; empty: its own button
-    bool stopped = false;      ///< latched: it takes no drive command
-    bool standing = false;     ///< its odometry says zero
+    std::string station;       ///< sender of that command; empty: its own button
+    bool stopped = false;      ///< latched: it obeys no drive command
+    bool standing = false;     ///< its odometry is zero
     std::string refused;       ///< why that release was refused; empty when it was not
-    std::uint64_t stops = 0;   ///< rises with every stop that it takes: a release names what it releases
+    std::uint64_t stops = 0;   ///< rises with every stop that it obeys; a release names this value
 };
 
 /// A robot's answer to PingSample.
 struct PongSample {
     std::uint64_t number = 0;  ///< of the ping
-    std::string station;       ///< who asked
-    Time sent{};               ///< by the station, station's clock
-    Time received{};           ///< by the robot, robot's clock
-    Time replied{};            ///< by the robot, robot's clock
+    std::string station;       ///< station that sent the ping
+    Time sent{};               ///< when the station sent the ping, station's clock
+    Time received{};           ///< when the robot received it, robot's clock
+    Time replied{};            ///< when the robot replied, robot's clock
 };
 
 }  // namespace leitstand

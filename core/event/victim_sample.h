@@ -24,11 +24,11 @@ struct VictimEvidence {
     std::string kind;   ///< "picture", "thermal", "gas", "scan", "odometry"
     std::string topic;  ///< ROS name
     std::uint64_t sequence =
-        0;         ///< of the event in the mission; 0: of another station's log, by topic and stamp
+        0;         ///< of the event in the mission; 0: another station's log, found by topic and stamp
     Time stamp{};  ///< sample's own
 };
 
-/// A victim, or another thing that the judges want to know of, as filed or changed: always the whole form,
+/// A victim, or another thing that judges want to know of, as filed or changed. It is always the whole form;
 /// the newest of a kind and number counts.
 struct VictimSample {
     enum class Kind : std::uint8_t {
@@ -38,29 +38,29 @@ struct VictimSample {
         Object,  ///< of interest
     };
     enum class Status : std::uint8_t { Hypothesis, Confirmed, Discarded };
-    Time stamp{};  ///< station's clock: of this entry
+    Time stamp{};  ///< station's clock, of this entry
     std::string station;
-    std::uint32_t number = 0;  ///< V1 is 1; of each kind its own
+    std::uint32_t number = 0;  ///< V1 is 1; each kind has its own numbers
     Status status = Status::Hypothesis;
-    Time found{};             ///< station's clock: when the evidence was frozen
-    std::string robot;        ///< that found it
-    bool autonomous = false;  ///< mode: A, else T
-    std::uint64_t scan = 0;   ///< key scan it hangs on, whose corrections move it; 0: none
+    Time found{};             ///< station's clock, when the evidence was frozen
+    std::string robot;        ///< robot that found it
+    bool autonomous = false;  ///< mode: A, otherwise T
+    std::uint64_t scan = 0;   ///< key scan that it belongs to, whose corrections move it; 0: none
     Eigen::Vector3d positionInScan = Eigen::Vector3d::Zero();  ///< in that scan's frame [m]; without one: 0
     Eigen::Vector3d positionInMap = Eigen::Vector3d::Zero();   ///< when filed [m]
     double deviation = Unknown;                                ///< standard deviation of the position [m]
     VictimSign form, motion, heat, sound, co2;
     std::string situation;  ///< "surface", "trapped", "void", "entombed"; empty: unknown
-    std::string tag;        ///< what is written on it
+    std::string tag;        ///< text written on it
     std::string area;       ///< "yellow", "orange", "red"; empty: unknown
-    std::string text;       ///< free
+    std::string text;       ///< free text
     std::vector<VictimEvidence> evidence;
     Kind kind = Kind::Victim;
     std::uint32_t mergedInto =
-        0;  ///< of a discarded one: number, of the same kind, that it is part of; 0: none
+        0;  ///< of a discarded one: number, of the same kind, that it is merged into; 0: none
 };
 
-/// What the operator calls it: "V1", "H1" (hazard), "Q1" (QR code), "O1" (object).
+/// Name of a find for the operator: "V1", "H1" (hazard), "Q1" (QR code), "O1" (object).
 [[nodiscard]] std::string nameOf(VictimSample::Kind kind, std::uint32_t number);
 
 }  // namespace leitstand

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t Longest = 60;
 
-/// What an umlaut is spelled as.
+/// Umlauts and how they are spelled out.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> Spelled = {
     {{"ä", "ae"}, {"ö", "oe"}, {"ü", "ue"}, {"Ä", "Ae"}, {"Ö", "Oe"}, {"Ü", "Ue"}, {"ß", "ss"}}};
 
@@ -41,7 +41,7 @@ std::string fileNamePart(std::string_view text) {
             name += '_';
         }
     }
-    // Hidden files, "..", and a dot at the end, which Windows takes away.
+    // Avoids hidden files, "..", and a dot at the end, which Windows removes.
     while (!name.empty() && (name.front() == '.' || name.front() == '_')) name.erase(0, 1);
     while (!name.empty() && (name.back() == '.' || name.back() == '_')) name.pop_back();
     return name;

@@ -16,9 +16,10 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-/// When the mission was over: a review that files something days later belongs to it, but not to its time.
+/// Returns when the mission ended. A review that files something days later belongs to it, but not to its
+/// time.
 Time endOf(const MissionState& state) {
-    std::uint64_t heard = 0;  // newest of a robot
+    std::uint64_t heard = 0;  // newest sequence of a robot
     Time end{};
     for (const auto& [name, robot] : state.robots) {
         for (const auto& [topic, stream] : robot->streams) {
@@ -125,7 +126,7 @@ MapMark::Kind kindOf(const VictimSample& find) {
                                                           : MapMark::Kind::UnconfirmedVictim;
 }
 
-/// Number of the storey with height @p z of the map [m]; empty where there is but one.
+/// Returns the number of the storey at height @p z of the map [m]; empty when there is only one.
 std::optional<int> storeyAt(const ReportModel& model, double z) {
     for (const ReportStorey& one : model.storeys) {
         if (one.share.heights.hold(z)) return one.share.number;
@@ -133,7 +134,7 @@ std::optional<int> storeyAt(const ReportModel& model, double z) {
     return std::nullopt;
 }
 
-/// The storey of this number; null: there is none.
+/// Returns the storey with @p number; null: there is none.
 const ReportStorey* storeyOf(const ReportModel& model, std::optional<int> number) {
     const auto found = std::find_if(model.storeys.begin(), model.storeys.end(),
                                     [number](const ReportStorey& one) { return one.share.number == number; });
@@ -169,7 +170,7 @@ void addFinds(ReportModel& model, const MissionState& state) {
     }
 }
 
-/// One for each of reportBands().
+/// Returns a grid for each of reportBands().
 std::vector<OccupancyGrid> gridsOf(const VoxelEvidence& evidence, const FloorHeights& floor) {
     std::vector<OccupancyGrid> grids;
     for (const HeightBand& band : reportBands())
@@ -177,8 +178,8 @@ std::vector<OccupancyGrid> gridsOf(const VoxelEvidence& evidence, const FloorHei
     return grids;
 }
 
-/// Tells the cells of the maps of all storeys in one where no victim was: each as the storey whose floor they
-/// show does.
+/// Marks the cleared cells in the maps of all storeys in one. Each cell takes the value of the storey whose
+/// floor it shows.
 void markCleared(ReportModel& model) {
     std::vector<StoreyShare> shares;
     for (const ReportStorey& storey : model.storeys) shares.push_back(storey.share);
@@ -195,7 +196,7 @@ void markCleared(ReportModel& model) {
     }
 }
 
-/// What each storey shows and what of it was searched, and that of all of them.
+/// Adds what each storey shows and what of it was searched, and the same for all of them together.
 void addStoreys(ReportModel& model, const ReportInput& input, std::span<const Eigen::Vector3d> ground) {
     const std::vector<StoreyCoverage> coverages = coverageOf(input.scans, input.views, ground);
     model.search = searchOf(coverages, input.views);

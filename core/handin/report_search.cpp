@@ -9,7 +9,7 @@ namespace leitstand {
 std::vector<StoreyCoverage> coverageOf(std::span<const ReportScan> scans, std::span<const SearchView> views,
                                        std::span<const Eigen::Vector3d> trail) {
     SearchBook book;
-    std::uint64_t nameless = std::uint64_t{1} << 63U;  // those of a mission begin with 1
+    std::uint64_t nameless = std::uint64_t{1} << 63U;  // ids of a mission begin with 1
     for (ReportScan scan : scans) {
         if (scan.id == 0) scan.id = nameless++;  // of a bag without key scans
         book.add(scan);
@@ -23,7 +23,7 @@ ReportSearch searchOf(std::span<const StoreyCoverage> storeys, std::span<const S
     for (const StoreyCoverage& one : storeys) search.reachable += one.map->ground().reachableArea();
     if (!(search.reachable > 0.0)) return search;
     for (const SearchSensor sensor : SearchSensors) {
-        // Of a bag without key scans nobody knows where cameras looked; some robots have none.
+        // In a bag without key scans it is unknown where cameras looked; some robots have no cameras.
         const bool looked = sensor == SearchSensor::Scanner ||
                             std::any_of(views.begin(), views.end(),
                                         [sensor](const SearchView& view) { return view.sensor == sensor; });

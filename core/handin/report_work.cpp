@@ -31,7 +31,7 @@ ReportWork workOf(const MissionState& state) {
         work.sighted += sighted ? 1 : 0;
         if (candidate.victim != 0) believed.insert({candidate.kind, candidate.victim});
     }
-    work.cues.erase("sighting");  // is the robot's work
+    work.cues.erase("sighting");  // that is the robot's work
     work.scanDecisions = static_cast<std::size_t>(
         std::count_if(state.decisions->begin(), state.decisions->end(), &isOfPeople));
     for (const auto& [key, entry] : *state.victims) {

@@ -8,15 +8,15 @@
 
 namespace leitstand {
 
-/// What of a mission's results people, robots and stations worked out.
+/// How people, robots and stations contributed to the results of a mission.
 struct ReportWork {
     bool mappedLive = false;         ///< a station registered scans while robots drove
-    std::size_t believed = 0;        ///< candidates that stations told of
-    std::set<std::string> cues;      ///< kinds of what they had them from, as Cue::kind
-    std::size_t sighted = 0;         ///< of these, candidates that a robot had seen by itself, too
-    std::size_t scanDecisions = 0;   ///< of operators, on scans and on what belongs into the map
+    std::size_t believed = 0;        ///< candidates that stations reported
+    std::set<std::string> cues;      ///< kinds of the cues of these, as Cue::kind
+    std::size_t sighted = 0;         ///< of these, candidates that a robot also saw by itself
+    std::size_t scanDecisions = 0;   ///< of operators, on scans and on the area of the map
     std::size_t filed = 0;           ///< finds that are not discarded
-    std::size_t fromCandidates = 0;  ///< of these, that a station had believed in
+    std::size_t fromCandidates = 0;  ///< of these, from candidates of a station
     std::size_t confirmed = 0;       ///< of these, by operators
 };
 

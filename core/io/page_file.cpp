@@ -19,17 +19,17 @@ std::uint64_t blocksOf(std::size_t bytes) {
     return (bytes + Block - 1) / Block;
 }
 
-/// A file of no name in @p folder; negative: there can be none.
+/// Opens a file without a name in @p folder; negative when that fails.
 int unnamedFile(const std::filesystem::path& folder) {
     const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (file >= 0) return file;
-    std::string name = (folder / ".pages-XXXXXX").string();  // file systems that know no such files
+    std::string name = (folder / ".pages-XXXXXX").string();  // for file systems without unnamed files
     const int named = ::mkostemp(name.data(), O_CLOEXEC);
     if (named >= 0) ::unlink(name.c_str());
     return named;
 }
 
-/// Calls @p transfer (at, done so far) until all of @p bytes are done; false where it cannot go on.
+/// Calls @p transfer (done so far) until all of @p bytes are done; false when it cannot go on.
 template <typename Transfer>
 bool all(std::size_t bytes, Transfer transfer) {
     for (std::size_t done = 0; done < bytes;) {

@@ -10,11 +10,11 @@
 
 namespace leitstand {
 
-/// A store of pages on the disk: a file without a name, which goes with its process however that ends. What
-/// is released is used again.
+/// A store of pages on the disk: a file without a name, which disappears with its process in any case.
+/// Released space is used again.
 class PageFile final : public PageStore {
 public:
-    /// In @p folder, which has space for it: some 60 kB a key scan. Errors name the folder.
+    /// Opens a store in @p folder, which needs space: about 60 kB per key scan. Errors name the folder.
     [[nodiscard]] static Result<std::shared_ptr<PageFile>> open(const std::filesystem::path& folder);
     ~PageFile() override;
 
@@ -31,7 +31,7 @@ private:
     const int m_file;
     mutable std::mutex m_mutex;
     std::uint64_t m_end = 0;                        ///< [blocks]
-    std::map<std::uint64_t, std::uint64_t> m_free;  ///< blocks that are free, by the first of them
+    std::map<std::uint64_t, std::uint64_t> m_free;  ///< free blocks: first -> count
 };
 
 }  // namespace leitstand

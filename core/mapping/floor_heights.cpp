@@ -36,7 +36,7 @@ std::ptrdiff_t FloorHeights::cellOf(double x, double y) const {
 }
 
 void FloorHeights::gather(std::span<const ReportScan> scans, const FloorSettings& settings) {
-    // Points are gone through twice: they are many, and only their heights are kept.
+    // Two passes over the points: they are many, and only their heights are kept.
     std::vector<std::uint32_t> ends(m_height.size() + 1);
     forEachFloorPoint(scans, settings.heights, [&](const Eigen::Vector3d& point) {
         const auto cell = cellOf(point.x(), point.y());
@@ -73,7 +73,7 @@ double FloorHeights::grow(std::span<const Eigen::Vector3d> ground, const FloorSe
         float height;
     };
     std::vector<Reached> open;
-    /// The surfaces of a cell that are so near to a height; or only its lowest, likewise.
+    /// Takes the surfaces of a cell that are so near to a height; or only its lowest one, if it is.
     const auto take = [&](std::size_t cell, double height, double within, bool lowest = false) {
         for (std::size_t i = m_first[cell]; i < m_first[cell + 1]; ++i) {
             if (m_reached[i] == 0 && std::abs(m_surfaces[i] - height) < within) {
@@ -83,14 +83,14 @@ double FloorHeights::grow(std::span<const Eigen::Vector3d> ground, const FloorSe
             if (lowest) return;
         }
     };
-    // A scanner is blind close to its robot: the floor that it sees begins some way off.
+    // A scanner is blind close to its robot: the floor that it sees begins at a distance.
     const int blind = static_cast<int>(settings.blind / m_cell);
     for (const Eigen::Vector3d& point : ground) {
         for (int y = -blind; y <= blind; ++y) {
             for (int x = -blind; x <= blind; ++x) {
                 if (x * x + y * y > blind * blind) continue;
                 const auto cell = cellOf(point.x() + x * m_cell, point.y() + y * m_cell);
-                // Beside it there may be a pallet.
+                // Beside the robot there may be a pallet.
                 const double within = x == 0 && y == 0 ? settings.underRobot : settings.step;
                 if (cell >= 0) take(static_cast<std::size_t>(cell), point.z(), within);
             }
@@ -98,7 +98,7 @@ double FloorHeights::grow(std::span<const Eigen::Vector3d> ground, const FloorSe
     }
     double lift = 0.0;
     if (open.empty()) {
-        // A robot whose base_link is not on the ground, or of which nobody tells where its scanner sits.
+        // A robot whose base_link is not on the ground, or whose scanner has no known mount.
         for (const Eigen::Vector3d& point : ground) {
             const auto cell = cellOf(point.x(), point.y());
             const std::size_t before = open.size();
@@ -125,7 +125,7 @@ double FloorHeights::grow(std::span<const Eigen::Vector3d> ground, const FloorSe
     return lift;
 }
 
-/// Of the surfaces of a cell that can be reached, the one that robots are on.
+/// Chooses, of the surfaces of a cell that can be reached, the one that robots are on.
 void FloorHeights::choose(std::span<const Eigen::Vector3d> ground, double lift) {
     std::vector<float> driven(m_height.size(), None);
     for (const Eigen::Vector3d& point : ground) {
@@ -146,7 +146,7 @@ void FloorHeights::choose(std::span<const Eigen::Vector3d> ground, double lift) 
     }
 }
 
-/// Where no height is known: as at the nearest cell where it is.
+/// Fills unknown heights from the nearest cell with a known one.
 void FloorHeights::fill(std::vector<float>& heights) const {
     std::vector<std::size_t> open;
     for (std::size_t cell = 0; cell < heights.size(); ++cell) {
@@ -202,8 +202,8 @@ double FloorHeights::at(double x, double y) const {
 }
 
 double FloorHeights::below(const Eigen::Vector3d& place) const {
-    constexpr double About = 0.15;  // places are known so well [m]
-    constexpr int Reach = 5;        // what lies somewhere hides the floor about it
+    constexpr double About = 0.15;  // accuracy of places [m]
+    constexpr int Reach = 5;        // an object hides the floor around it
     double nearest = std::numeric_limits<double>::infinity(), height = at(place.x(), place.y());
     for (int y = -Reach; y <= Reach; ++y) {
         for (int x = -Reach; x <= Reach; ++x) {

@@ -24,7 +24,7 @@ struct MapScan {
     IcpResult icp;            ///< of the alignment; meaningless unless registered
     double seconds = 0.0;     ///< preparing and aligning, wall clock [s]
     std::uint64_t id = 0;     ///< KeyScanSample::id of a live map; 0: none
-    Time entered{};           ///< of a live map: when it came in, station's clock; else epoch
+    Time entered{};           ///< of a live map: when it entered, station's clock; else epoch
     bool uncertain = false;   ///< it does not fit: shown, but not built on
 };
 

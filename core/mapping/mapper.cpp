@@ -15,12 +15,12 @@ namespace {
 
 /// Metascans of all points are thinned to this, a scanner's noise [m].
 constexpr double FinestMetascan = 0.01;
-/// IcpSettings::kernel: what voxels and borders of surfaces add to a scanner's noise counts little, which
-/// halves what headings of scans err by.
+/// IcpSettings::kernel: what voxels and borders of surfaces add to a scanner's noise counts little. This
+/// halves the errors of scans' headings.
 constexpr double Kernel = 4.0;
-/// GuessPrior::openBelow: what holds a corridor's axis may be slats that look alike a hand farther on.
+/// GuessPrior::openBelow: slats that look alike a hand farther on may hold a corridor's axis.
 constexpr double OpenBelow = 0.15;
-/// Shorter steps of odometry tell little of its scale [m].
+/// Shorter steps of odometry hold little information on its scale [m].
 constexpr double LeastStep = 0.1;
 /// Share of a scan's work that is done once it is prepared, for the progress.
 constexpr double PreparedFraction = 0.3;
@@ -31,7 +31,7 @@ IcpSettings icpSettings(const RegistrationSettings& settings) {
     icp.maxIterations = settings.maxIterations;
     icp.minimizer = settings.minimizer;
     icp.threads = settings.threads;
-    // Where all points are taken mixed pixels hang behind edges, and their deviation tells nothing.
+    // With all points, mixed pixels hang behind edges, and their deviation holds no information.
     if (settings.reduce > 0.0) icp.kernel = Kernel;
     return icp;
 }
@@ -44,13 +44,13 @@ struct Mapper::State {
           metascan({settings.reduce > 0.0 ? settings.reduce : FinestMetascan, settings.search,
                     settings.epsilon}) {}
 
-    /// Whether @p scan's guess is by odometry, from the scan before.
+    /// Returns whether @p scan's guess is by odometry, from the scan before.
     [[nodiscard]] bool followsOdometry(const Scan& scan) const {
         return settings.guess == GuessSource::Odometry && scan.hasOdometry &&
                map.scans.back().scan->hasOdometry;
     }
 
-    /// Where @p scan is to start, in the map.
+    /// Returns where @p scan starts, in the map.
     [[nodiscard]] Pose guessOf(const Scan& scan) const {
         if (settings.guess == GuessSource::Poses && map.scans.size() < settings.guessPoses.size()) {
             const Pose& first = settings.guessPoses.front();
@@ -65,13 +65,12 @@ struct Mapper::State {
         return previous.poseInMap * step;
     }
 
-    /// From the scan before to @p scan, by odometry.
+    /// Returns the step from the scan before to @p scan, by odometry.
     [[nodiscard]] Pose stepOf(const Scan& scan) const {
         return map.scans.back().scan->sensorInOdom.inverse() * scan.sensorInOdom;
     }
 
-    /// Learns how far the robot goes by odometry, where surfaces hold all directions of @p entry, the next
-    /// scan.
+    /// Updates the scale of odometry by @p entry, the next scan, if surfaces hold all its directions.
     void learnScale(const MapScan& entry) {
         if (!entry.icp.converged || entry.icp.open > 0 || !followsOdometry(*entry.scan)) return;
         const double byOdometry = stepOf(*entry.scan).translation().norm();
@@ -79,7 +78,7 @@ struct Mapper::State {
         if (byOdometry > LeastStep) scale.add(byOdometry, found);
     }
 
-    /// What odometry tells of @p scan along directions that surfaces leave open; nothing where the guess is
+    /// Returns odometry's prior for @p scan along directions that surfaces leave open; empty if the guess is
     /// not by odometry.
     [[nodiscard]] std::optional<GuessPrior> priorOf(const Scan& scan, const Pose& guessInMap) const {
         if (!followsOdometry(scan)) return std::nullopt;
@@ -91,7 +90,7 @@ struct Mapper::State {
         return prior;
     }
 
-    /// Makes @p cloud what the next scan is matched against; an empty one is passed over.
+    /// Makes @p cloud the target of the next scan; an empty one is ignored.
     void setTarget(PointCloud cloud, const Pose& cloudInMap) {
         if (cloud.points.empty()) return;
         if (settings.reference == Reference::Map) {
@@ -108,7 +107,7 @@ struct Mapper::State {
         return settings.reference == Reference::Map ? metascan.cloud() : previousCloud;
     }
 
-    /// Over target(); null before the first scan with points.
+    /// Returns the search over target(); null before the first scan with points.
     [[nodiscard]] const Search* search() const {
         if (settings.reference != Reference::Map) return previousSearch.get();
         return metascan.cloud().points.empty() ? nullptr : &metascan.search();

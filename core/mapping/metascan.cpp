@@ -8,9 +8,9 @@
 namespace leitstand {
 namespace {
 
-constexpr std::size_t MostFresh = 16'000;  ///< points that are indexed anew with each scan
+constexpr std::size_t MostFresh = 16'000;  ///< points that are indexed again with each scan
 
-/// Points of @p cloud from @p first on.
+/// Returns the points of @p cloud from @p first on.
 PointCloud from(const PointCloud& cloud, std::size_t first) {
     const auto rest = [first](const auto& list) {
         using List = std::decay_t<decltype(list)>;
@@ -21,17 +21,17 @@ PointCloud from(const PointCloud& cloud, std::size_t first) {
 
 }  // namespace
 
-/// The older points of a metascan and the newer ones, each with a search of its own.
+/// The older and the newer points of a metascan, each with a search of their own.
 class Metascan::Parts : public Search {
 public:
     explicit Parts(const MetascanSettings& settings) : m_settings(settings) {}
 
-    /// @p cloud has grown.
+    /// Indexes @p cloud, which has grown.
     void follow(const PointCloud& cloud) {
         if (cloud.size() - settled() > MostFresh) index(m_old, cloud);
         index(m_fresh, from(cloud, settled()));
     }
-    /// Points that are not indexed again unless more are, the first ones.
+    /// Number of the first points, which are not indexed again with each scan.
     [[nodiscard]] std::size_t settled() const { return m_old.cloud.size(); }
     [[nodiscard]] Neighbour nearest(const Eigen::Vector3f& query, Label label,
                                     float maxSquaredDistance) const override {

@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// How points of a metascan are looked for.
+/// Settings of a metascan.
 struct MetascanSettings {
     double voxel = 0.1;  ///< edge of the grid [m]
     SearchMethod search = SearchMethod::KdTree;
@@ -17,8 +17,8 @@ struct MetascanSettings {
 };
 
 /// All scans so far as one cloud in the map's frame, thinned to one point a voxel, so that ground seen twice
-/// is not held twice. What came lately is indexed anew with each scan, and a voxel keeps the mean of its
-/// points so long; the rest stays as it is, since later scans were put where it lies.
+/// is not held twice. Recent points are indexed again with each scan, and a voxel keeps the mean of its
+/// points so long. The rest stays as it is, since later scans were registered to it.
 class Metascan {
 public:
     explicit Metascan(const MetascanSettings& settings);
@@ -27,13 +27,13 @@ public:
     /// All clouds have normals and labels, or none has.
     void add(const PointCloud& cloud, const Pose& cloudInMap);
     [[nodiscard]] const PointCloud& cloud() const { return m_cloud; }
-    /// Over cloud(), until add() is called again.
+    /// Returns the search over cloud(), valid until the next add().
     [[nodiscard]] const Search& search() const;
 
 private:
     class Parts;
 
-    /// What is gathered of a voxel's points.
+    /// The sums of a voxel's points.
     struct Sum {
         Eigen::Vector3d points = Eigen::Vector3d::Zero();
         Eigen::Vector3f normals = Eigen::Vector3f::Zero();

@@ -24,20 +24,19 @@ enum class GuessSource : std::uint8_t {
 /// What a scan is matched against.
 enum class Reference : std::uint8_t { Previous, Map };
 
-/// All that decides how a row of scans is registered; the defaults of `leitstandctl register`.
+/// All settings for registering a row of scans; the defaults of `leitstandctl register`.
 struct RegistrationSettings {
-    double reduce = 0.10;  ///< edge of the voxel grid, 0: all points [m]
-    VoxelPoint kept =
-        VoxelPoint::Centroid;              ///< of what a voxel holds; after a filter of the paper's: Nearest
-    ScanFilter filter = ScanFilter::None;  ///< the paper's median and reduction filter
+    double reduce = 0.10;                    ///< edge of the voxel grid, 0: all points [m]
+    VoxelPoint kept = VoxelPoint::Centroid;  ///< point of a voxel; after the paper's filter: Nearest
+    ScanFilter filter = ScanFilter::None;    ///< the paper's median and reduction filter
     double minRange = 0.4, maxRange = 30.0;  ///< nearer and farther points are left out [m]
     SearchMethod search = SearchMethod::KdTree;
     double epsilon = 0.5;  ///< of approximate and forest search
     Minimizer minimizer = Minimizer::Gicp;
     std::vector<double> maxDistances = {0.5, 0.2, 0.07};  ///< schedule of maximum pair distances [m]
-    int maxIterations = 500;                              ///< a scan, over all stages
+    int maxIterations = 500;                              ///< per scan, over all stages
     GuessSource guess = GuessSource::Odometry;
-    std::vector<Pose> guessPoses;  ///< for GuessSource::Poses: scan in first scan, one a scan
+    std::vector<Pose> guessPoses;  ///< for GuessSource::Poses: scan in first scan, one per scan
     Reference reference = Reference::Previous;
     int threads = 0;  ///< 0: one per core
 };

@@ -8,7 +8,7 @@
 
 namespace leitstand {
 
-/// A key scan of a mission where it lies now.
+/// A key scan of a mission, at its present pose.
 struct ReportScan {
     std::uint64_t id = 0;                  ///< KeyScanSample::id; 0: of a bag without key scans
     ScanPtr scan;                          ///< never null

@@ -13,8 +13,8 @@ namespace leitstand {
 namespace {
 
 constexpr int NormalNeighbours = 20;
-/// Points that hang farther off surfaces are left out before voxels are made [m]. With less, scans that start
-/// far off are registered from fewer places.
+/// Points that hang farther off surfaces are left out before voxels are made [m]. With a smaller value, scans
+/// that start far off are registered from fewer places.
 constexpr double HangsBy = 0.15;
 
 PointCloud filtered(const Scan& scan, std::span<const Eigen::Vector3f> normals,

@@ -8,11 +8,11 @@ namespace leitstand {
 namespace {
 
 constexpr double BodyMargin = 0.06;  // points so near to the robot are its own [m]
-constexpr double Nearest = 0.15;     // of what a camera shows [m]
-constexpr double Split = 0.25;       // between surfaces along a ray [m]
-constexpr double Enough = 0.9;       // points, weighted, for a surface
-constexpr std::size_t Fewest = 2;    // ... and points at all
-constexpr double Front = 0.35;       // of the weight of the heaviest one
+constexpr double Nearest = 0.15;     // a camera shows nothing nearer [m]
+constexpr double Split = 0.25;       // gap between surfaces along a ray [m]
+constexpr double Enough = 0.9;       // weight of the points of a surface
+constexpr std::size_t Fewest = 2;    // ... and their number
+constexpr double Front = 0.35;       // share of the weight of the heaviest surface
 constexpr int Widenings = 3;
 constexpr double Widening = 1.45;
 
@@ -26,8 +26,8 @@ struct Surface {
     double weight = 0.0;
 };
 
-/// The nearest surface that many of @p met (by rising ranges) are on: it hides what is behind, though a
-/// scanner that sits higher than the camera sees that too.
+/// Returns the nearest surface that many of @p met (by rising ranges) are on. It hides what is behind, though
+/// a scanner that sits higher than the camera sees that too.
 Surface frontSurface(const std::vector<Met>& met) {
     std::vector<Surface> surfaces;
     double most = 0.0;
@@ -75,7 +75,7 @@ bool SeenPoints::isOwn(const Eigen::Vector3d& inBase) const {
 }
 
 void SeenPoints::keep(Time stamp, std::vector<Eigen::Vector3f> points) {
-    // A clock that jumped back began anew.
+    // A clock that jumped back starts again.
     if (!m_chunks.empty() && stamp < m_chunks.back().stamp - 10 * Memory) m_chunks.clear();
     if (!points.empty()) m_chunks.push_back({stamp, std::move(points)});
     while (!m_chunks.empty() && m_chunks.front().stamp < stamp - Memory) m_chunks.pop_front();

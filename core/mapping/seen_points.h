@@ -18,12 +18,12 @@ namespace leitstand {
 /// Where a ray meets what a scanner saw.
 struct RayHit {
     double range = 0.0;    ///< from the ray's origin [m]
-    double scatter = 0.0;  ///< deviation of the ranges of the points that it is of [m]
+    double scatter = 0.0;  ///< deviation of the ranges of its points [m]
     int points = 0;
 };
 
-/// What a robot's scanners saw in the last seconds, in the odometry's frame: rays of its cameras are cut with
-/// it. One thread.
+/// What a robot's scanners saw in the last seconds, in the odometry's frame. Rays of its cameras are
+/// intersected with it. One thread.
 class SeenPoints {
 public:
     using PoseAt = std::function<std::optional<Pose>(Time)>;
@@ -32,18 +32,18 @@ public:
     /// Points on @p body, the robot's own, are left out.
     explicit SeenPoints(RobotBody body = {});
 
-    /// @p baseInOdom tells where the robot was; points of times that it does not know are left out.
+    /// @p baseInOdom returns the robot's pose; points of times that it does not know are left out.
     void add(const CloudSample& slice, const Pose& sensorInBase, const PoseAt& baseInOdom);
     void add(const RangesSample& turn, const Pose& sensorInBase, const PoseAt& baseInOdom);
     void clear() { m_chunks.clear(); }
 
-    /// Whether the picture shows what was looked for in a direction (odometry's frame, of unit length).
+    /// Returns whether the picture shows the sought object in a direction (odometry's frame, of unit length).
     using Shows = std::function<bool(const Eigen::Vector3d&)>;
 
-    /// Where @p ray (odometry's frame) meets a surface: the nearest of those that many of the points within
-    /// @p halfAngle [rad] about it are on. @p shows: points in other directions do not count; may be empty.
-    /// The cone is widened some times where it holds too few. Empty where nothing was seen nearer than
-    /// @p farthest [m].
+    /// Returns where @p ray (odometry's frame) meets a surface. It is the nearest one with many of the points
+    /// within @p halfAngle [rad] around the ray. @p shows: points in other directions do not count; may be
+    /// empty. The cone is widened some times if it holds too few points. Empty if nothing was seen nearer
+    /// than @p farthest [m].
     [[nodiscard]] std::optional<RayHit> meet(const Ray& ray, double halfAngle, double farthest = 9.0,
                                              const Shows& shows = {}) const;
 

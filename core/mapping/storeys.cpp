@@ -8,25 +8,25 @@
 namespace leitstand {
 namespace {
 
-constexpr double Apart = 1.8;           ///< of storeys, at least [m]
-constexpr double About = 0.6;           ///< scanners of one storey are so near its height: robots differ [m]
-constexpr double Beside = 2.0 * About;  ///< there a storey has few: what leads to the next [m]
-constexpr double Fewer = 0.5;           ///< of its own scans, at most
-constexpr std::size_t Least = 4, Enough = 12;  ///< scans of a storey: at least, and whatever the map has
+constexpr double Apart = 1.8;  ///< of storeys, at least [m]
+constexpr double About = 0.6;  ///< scanners of one storey are so near its height, since robots differ [m]
+constexpr double Beside = 2.0 * About;  ///< there a storey has few scans, which lead to the next one [m]
+constexpr double Fewer = 0.5;           ///< share of its own scans, at most
+constexpr std::size_t Least = 4, Enough = 12;  ///< scans of a storey: at least, and enough in any map
 constexpr double LeastShare = 0.04;            ///< between these, of all scans
-constexpr double Near = 3.0;                   ///< floor so far from a scanner, across, bears its robot [m]
-constexpr double ScannerAbove = 0.5;           ///< the floor, where none was seen [m]
-constexpr std::size_t Looked = 40;             ///< scans whose floor is looked at ...
-constexpr std::size_t PointsOfEach = 500;      ///< ... by so many points
-constexpr double BelowFloor = 0.6;             ///< and of the next storey's: what belongs to it [m]
+constexpr double Near = 3.0;          ///< within this level distance of a scanner, floor bears its robot [m]
+constexpr double ScannerAbove = 0.5;  ///< over the floor, where none was seen [m]
+constexpr std::size_t Looked = 40;    ///< scans whose floor is measured ...
+constexpr std::size_t PointsOfEach = 500;  ///< ... by so many points each
+constexpr double BelowFloor = 0.6;         ///< heights from so far below a floor on belong to its storey [m]
 
-/// How many of @p heights, which are sorted, lie about @p height.
+/// Returns how many of @p heights, which are sorted, are near @p height.
 std::size_t countAbout(const std::vector<double>& heights, double height) {
     return static_cast<std::size_t>(std::upper_bound(heights.begin(), heights.end(), height + About) -
                                     std::lower_bound(heights.begin(), heights.end(), height - About));
 }
 
-/// Heights of scanners at which storeys are, the fullest first.
+/// Returns the heights of scanners at which storeys are, the fullest first.
 std::vector<double> levelsOf(const std::vector<double>& heights) {
     struct Level {
         double height;
@@ -52,7 +52,7 @@ std::vector<double> levelsOf(const std::vector<double>& heights) {
     return found;
 }
 
-/// The floor about the scanners at @p level.
+/// Returns the height of the floor around the scanners at @p level [m].
 double floorAt(std::span<const ReportScan> all, double level) {
     std::vector<const ReportScan*> scans;
     for (const ReportScan& scan : all) {

@@ -18,37 +18,38 @@ struct Storey {
     double floor = 0.0;  ///< median height of its floor in the map [m]
 };
 
-/// The storeys of @p map, from the lowest on: heights at which many scans were taken, 1.8 m or more apart,
-/// and few between them, so that ramps and stairs are none of their own. Empty: no scan counts.
+/// Returns the storeys of @p map, from the lowest on. Storeys are heights at which many scans were taken, 1.8
+/// m or more apart, with few scans between them, so that ramps and stairs are no storeys. Empty: no scan
+/// counts.
 [[nodiscard]] std::vector<Storey> storeysOf(const Map& map);
-/// Likewise, of scans that all count.
+/// Returns the storeys of @p scans, which all count.
 [[nodiscard]] std::vector<Storey> storeysOf(std::span<const ReportScan> scans);
-/// What the storey of this number is called: "0", "+1", "−1".
+/// Returns the name of the storey @p number: "0", "+1", "−1".
 [[nodiscard]] std::string storeyName(int number);
 
-/// Heights of the map between which a storey lies, with the ramps that lead up from it [m].
+/// The heights of the map that a storey covers, with the ramps that lead up from it [m].
 struct StoreyHeights {
     double from = -std::numeric_limits<double>::infinity();
     std::optional<double> to = {};  ///< empty: all that is above
 
-    /// Whether height @p z of the map is among them [m].
+    /// Returns whether height @p z of the map [m] is among them.
     [[nodiscard]] bool hold(double z) const { return z >= from && (!to || z < *to); }
     bool operator==(const StoreyHeights&) const = default;
 };
 
-/// Of the @p index -th of @p storeys.
+/// Returns the heights of the @p index -th of @p storeys.
 [[nodiscard]] StoreyHeights heightsOf(const std::vector<Storey>& storeys, std::size_t index);
 
-/// A storey, and what of the map's heights counts to it.
+/// A storey, and the heights of the map that belong to it.
 struct StoreyShare {
     int number = 0;
     StoreyHeights heights = {};
 };
 
-/// All heights of a map, shared among @p storeys from the lowest on, which has all that is below it, too. Of
-/// no storey: one that has everything.
+/// Returns all heights of a map, divided among @p storeys. The lowest one also has everything below it.
+/// Without storeys: a single share that has everything.
 [[nodiscard]] std::vector<StoreyShare> sharesOf(const std::vector<Storey>& storeys);
-/// Which of @p shares, not empty, has height @p z [m].
+/// Returns the index of the one of @p shares, not empty, that has height @p z [m].
 [[nodiscard]] std::size_t shareAt(std::span<const StoreyShare> shares, double z);
 
 }  // namespace leitstand

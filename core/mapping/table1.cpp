@@ -63,7 +63,7 @@ Run runOnce(const Pair& pair, SearchMethod method, const Pose& guess, const Tabl
     const auto search = makeSearch(pair.target, method, settings.epsilon);
     Run run;
     run.icp = align(pair.target, *search, pair.source, guess, icp, {{}, progress.stop});
-    // How well the scans fit is told on top of the alignment, and is no part of the paper's method.
+    // The evaluation of the fit comes on top of the alignment, and is no part of the paper's method.
     run.seconds = toSeconds(Clock::now() - start) - run.icp.times.evaluating;
     return run;
 }
@@ -76,8 +76,8 @@ void compare(Table1Row& row, const IcpResult& icp, const Pose& expected) {
         icp.converged && row.distance <= Table1Row::CountDistance && row.angle <= Table1Row::CountAngle;
 }
 
-/// Some iterations of brute force, held against as many of the kd-tree: they pair the same points, so the
-/// rest would take as many more as the kd-tree took.
+/// Extrapolates brute force from some iterations, compared with as many of the kd-tree. Both pair the same
+/// points, so brute force would take as many iterations as the kd-tree.
 void extrapolateBruteForce(Table1& table, const Pair& all, const Pose& guess, const Table1Settings& settings,
                            const Progress& progress) {
     Table1Row& row = table[0];

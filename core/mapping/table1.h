@@ -11,14 +11,14 @@
 
 namespace leitstand {
 
-/// How Table 1 of the paper is measured anew. All rows share everything but points and search.
+/// Settings for measuring Table 1 of the paper again. All rows share everything but points and search.
 struct Table1Settings {
     double maxDistance = 0.25;                ///< of pairs [m]
     double minRange = 0.48, maxRange = 25.0;  ///< of points [m]
     double epsilon = 0.5;                     ///< of the approximate searches
     double minStep = 1e-5;                    ///< the ICP ends when the pose moves less [m, rad]
     int maxIterations = 500;
-    int bruteForceIterations = 1;  ///< run in truth; the row's total is extrapolated from them
+    int bruteForceIterations = 1;  ///< really run; the row's total is extrapolated from them
     int repetitions = 5;           ///< of every other row; the median counts
 };
 
@@ -28,8 +28,8 @@ struct Table1Row {
     SearchMethod search = SearchMethod::KdTree;
     std::size_t targetPoints = 0, sourcePoints = 0;
     double seconds = 0.0;  ///< building the search and all iterations, one thread [s]
-    bool extrapolated =
-        false;  ///< seconds are those of some iterations, times the iterations of the kd-tree row
+    /// Whether seconds are those of some iterations, times the iterations of the kd-tree row.
+    bool extrapolated = false;
     int iterations = 0;
     double speedUp = 1.0;                ///< seconds of the all-points kd-tree row over this row's
     double distance = 0.0, angle = 0.0;  ///< from the all-points kd-tree row's pose [m, rad]; of an
@@ -37,7 +37,7 @@ struct Table1Row {
     bool counts = false;                 ///< within CountDistance and CountAngle, and converged
     double paperSeconds = 0.0;           ///< [s]; 0: "several hours"
     int paperIterations = 0;
-    double paperSpeedUp = 0.0;  ///< 0: not to be told
+    double paperSpeedUp = 0.0;  ///< 0: unknown
 
     static constexpr double CountDistance = 0.03;       ///< [m]
     static constexpr double CountAngle = degrees(0.5);  ///< [rad]
@@ -46,10 +46,10 @@ struct Table1Row {
 /// The five rows in the paper's order.
 using Table1 = std::array<Table1Row, 5>;
 
-/// Aligns @p source to @p target, both organised and labelled, starting from their odometry, by each of the
-/// paper's five methods on one thread: point to point by singular value decomposition. Labelling and
-/// reduction are not timed: the paper does them while scanning. An error when a scan has no points in range
-/// or the work was cancelled.
+/// Aligns @p source to @p target, both organised and labelled, starting from their odometry. It uses each of
+/// the paper's five methods on one thread: point to point by singular value decomposition. Labelling and
+/// reduction are not timed: the paper does them while scanning. Error when a scan has no points in range or
+/// the work was cancelled.
 [[nodiscard]] Result<Table1> measureTable1(const Scan& target, const Scan& source,
                                            const Table1Settings& settings = {},
                                            const Progress& progress = {});

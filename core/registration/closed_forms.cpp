@@ -8,8 +8,8 @@
 namespace leitstand {
 namespace {
 
-// Ratios of singular values of the covariance. Below CollinearRatio the second direction is rounding; a third
-// direction that is mirrored by less than MirrorRatio is the noise of points in a plane.
+// Ratios of singular values of the covariance. Below CollinearRatio the second direction is rounding error. A
+// third direction that is mirrored by less than MirrorRatio is noise of points in a plane.
 constexpr double CollinearRatio = 1e-7;
 constexpr double MirrorRatio = 1e-3;
 
@@ -30,8 +30,8 @@ FitOutcome outcomeOf(const Eigen::Vector3d& singular, bool mirrored) {
     return FitOutcome::Ok;
 }
 
-/// The same from the eigenvalues of a quaternion's 4x4 matrix in rising order: up to a common shift and
-/// factor they are -s1-s2+s3, ..., s1-s2-s3, s1+s2+s3 with s3 negative in the mirror case.
+/// The same from the eigenvalues of a quaternion's 4x4 matrix in rising order. Up to a common shift and
+/// factor they are -s1-s2+s3, ..., s1-s2-s3, s1+s2+s3. In the mirror case s3 is negative.
 FitOutcome outcomeOf(const Eigen::Vector4d& eigenvalues) {
     const double mean = eigenvalues.mean();
     const double scale = eigenvalues[3] - eigenvalues[0];               // 2 (s1 + s2)
@@ -104,8 +104,8 @@ Fit fitByQuaternion(const PairSums& sums) {
 Fit fitByOrthonormal(const PairSums& sums) {
     if (sums.count < FewestPairs) return {FitOutcome::TooFewPairs, Pose::Identity()};
     const Eigen::Matrix3d m = sums.covariance().transpose();
-    // R = M (M^T M)^(-1/2), where the eigenvectors u of M^T M are turned into v = M u / |M u|. The third one,
-    // absent for points in a plane and inverted for mirror images, completes the right-handed frames.
+    // R = M (M^T M)^(-1/2), where v = M u / |M u| for each eigenvector u of M^T M. The third pair, absent for
+    // points in a plane and inverted for mirror images, completes the right-handed frames.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m.transpose() * m);
     const Eigen::Vector3d singular = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().reverse();
     const FitOutcome outcome = outcomeOf(singular, m.determinant() < 0.0);

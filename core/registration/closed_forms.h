@@ -7,15 +7,15 @@
 
 namespace leitstand {
 
-/// What a closed form made of its pairs.
+/// Outcome of a closed form.
 enum class FitOutcome : std::uint8_t {
     Ok,
     TooFewPairs,  ///< fewer than 3: the pose is the identity
     Collinear,    ///< the turn about the line of the points is unknown: the pose is one of many
-    Mirror,       ///< the points fit best as mirror images: the pose is the best motion all the same
+    Mirror,       ///< the points fit best as mirror images: the pose is still the best motion
 };
 
-/// The motion that brings the source points onto their partners with least squared distances.
+/// The motion that maps the source points onto their partners with the least sum of squared distances.
 struct Fit {
     FitOutcome outcome = FitOutcome::Ok;
     Pose pose = Pose::Identity();  ///< maps source onto target

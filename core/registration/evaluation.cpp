@@ -73,7 +73,7 @@ PairInformation informationOf(const Pairing& pairing, const Pose& pose, const Ei
 }
 
 void evaluate(Pairing& pairing, double paired, double maxDistance, IcpResult& result) {
-    // Where the last step was below the limit, the pairs before it are still those of the pose.
+    // If the last step was below the limit, the pairs before it are still those of the pose.
     const double needed = std::max(maxDistance, IcpResult::OverlapDistance);
     if (result.stop != IcpStop::Converged || paired < needed) pairing.update(result.pose, needed);
     const double maxSquared = maxDistance * maxDistance;

@@ -12,13 +12,13 @@ constexpr std::size_t Lanes = 8;
 using Lane = std::array<float, Lanes>;
 using Lane3 = std::array<Lane, 3>;
 
-/// Eight pairs, coordinate by coordinate: the compiler makes vector instructions of loops over them. An
+/// Eight pairs, coordinate by coordinate: the compiler turns loops over them into vector instructions. An
 /// unused lane has weight 0.
 struct PairBlock {
     Lane3 arm{}, residual{};   ///< source point from the centre; from its partner [m]
     Lane3 source{}, target{};  ///< normals in the target's frame, unit length or zero
     Lane weight{};
-    Lane costShare{};  ///< of a square that counts by the weight, what it costs
+    Lane costShare{};  ///< factor from a weighted square to its cost
 };
 
 /// Sums over pairs, lane by lane: the hessian's upper triangle, the gradient, the cost.
@@ -28,8 +28,8 @@ struct LaneSums {
     Lane cost{};
 };
 
-/// Adds factor * row * row^T and its share of gradient and cost, for a row that is @p direction and its turn
-/// about the centre.
+/// Adds factor * row * row^T, with its share of gradient and cost, for the row made of @p direction and its
+/// turn about the centre.
 inline void addRow(const PairBlock& block, const Lane3& direction, const Lane& factor, LaneSums& sums) {
     std::array<Lane, 6> row;
     Lane along;
@@ -55,9 +55,9 @@ inline void addRow(const PairBlock& block, const Lane3& direction, const Lane& f
     }
 }
 
-/// Adds eight pairs. The covariance 2 I - (1 - e)(a a^T + b b^T) of a pair with normals a and b (turned so
-/// that a.b >= 0) has the bisectors a + b and a - b as eigenvectors, so that its inverse is I / 2 and one
-/// rank for each.
+/// Adds eight pairs. A pair with normals a and b (turned so that a.b >= 0) has the covariance
+/// 2 I - (1 - e)(a a^T + b b^T). Its eigenvectors include the bisectors a + b and a - b, so its inverse is
+/// I / 2 and one rank for each.
 inline void addBlock(const PairBlock& block, LaneSums& sums) {
     constexpr float k = 1.0F - AcrossVariance;
     Lane3 between, across;
@@ -70,7 +70,7 @@ inline void addBlock(const PairBlock& block, LaneSums& sums) {
             between[axis][i] = block.source[axis][i] + sign * block.target[axis][i];
             across[axis][i] = block.source[axis][i] - sign * block.target[axis][i];
         }
-        // (1 / eigenvalue - 1 / 2) / length^2 of the bisector, simplified; both stay finite for any c in [0,
+        // (1 / eigenvalue - 1 / 2) / length^2 of the bisector, simplified. Both stay finite for any c in [0,
         // 1]. A pair without normals has zero bisectors and keeps I / 2.
         betweenFactor[i] = block.weight[i] * k / (4.0F * (2.0F - k * (1.0F + c)));
         acrossFactor[i] = block.weight[i] * k / (4.0F * (2.0F - k * (1.0F - c)));
@@ -85,8 +85,8 @@ inline void addBlock(const PairBlock& block, LaneSums& sums) {
     }
 }
 
-/// Puts a pair into a lane of @p block; a point whose surface is unknown takes that of its partner.
-/// The pair counts little where it is farther apart across the source's surface than @p kernel [m], 0: none.
+/// Puts a pair into a lane of @p block; a point with an unknown normal takes that of its partner. The pair
+/// counts little if it is farther apart across the source's surface than @p kernel [m]; 0: no kernel.
 inline void setPair(PairBlock& block, std::size_t lane, const Eigen::Vector3f& arm,
                     const Eigen::Vector3f& residual, Eigen::Vector3f sourceNormal,
                     Eigen::Vector3f targetNormal, float kernel) {
@@ -106,7 +106,7 @@ inline void setPair(PairBlock& block, std::size_t lane, const Eigen::Vector3f& a
     block.costShare[lane] = 1.0F / share;
 }
 
-// Sanitizers are not up yet when the loader chooses a clone.
+// Sanitizers are not initialised yet when the loader chooses a clone.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 __attribute__((target_clones("avx2,fma", "default")))
 #endif

@@ -26,7 +26,7 @@ void GuessTerm::look(const Pairing& pairing, const Pose& pose, double maxDistanc
 
 void GuessTerm::add(NormalEquations& equations, const Pose& pose, std::size_t pairs, double across) const {
     if (m_open == 0 || pairs == 0) return;
-    // How far the source was moved from the guess: about the equations' centre, as their steps are.
+    // Motion of the source since the guess: about the equations' centre, as their steps are.
     const Pose moved = pose * m_guess.inverse();
     const Eigen::AngleAxisd turn(moved.linear());
     Eigen::Matrix<double, 6, 1> step;
@@ -35,13 +35,13 @@ void GuessTerm::add(NormalEquations& equations, const Pose& pose, std::size_t pa
     Eigen::Matrix<double, 6, 6> toOrigin = Eigen::Matrix<double, 6, 6>::Identity();
     const Eigen::Vector3d arm = pose.translation() - equations.centre;
     toOrigin.topRightCorner<3, 3>() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
-    // The equations weigh a pair by 1 across its surface where it errs by 1; it errs by what they cost, or a
-    // little.
+    // The equations' weights take @p across as a pair's variance. Its real variance follows from their cost,
+    // and is at least Least squared.
     constexpr double Least = 0.005;  // [m]
     const double variance =
         std::max(2.0 * across * equations.cost / static_cast<double>(pairs), Least * Least);
     const double unit = variance * m_prior.alike / across;
-    // Of what the guess knows, the part along the open directions as the origin moves by them, one after
+    // Adds only what the guess knows along the open directions, as the origin moves by them, one after
     // another.
     const Eigen::Matrix<double, 6, 6> root = m_prior.deviation.cwiseInverse().asDiagonal() * toOrigin;
     Eigen::Matrix<double, 6, 6> along;

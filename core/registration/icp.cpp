@@ -14,7 +14,7 @@
 namespace leitstand {
 namespace {
 
-/// Adds the time it lives to a sum.
+/// Adds its lifetime to a sum.
 class Stopwatch {
 public:
     explicit Stopwatch(double& seconds) : m_seconds(seconds) {}
@@ -28,7 +28,7 @@ private:
     Clock::time_point m_start = Clock::now();
 };
 
-/// What a minimiser makes of the pairs: a motion to put before the pose, and what the pose cost per pair.
+/// Result of a minimiser: a motion to put before the pose, and the cost of the pose per pair.
 struct IcpStep {
     std::optional<Pose> motion;
     double cost = 0.0;
@@ -52,8 +52,8 @@ bool hasNormals(const PointCloud& target, const PointCloud& source, const Minimi
     return minimizer.equations == nullptr || !target.normals.empty();
 }
 
-/// Runs one stage of the schedule from @p result.pose on; how it ended. Calls @p report after each iteration.
-/// @p deviations: IcpSettings::kernel, for this stage.
+/// Runs one stage of the schedule from @p result.pose and returns how it ended. Calls @p report after each
+/// iteration. @p deviations: IcpSettings::kernel, for this stage.
 IcpStop runStage(Pairing& pairing, double maxDistance, double deviations, const IcpSettings& settings,
                  const Progress& progress, IcpResult& result, GuessTerm* prior,
                  const std::function<void()>& report) {
@@ -114,7 +114,7 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
         const int before = result.iterations;
         const auto stage = static_cast<double>(result.times.stages.size());
         const auto report = [&] {
-            // Nobody knows how many iterations are to come: half of what is left is thought done after 10.
+            // The number of iterations is unknown: after 10, half of the rest counts as done.
             const double iterations = result.iterations - before;
             progress.done((stage + iterations / (iterations + 10.0)) / stages);
         };
@@ -126,7 +126,7 @@ IcpResult align(const PointCloud& target, const Search& search, const PointCloud
         result.stop = runStage(pairing, maxDistance, robust ? settings.kernel : 0.0, settings, progress,
                                result, prior ? &*prior : nullptr, report);
         if (result.stop == IcpStop::Degenerate && stage > 0.0) {
-            // Too few pairs are that near: what the stages before found stays.
+            // Too few pairs are that near: the result of the earlier stages stays.
             paired = maxDistance;
             result.pose = reached.pose;
             result.stop = reached.stop;

@@ -17,19 +17,18 @@ namespace leitstand {
 
 /// Settings of one alignment.
 struct IcpSettings {
-    std::vector<double> maxDistances = {
-        0.5};                            ///< pairs farther apart are dropped [m]; stages, one after another
-    std::optional<double> judgedWithin;  ///< pairs nearer than that tell how well the pose fits [m]; unless
-                                         ///< set, those of the last stage
+    std::vector<double> maxDistances = {0.5};  ///< pairs farther apart are dropped [m]; one stage for each
+    std::optional<double> judgedWithin;  ///< maximum distance of the pairs that measure how well the pose
+                                         ///< fits [m]; unless set, that of the last stage
     std::optional<double> minStep;  ///< a stage ends when the pose moves less [m, rad]; unless set, 1e-4 for
-                                    ///< those with equations and 1e-5 for point to point, which creeps
-    int maxIterations = 500;        ///< over all stages
+                                    ///< minimisers with equations and 1e-5 for point to point, which creeps
+    int maxIterations = 500;        ///< in all stages together
     Minimizer minimizer = Minimizer::Gicp;
     int threads = 0;      ///< 0: one per core
-    bool facing = false;  ///< points on either side of a wall are no pairs (Pairing)
-    /// In the last stage, for minimisers that heed it (Gicp): pairs that are farther apart across their
-    /// surface than so many times their deviation there (by the median, when the stage begins) count little
-    /// (Geman & McClure 1985); 0: all count alike.
+    bool facing = false;  ///< points on opposite sides of a wall are no pairs (Pairing)
+    /// Kernel of the last stage, for minimisers that heed it (Gicp). Pairs that are too far apart across
+    /// their surface count little (Geman & McClure 1985). The limit is so many times their deviation there
+    /// (by the median, when the stage begins); 0: all count alike.
     double kernel = 0.0;
     std::optional<GuessPrior> prior;  ///< how far the guess may be off; not for closed forms
 };
@@ -40,28 +39,28 @@ enum class IcpStop : std::uint8_t { Converged, LimitCycle, IterationLimit, Degen
 /// Wall-clock time spent in the parts of an alignment [s].
 struct IcpTimes {
     double pairing = 0.0, minimising = 0.0, evaluating = 0.0;
-    std::vector<double> stages;  ///< of the schedule's stages that were begun, without the evaluation
+    std::vector<double> stages;  ///< one per stage that was begun, without the evaluation
 };
 
-/// What an alignment found and how far it is to be trusted.
+/// Result of an alignment, and how far to trust it.
 struct IcpResult {
     Pose pose = Pose::Identity();  ///< source in target
     bool converged = false;        ///< Converged, or a LimitCycle smaller than 1 mm and 0.02 degrees
     IcpStop stop = IcpStop::IterationLimit;
     int iterations = 0;
-    double rms = 0.0;          ///< distance of the pairs that IcpSettings::judgedWithin names [m]
+    double rms = 0.0;          ///< root mean square of the pairs within judgedWithin [m]
     double inlierRatio = 0.0;  ///< those pairs over source points
     double overlap = 0.0;      ///< source points with a partner within OverlapDistance over source points
     /// Information on the pose from the pairs' normals, per pair: mean of j j^T with j = [n, (q - c) x n / r]
     /// for a source point q, the pairs' mean c and their root mean squared distance r from it; translation
     /// first, in the target's frame. Zero when neither cloud has normals.
     Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
-    /// Three times the smallest eigenvalue of the information: 1 when surfaces face all ways alike, 0 when a
-    /// motion is not seen at all. Below UncertainBelow a direction is to be taken as open.
+    /// Three times the smallest eigenvalue of the information: 1 when surfaces face all directions alike, 0
+    /// when a motion is not constrained at all. Below UncertainBelow a direction counts as open.
     double certainty = 0.0;
     Eigen::Matrix<double, 6, 1> weakest =
         Eigen::Matrix<double, 6, 1>::Zero();  ///< its eigenvector, unit length
-    int open = 0;                             ///< directions in which IcpSettings::prior had a say
+    int open = 0;                             ///< directions in which IcpSettings::prior counted
     IcpTimes times;
 
     static constexpr double OverlapDistance = 0.10;  ///< [m]
@@ -69,10 +68,10 @@ struct IcpResult {
     [[nodiscard]] bool certain() const { return certainty >= UncertainBelow; }
 };
 
-/// Moves @p source onto @p target, starting at @p guess: closest pairs, the minimiser's step, and so on,
-/// stage after stage (Besl & McKay 1992; paper, section 2.1). @p search is over @p target. Plane and Gicp
-/// want normals of the target, Gicp of the source too; without them they end at once as Degenerate. The
-/// result does not depend on the number of threads.
+/// Moves @p source onto @p target, starting at @p guess (Besl & McKay 1992; paper, section 2.1). It finds the
+/// closest pairs and takes the minimiser's step, again and again, stage after stage. @p search is over
+/// @p target. Plane and Gicp need normals of the target, Gicp also of the source; without them they end at
+/// once as Degenerate. The result does not depend on the number of threads.
 [[nodiscard]] IcpResult align(const PointCloud& target, const Search& search, const PointCloud& source,
                               const Pose& guess, const IcpSettings& settings = {},
                               const Progress& progress = {});

@@ -77,7 +77,7 @@ MinimizerRow rowOf(Minimizer minimizer) {
 std::span<const MinimizerRow> minimizers() {
     static const std::vector<MinimizerRow> rows = [] {
         std::vector<MinimizerRow> known;
-        // What has no case above has no row; the compiler names a value without a case.
+        // A value without a case above has no row; the compiler warns of a named one.
         for (unsigned value = 0; value <= std::numeric_limits<std::uint8_t>::max(); ++value) {
             const MinimizerRow row = rowOf(static_cast<Minimizer>(value));
             if (row.key != nullptr) known.push_back(row);

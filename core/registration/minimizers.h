@@ -22,27 +22,27 @@ enum class Minimizer : std::uint8_t {
     Gicp,            ///< plane to plane, Segal, Haehnel & Thrun 2009 (needs both normals)
 };
 
-/// All that is to be known of a minimiser; exactly one of the two functions is set.
+/// Properties of a minimiser; exactly one of the two functions is set.
 struct MinimizerRow {
     Minimizer minimizer = Minimizer::Gicp;
     const char* key = nullptr;   ///< in files and on leitstandctl's command line
     const char* name = nullptr;  ///< for operators; both are translated in MinimizerTexts
     const char* hint = nullptr;  ///< what it does and where it comes from
-    /// The best motion for the pairs, at once.
+    /// Computes the best motion for the pairs, at once.
     Fit (*closedForm)(const PairSums& pairs) = nullptr;
-    /// A step of Gauss and Newton; @p centre and @p kernel [m] as of gicpEquations().
+    /// Computes a Gauss-Newton step; @p centre and @p kernel [m] as in gicpEquations().
     NormalEquations (*equations)(const Pairing& pairing, const Pose& sourceInTarget,
                                  const Eigen::Vector3d& centre, double kernel) = nullptr;
-    bool heedsKernel = false;    ///< its equations do
-    bool sourceNormals = false;  ///< it needs them, beside the target's, which equations always need
-    double pairVariance = 1.0;   ///< of a pair across its surface, as its equations weigh it (GuessTerm)
+    bool heedsKernel = false;    ///< whether its equations use the kernel
+    bool sourceNormals = false;  ///< whether it needs the source's normals; equations need the target's
+    double pairVariance = 1.0;   ///< variance of a pair across its surface, by its equations (GuessTerm)
 };
 
 inline constexpr const char* MinimizerTexts = "leitstand::RegistrationSettings";  ///< context
 
-/// Of @p minimizer.
+/// The properties of @p minimizer.
 [[nodiscard]] MinimizerRow rowOf(Minimizer minimizer);
-/// Of all, in the order in which they are offered.
+/// All minimisers, in the order in which they are offered.
 [[nodiscard]] std::span<const MinimizerRow> minimizers();
 
 }  // namespace leitstand

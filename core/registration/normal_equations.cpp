@@ -13,7 +13,7 @@
 namespace leitstand {
 namespace {
 
-/// The sum of the chunks, in their order.
+/// Returns the sum of the chunks, in their order.
 NormalEquations joined(const std::vector<NormalEquations>& chunks, const Eigen::Vector3d& centre) {
     NormalEquations sum;
     sum.centre = centre;

@@ -17,27 +17,27 @@ struct NormalEquations {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< in the target's frame [m]
     double cost = 0.0;                                 ///< half the sum of weighted squares [m^2]
 
-    /// The motion to put before the source's pose; nothing when the pairs leave a direction open.
+    /// Returns the motion to put before the source's pose; empty when the pairs leave a direction open.
     [[nodiscard]] std::optional<Pose> solve() const;
 };
 
 /// Point to plane (Chen & Medioni 1991): distances along the target's normals. Pairs without a normal are
-/// left out. @p centre: a point amid the source, in the target's frame.
+/// left out. @p centre: a point in the middle of the source, in the target's frame.
 [[nodiscard]] NormalEquations planeEquations(const Pairing& pairing, const Pose& sourceInTarget,
                                              const Eigen::Vector3d& centre);
 
-/// Of a pair across its surface, where both normals agree, by the weights of gicpEquations().
+/// Variance of a pair across its surface, where both normals agree, by the weights of gicpEquations().
 inline constexpr double GicpAcrossVariance = 2e-3;
 
-/// How far pairs are apart across the target's surfaces: the deviation of a normal distribution with their
-/// median distance [m]; 0 where there are none.
+/// Returns how far pairs are apart across the target's surfaces: the deviation of a normal distribution with
+/// their median distance [m]; 0 where there are none.
 [[nodiscard]] double deviationAcross(const Pairing& pairing, const Pose& sourceInTarget);
 
-/// Plane to plane (Segal, Haehnel & Thrun 2009): a point is uncertain by 1 along its surface and by 1e-3
-/// across (the paper's epsilon), so the covariance of a pair is 2 I - (1 - 1e-3)(a a^T + b b^T) with both
+/// Plane to plane (Segal, Haehnel & Thrun 2009). A point is uncertain by 1 along its surface and by 1e-3
+/// across (the paper's epsilon). So the covariance of a pair is 2 I - (1 - 1e-3)(a a^T + b b^T) with both
 /// normals.
-/// @p kernel: a pair's distance across its surface from where on it counts little (Geman & McClure 1985) [m];
-/// 0: all count alike.
+/// @p kernel: distance of a pair across its surface from which on it counts little (Geman & McClure 1985)
+/// [m]; 0: all count alike.
 [[nodiscard]] NormalEquations gicpEquations(const Pairing& pairing, const Pose& sourceInTarget,
                                             const Eigen::Vector3d& centre, double kernel = 0.0);
 

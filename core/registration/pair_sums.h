@@ -6,16 +6,16 @@
 
 namespace leitstand {
 
-/// Weighted sums over point pairs: all that a closed form needs. Coordinates may stand in any two frames.
+/// Weighted sums over point pairs: all that a closed form needs. Coordinates may be in any two frames.
 struct PairSums {
     std::size_t count = 0;                              ///< pairs
     double weight = 0.0;                                ///< sum of the weights
     Eigen::Vector3d source = Eigen::Vector3d::Zero();   ///< sum of the source points [m]
     Eigen::Vector3d target = Eigen::Vector3d::Zero();   ///< sum of the target points [m]
     Eigen::Matrix3d product = Eigen::Matrix3d::Zero();  ///< sum of source * target^T [m^2]
-    double squaredDistances = 0.0;  ///< sum over the pairs, where the source stands now [m^2]
+    double squaredDistances = 0.0;  ///< sum over the pairs at the source's current pose [m^2]
 
-    /// @p pairWeight: the w of the paper's equation (1).
+    /// Adds a pair. @p pairWeight: the w of the paper's equation (1).
     void add(const Eigen::Vector3d& sourcePoint, const Eigen::Vector3d& targetPoint, double pairWeight = 1.0);
     PairSums& operator+=(const PairSums& other);
 

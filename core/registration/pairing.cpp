@@ -5,7 +5,7 @@
 namespace leitstand {
 namespace {
 
-constexpr float Away = -0.5F;  ///< cosine between normals of which one is of a wall's other side
+constexpr float Away = -0.5F;  ///< cosine between normals, one of them on the other side of a wall
 
 }  // namespace
 

@@ -7,7 +7,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::size_t LongestPeriod = 20;
-constexpr std::size_t WanderLength = 40;  // poses looked at for wandering
+constexpr std::size_t WanderLength = 40;  // poses checked for wandering
 
 }  // namespace
 
@@ -38,7 +38,7 @@ bool PoseHistory::wanders() const {
     if (count < WanderLength) return false;
     const Extent size = extent(WanderLength);
     if (size.distance > CycleDistance || size.angle > CycleAngle) return false;
-    // Steps that do not get shorter: 20 of them against the 20 before.
+    // Steps that do not get shorter: compares the last 20 with the 20 before.
     const auto travelled = [&](std::size_t last) {
         double sum = 0.0;
         for (std::size_t i = last - WanderLength / 2 + 1; i < last; ++i) {

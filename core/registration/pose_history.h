@@ -7,16 +7,16 @@
 
 namespace leitstand {
 
-/// The poses that an ICP went through, to tell slow progress from running in circles: with a maximum pair
-/// distance pairs can come and go for ever.
+/// The poses that an ICP went through. They show whether it makes slow progress or runs in circles: with a
+/// maximum pair distance, pairs can come and go for ever.
 class PoseHistory {
 public:
-    /// Notes a pose and what it costs per pair.
+    /// Adds a pose and its cost per pair.
     void add(const Pose& pose, double cost);
     void clear() { m_entries.clear(); }
 
-    /// Length of the cycle that the last poses run in: they came back twice to within @p tolerance [m, rad],
-    /// or wander within CycleSize without getting anywhere; 0: no cycle.
+    /// Returns the length of the cycle of the last poses; 0: no cycle. They came back twice to within
+    /// @p tolerance [m, rad], or wander within CycleDistance and CycleAngle without progress.
     [[nodiscard]] std::size_t cycle(double tolerance) const;
     /// The cheapest of the last @p count poses.
     [[nodiscard]] const Pose& best(std::size_t count) const;

@@ -12,7 +12,7 @@ using Corner = Eigen::Vector2d;
 constexpr std::size_t MostCorners = 64;
 constexpr double LeastArea = 1e-4;  ///< [m^2]
 
-/// On which side of the line from @p a to @p b a point is: -1, 0, 1.
+/// Returns the side of the line from @p a to @p b on which @p point lies: -1, 0, 1.
 int side(const Corner& a, const Corner& b, const Corner& point) {
     const Corner along = b - a, to = point - a;
     const double cross = along.x() * to.y() - along.y() * to.x();

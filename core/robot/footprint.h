@@ -10,8 +10,8 @@ namespace leitstand {
 /// Area of a polygon [m^2], positive when its corners go counter-clockwise.
 [[nodiscard]] double signedArea(const std::vector<Eigen::Vector2d>& corners);
 
-/// Why @p corners are no outline of a robot, "expected ..., found ..."; empty when they are one: three to 64
-/// corners, no side that touches another, an area.
+/// Returns why @p corners are no outline of a robot, "expected ..., found ..."; empty when they are one. An
+/// outline has three to 64 corners, an area, and no side that touches another.
 [[nodiscard]] std::string footprintProblem(const std::vector<Eigen::Vector2d>& corners);
 
 }  // namespace leitstand

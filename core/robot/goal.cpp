@@ -5,7 +5,7 @@
 namespace leitstand {
 namespace {
 
-/// Position and heading of @p pose.
+/// @p pose reduced to position and heading.
 Pose levelled(const Pose& pose) {
     return poseFrom(pose.translation(), 0, 0, headingOf(pose));
 }

@@ -16,15 +16,15 @@
 
 namespace leitstand {
 
-/// Whose clock stamps commands.
+/// Clock that stamps commands are set by.
 enum class StampSource : std::uint8_t { Robot, Zero, Station };
 [[nodiscard]] std::string toString(StampSource source);
 
-/// How raw numbers of a thermal picture become temperatures: kelvin = raw * scale + offset.
+/// Converts raw numbers of a thermal picture to temperatures: kelvin = raw * scale + offset.
 struct ThermalScale {
     double scale = 0.01;   ///< [K] a step
     double offset = 0.0;   ///< [K]
-    bool measured = true;  ///< false: colour-mapped pictures, which tell no temperature
+    bool measured = true;  ///< false: colour-mapped pictures without temperatures
     friend bool operator==(const ThermalScale&, const ThermalScale&) = default;
 };
 
@@ -37,7 +37,7 @@ struct StreamDescription {
     Qos qos;
     StampSource stamp = StampSource::Robot;  ///< of stamped commands
     ThermalScale thermal;                    ///< of Thermal
-    std::string hardwareId;                  ///< Diagnostics: only statuses whose hardware_id starts so
+    std::string hardwareId;                  ///< Diagnostics: prefix of hardware_id of its statuses
     bool record = true;                      ///< whether the mission's log keeps it
     friend bool operator==(const StreamDescription&, const StreamDescription&) = default;
 };
@@ -46,7 +46,7 @@ struct StreamDescription {
 enum class SensorMotion : std::uint8_t { Unsaid, Fixed, Turning, Tilting };
 [[nodiscard]] std::string toString(SensorMotion motion);
 
-/// The unit that turns a camera, and how far.
+/// The pan-tilt unit of a camera, and its range.
 struct PanTiltMount {
     std::string unit;                             ///< of its joints UNIT_pan and UNIT_tilt, "left"
     double pan = degrees(90);                     ///< to each side [rad]
@@ -54,12 +54,12 @@ struct PanTiltMount {
     friend bool operator==(const PanTiltMount&, const PanTiltMount&) = default;
 };
 
-/// A sensor and where it sits.
+/// A sensor and its mount.
 struct SensorDescription {
     std::string frame = {};                      ///< frame_id of its samples
-    Pose sensorInBase = Pose::Identity();        ///< used where tf does not tell
-    SensorMotion motion = SensorMotion::Unsaid;  ///< tells what a simulated robot carries
-    std::optional<PanTiltMount> panTilt = {};    ///< of a camera that can be turned
+    Pose sensorInBase = Pose::Identity();        ///< used where tf has none
+    SensorMotion motion = SensorMotion::Unsaid;  ///< decides what a simulated robot carries
+    std::optional<PanTiltMount> panTilt = {};    ///< of a camera that can turn
     ScannerCorrection correction = {};           ///< of a 3D scanner
 };
 
@@ -70,16 +70,16 @@ enum class DriveType : std::uint8_t { Differential, Tracked, Omnidirectional };
 enum class LinkLossRule : std::uint8_t { Stop, FinishAndWait, ReturnToLink };
 [[nodiscard]] std::string toString(LinkLossRule rule);
 
-/// How the frames of a robot's tf are told from those of others.
+/// What distinguishes the tf frames of a robot from those of others.
 enum class TfPrefix : std::uint8_t { Topic, Frame, None };
 [[nodiscard]] std::string toString(TfPrefix prefix);
 
-/// Everything the station knows about a robot beforehand: its file.
+/// Everything that the station knows about a robot beforehand: the content of its file.
 struct RobotDescription {
-    std::string file = {};  ///< that it was read from; empty: none
+    std::string file = {};  ///< file that it was read from; empty: none
     std::string letter;     ///< one capital letter, "K"
     std::string name;       ///< "kurt3d": lower case, as in topics
-    std::string title;      ///< what the operator sees, "Kurt3D"
+    std::string title;      ///< name for the operator, "Kurt3D"
     std::vector<StreamDescription> streams;
     std::map<std::string, SensorDescription> sensors;
     std::string baseFrame, odomFrame;
@@ -89,8 +89,8 @@ struct RobotDescription {
     double maxRoll = 0.0, maxPitch = 0.0;    ///< tip-over limits [rad]
     double maxSpeed = 0.0;                   ///< [m/s]
     double maxTurnRate = 0.0;                ///< [rad/s]
-    double maxClimb = 0.0;                   ///< steepest ramp [rad]; 0: not told, the usual one
-    double maxStep = 0.0;                    ///< highest step [m]; 0: likewise
+    double maxClimb = 0.0;                   ///< steepest ramp [rad]; 0: not given, the usual one
+    double maxStep = 0.0;                    ///< highest step [m]; 0: not given, the usual one
     bool refineTurns = false;                ///< its odometry is poor: the map estimates the motion in a turn
     DriveType drive = DriveType::Differential;
     std::map<std::string, std::string> bindings;   ///< operator's action -> key or pad control

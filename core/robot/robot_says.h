@@ -6,9 +6,9 @@
 
 #include "core/base/words.h"
 
-/// What our robots say about themselves, in English as it goes over the wire: why they are in a mode, and how
-/// they lie. Robots say nothing else there, so that stations can show it in the language of their window.
-/// "{}" stands for a figure or a name.
+/// What our robots report about themselves, in English as it goes over the wire: why they are in a mode, and
+/// how they lie. Robots report nothing else there, so stations can show it in the window's language. "{}"
+/// stands for a figure or a name.
 namespace leitstand::robot_says {
 
 // About modes and who has the robot.
@@ -73,7 +73,7 @@ constexpr auto MeasuresAgain = translatable("leitstand::RobotSays", "measures ag
 constexpr auto HeatAhead = translatable("leitstand::RobotSays", "heat {} m ahead");
 constexpr auto AtAVictim = translatable("leitstand::RobotSays", "stands in front of a victim");
 constexpr auto BeforeAVictim = translatable("leitstand::RobotSays", "stands {} m in front of a victim");
-// Why it is slower than asked.
+// Why it is slower than requested.
 constexpr auto NoNumber = translatable("leitstand::RobotSays", "the wish is no number");
 constexpr auto Obstacle = translatable("leitstand::RobotSays", "obstacle in {} m");
 constexpr auto OldScan = translatable("leitstand::RobotSays", "the scan there is {} s old");
@@ -104,13 +104,13 @@ inline constexpr std::array All = {
     BodyHeat};
 // clang-format on
 
-/// A part of what a robot said.
+/// A part of a robot's report.
 struct Part {
-    const char* words = nullptr;  ///< one of All; null: nothing that is known
-    std::string value;            ///< what stands at its "{}"; all of the part when it is not known
+    const char* words = nullptr;  ///< one of All; null: unknown
+    std::string value;            ///< text at its "{}"; the whole part when it is unknown
 };
-/// Takes @p said apart at its semicolons: "heat 1.20 m ahead; obstacle in 0.40 m". Never fails: robots of
-/// others say what they want.
+/// Splits @p said at its semicolons: "heat 1.20 m ahead; obstacle in 0.40 m". Never fails: other robots may
+/// report anything.
 [[nodiscard]] std::vector<Part> partsOf(const std::string& said);
 
 }  // namespace leitstand::robot_says

@@ -30,7 +30,7 @@ void ScannerCorrection::correct(CloudSample& cloud) const {
     const auto more = static_cast<float>(range);
     for (Eigen::Vector3f& point : cloud.points) {
         const float seen = point.norm();
-        if (seen > 0.0F) point *= std::max(0.0F, 1.0F + more / seen);  // what is no echo stays none
+        if (seen > 0.0F) point *= std::max(0.0F, 1.0F + more / seen);  // no echo stays no echo
     }
 }
 

@@ -5,7 +5,7 @@
 
 namespace leitstand {
 
-/// With what the station on live robots was opened last, so that it opens so again.
+/// Settings with which the station on live robots was last opened; it opens with them again.
 struct LastStation {
     std::vector<std::string> robots = {};      ///< files, or names of shipped ones
     int domain = 0;                            ///< DDS domain

@@ -8,21 +8,21 @@ namespace leitstand {
 /// The three looks of the paper's Figure 4.
 enum class MapLook : std::uint8_t { Points, Voxels, Top };
 
-/// Whether the camera goes with the selected robot; while it does, ceilings are hidden.
+/// Whether the camera follows the selected robot. While it does, ceilings are hidden.
 enum class MapFollow : std::uint8_t {
     Free,
     Behind,  ///< from behind and above
     Above,   ///< from straight above, its heading up
 };
 
-/// How the map is looked at, as far as a layout has a say in it.
+/// How the map is viewed, as far as a layout decides it.
 struct MapSight {
     MapLook look = MapLook::Points;
     MapFollow follow = MapFollow::Free;
     bool operator==(const MapSight&) const = default;
 };
 
-/// What a layout says of that; what it leaves out is the operator's own.
+/// View of the map in a layout; the operator decides what is empty.
 struct LayoutMap {
     std::optional<MapLook> look = std::nullopt;
     std::optional<MapFollow> follow = std::nullopt;

@@ -11,23 +11,23 @@ namespace leitstand {
 /// A place in the window: one pane, or parts side by side or one above the other.
 struct PaneSplit {
     std::string pane = {};              ///< id, "camera"; empty: there are parts
-    double share = 1.0;                 ///< of the room of the place around it, beside its neighbours' shares
+    double share = 1.0;                 ///< of the place around it, relative to its neighbours' shares
     bool vertical = false;              ///< parts from top to bottom, not from left to right
     std::vector<PaneSplit> parts = {};  ///< two or more
 };
 
-/// How the live window is arranged, and which keys and pad buttons mean what (design, section 7).
+/// Arrangement of the live window, and the meaning of keys and pad buttons (design, section 7).
 struct WindowLayout {
-    std::string name = {};         ///< "drive"; the file's, letters, digits, _ and -
+    std::string name = {};         ///< "drive"; from the file name: letters, digits, _ and -
     std::string title = {};        ///< for people
-    PaneSplit panes = {};          ///< panes that are not named are hidden
-    std::string arrangement = {};  ///< as the operator moved them (base64, of the window); goes before panes
-    LayoutMap map = {};            ///< how the map is looked at; says nothing: stays as it is
-    std::map<std::string, std::string> keys = {};  ///< by command: "Ctrl+K"; others have their own
-    std::map<std::string, std::string> pad = {};   ///< by button of the pad: command; others have their own
+    PaneSplit panes = {};          ///< panes that are not listed are hidden
+    std::string arrangement = {};  ///< as moved by the operator (base64, by the window); overrides panes
+    LayoutMap map = {};            ///< how the map is viewed; empty: stays as it is
+    std::map<std::string, std::string> keys = {};  ///< command -> key, "Ctrl+K"; other commands keep theirs
+    std::map<std::string, std::string> pad = {};  ///< button of the pad -> command; other buttons keep theirs
 };
 
-/// The ids of all panes in @p split, from the upper left on.
+/// Returns the ids of all panes in @p split, from the upper left on.
 [[nodiscard]] std::vector<std::string> panesIn(const PaneSplit& split);
 
 }  // namespace leitstand

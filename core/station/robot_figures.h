@@ -9,22 +9,22 @@
 
 namespace leitstand {
 
-/// Roll and pitch of the robot's body by its inertial unit, else by its odometry: right side down, nose down
-/// [rad]; empty when neither came within the last second.
+/// Returns roll and pitch of the robot's body by its inertial unit, otherwise by its odometry: right side
+/// down, nose down [rad]. Empty when neither arrived within the last second.
 [[nodiscard]] std::optional<std::pair<double, double>> rollAndPitch(const RobotDescription& description,
                                                                     const RobotState& said, Time now);
 
-/// The larger of the shares that roll and pitch have of the limits where the robot tips over; 0 where no
-/// limit is known.
+/// Returns the larger of roll and pitch, as shares of the limits where the robot tips over; 0 when no limit
+/// is known.
 [[nodiscard]] double shareOfLimits(const RobotDescription& description, double roll, double pitch);
 
-/// What a robot told of its battery is of now for so long [s].
+/// How long a battery sample counts as current [s].
 inline constexpr double BatteryAge = 10.0;
-/// Time until a robot's battery is empty at the mean load of the last minute [min]; NaN where that is not
-/// told.
+/// Returns the time until a robot's battery is empty at the mean load of the last minute [min]; NaN when that
+/// is unknown.
 [[nodiscard]] double minutesLeft(const RobotState& said);
 
-/// Whether @p latest came within @p seconds before @p now, station's clock.
+/// Whether @p latest was received within @p seconds before @p now, station's clock.
 template <class T>
 [[nodiscard]] bool isFresh(const std::optional<Latest<T>>& latest, Time now, double seconds) {
     return latest && toSeconds(now - latest->received) < seconds;

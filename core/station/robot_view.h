@@ -17,32 +17,32 @@
 
 namespace leitstand {
 
-/// How the operator's hold on a robot is.
+/// How the operator drives a robot now.
 struct DriveView {
     bool drivable = false;      ///< it takes drive commands
     DriveVelocity velocity;     ///< as sent last
-    bool focus = false;         ///< the sticks are this robot's
+    bool focus = false;         ///< the sticks drive this robot
     bool driving = false;       ///< permitted, with fresh sticks
-    bool needsNeutral = false;  ///< the sticks have to be let go first
-    bool listening = false;     ///< the robot hears drive commands
-    bool reachable = false;     ///< it would hear them, also while none is sent
+    bool needsNeutral = false;  ///< the sticks must be released first
+    bool listening = false;     ///< the robot receives drive commands
+    bool reachable = false;     ///< it would receive them, also while none is sent
     SightCap sight = {};        ///< how fast it may be driven by what its driver sees, and why
 };
 
-/// One camera's pictures as they come.
+/// The pictures of one camera as they arrive.
 struct CameraView {
     std::string sensor;  ///< StreamDescription::sensor
     PictureAges age;
 };
 
-/// One robot as the station has it now.
+/// One robot as the station sees it now.
 struct RobotView {
     LinkStatus link;
-    std::optional<HearingFault> hearing;  ///< it is announced, and not heard as it should
+    std::optional<HearingFault> hearing;  ///< it is announced, but not received as it should be
     GrantView grant;
     StopStatus stop;
     DriveView drive;
-    std::optional<VirtualScanView> around;  ///< where it was asked for
+    std::optional<VirtualScanView> around;  ///< when it was requested
     std::vector<CameraView> cameras;        ///< those that sent pictures; not the thermal ones
     std::optional<JointSample> joints;      ///< newest: chains, pan and tilt
     double jointsAge = std::numeric_limits<double>::infinity();  ///< of them [s]

@@ -62,7 +62,7 @@ double scanAgeAlong(const VirtualScanView& view, const DriveVelocity& velocity) 
 }
 
 DriveVelocity capped(const DriveVelocity& velocity, const SightCap& cap, const DriveLimits& limits) {
-    const double factor = std::clamp(cap.factor, 0.0, 1.0);  // what is no number becomes none below
+    const double factor = std::clamp(cap.factor, 0.0, 1.0);  // NaN becomes none below
     if (!(factor > 0.0)) return {};
     return limited(velocity, {factor * limits.speed, factor * limits.turnRate, limits.sideways});
 }

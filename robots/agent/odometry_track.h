@@ -9,12 +9,11 @@
 
 namespace leitstand {
 
-/// Where a robot was lately, by its odometry: of the last 6 s (longer than a sweep of any scanner),
-/// interpolated.
+/// Poses of a robot by its odometry in the last 6 s (longer than a sweep of any scanner), interpolated.
 class OdometryTrack {
 public:
     void add(Time at, const Pose& baseInOdom);
-    /// Empty before the first and when nothing came for 0.3 s up to @p at.
+    /// Returns the pose at @p at; empty before the first and when nothing came for 0.3 s up to @p at.
     [[nodiscard]] std::optional<Pose> at(Time at) const;
     [[nodiscard]] std::optional<Pose> newest() const;
 

@@ -141,7 +141,7 @@ void RobotAgent::drive(const DriveVelocity& wish, const Sender& from) {
 }
 
 void RobotAgent::driveTracks(const JointSample& tracks, const Sender& from) {
-    // Twists go before: two stations' habits, or two widgets of one, do not alternate.
+    // Twists take precedence: commands of two stations, or of two widgets of one, do not alternate.
     if (m_twist && m_hardware.now() - *m_twist < std::chrono::milliseconds(300)) return;
     SideSpeeds sides{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
     for (std::size_t i = 0; i < std::min(tracks.names.size(), tracks.velocities.size()); ++i) {

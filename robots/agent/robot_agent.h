@@ -16,17 +16,17 @@
 
 namespace leitstand {
 
-/// What agents of all robots need to know of theirs.
+/// What an agent of any robot needs to know about its robot.
 struct AgentSettings {
     DriveGeometry geometry;
     SpeedControllerSettings motors;
-    std::vector<DriveMode> modes = {DriveMode::Teleoperation};  ///< that may be asked for
+    std::vector<DriveMode> modes = {DriveMode::Teleoperation};  ///< that may be requested
     bool hasRemote = false;
-    bool careless = false;  ///< as a stock robot without a watchdog: of RobotRuleSettings
+    bool careless = false;  ///< as a stock robot without a watchdog; see RobotRuleSettings
 };
 
-/// What all robots do alike: rules of commands (RobotRules), modes, speed controllers, brake, answers.
-/// Without network and without a clock of its own: it lives by its hardware's. One thread.
+/// What all robots have in common: rules of commands (RobotRules), modes, speed controllers, brake, answers.
+/// Has no network and no clock of its own: it uses its hardware's clock. One thread.
 class RobotAgent {
 public:
     RobotAgent(RobotHardware& hardware, const RobotDescription& robot, const AgentSettings& settings);
@@ -35,26 +35,26 @@ public:
     RobotAgent& operator=(const RobotAgent&) = delete;
 
     void hear(const GrantSample& grant, const Sender& from);
-    /// What the process @p from said on a command stream of @p role.
+    /// Takes what the process @p from sent on a command stream of @p role.
     void hear(StreamRole role, const Sample& command, const Sender& from);
-    /// One turn of the control loop, every 5 to 10 ms of robot's time. Returns all that is to be said.
+    /// Runs one turn of the control loop, every 5 to 10 ms of robot's time. Returns all samples to publish.
     [[nodiscard]] std::vector<HardwareSample> step();
 
-    void press();  ///< its own stop button
+    void press();  ///< presses its own stop button
     [[nodiscard]] DriveMode mode() const { return m_machine.mode(); }
 
 protected:
-    /// What the robot's own drivers and eyes report to the modes.
+    /// What the robot's own drivers and sensors report to the modes.
     struct Report {
         bool cue = false, sent = false, done = false, failed = false;
         std::string text;
     };
-    virtual void sense(HardwareSample& sample);  ///< each sample of the hardware, before it is said
+    virtual void sense(HardwareSample& sample);  ///< each sample of the hardware, before it is published
     virtual Report report(Time now);             ///< once a step, before the modes
-    virtual void goTo(const PoseSample& goal);   ///< of the holder
+    virtual void goTo(const PoseSample& goal);   ///< a goal of the holder
     virtual DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& wish, Time now);
 
-    /// Turns cameras by itself; not within 10 s of an operator's turn, who goes before. Whether it did [rad].
+    /// Turns cameras by itself [rad]; false within 10 s of a turn by the operator, who takes precedence.
     bool look(const std::string& unit, double pan, double tilt);
     void say(StreamRole role, Sample sample) { m_said.push_back({role, {}, std::move(sample)}); }
     [[nodiscard]] SampleHeader header() const { return {m_hardware.now(), m_robot.baseFrame}; }
@@ -65,8 +65,8 @@ private:
     void drive(const DriveVelocity& wish, const Sender& from);
     void driveTracks(const JointSample& tracks, const Sender& from);
     void askForMode(const ModeCommandSample& command);
-    /// A mode or a goal. A new holder's first wish may arrive before its grant, which is another topic's: it
-    /// is kept for a moment and obeyed when the grant is heard.
+    /// Takes a mode or a goal. A new holder's first wish may arrive before its grant, which comes on another
+    /// topic. It is kept for a moment and obeyed when the grant is received.
     void hearWish(StreamRole role, const Sample& wish, const Sender& from);
     void turnCameras(const PanTiltCommand& command);
     void setStream(const StreamCommandSample& command);

@@ -11,7 +11,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double LevelPlane = degrees(30);  ///< planes of lasers that are tilted more are no scan's
+constexpr double LevelPlane = degrees(30);  ///< planes of lasers that are tilted more are not used
 
 DriveVelocity slowed(const DriveVelocity& velocity, double share) {
     return {share * velocity.forward, share * velocity.left, share * velocity.turn};
@@ -23,7 +23,7 @@ VirtualScanSettings scanFor(const RobotDescription& robot, const SelfDrivingSett
     VirtualScanSettings scan = settings.scan;
     scan.body = boxAround(robot.footprint);
     scan.profile = profileOf(robot, settings.scan.profile);
-    // A low robot drives by itself as carefully as before: others and boards stand out over it.
+    // A low robot keeps at least the height of the settings: others and boards stick out over it.
     scan.profile.height = std::max(scan.profile.height, settings.scan.profile.height);
     return scan;
 }
@@ -54,7 +54,7 @@ void SelfDrivingAgent::sense(HardwareSample& sample) {
     } else if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) {
         if (const auto place = inBase(cloud->header.frame, sample.sensor)) m_scan.add(*cloud, *place, then);
     } else if (const auto* ranges = std::get_if<RangesSample>(&sample.sample)) {
-        // A plane that a unit turns upright tells of heights; its points come as clouds too.
+        // A plane that a unit turns upright measures heights; its points also come as clouds.
         const auto place = inBase(ranges->header.frame, sample.sensor);
         if (place && std::abs(place->linear()(2, 2)) > std::cos(LevelPlane))
             m_scan.add(*ranges, *place, then);
@@ -125,7 +125,7 @@ DriveVelocity SelfDrivingAgent::steer(const ModeDecision& decision, const DriveV
     if (began || isDue(now)) {
         m_thought = now;
         if (const auto here = m_odometry.at(now)) {
-            // The link was good where the station was heard last, not where its silence was found too long.
+            // The link was good where the station was last heard, not where its silence became too long.
             m_trail.moved(*here, decision.heardNow, decision.driver == Driver::Returner);
             m_velocity = think(decision, *here, now);
         } else {

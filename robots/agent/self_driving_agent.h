@@ -22,17 +22,18 @@ struct SelfDrivingSettings {
     ExplorerSettings explorer;
 };
 
-/// The virtual scan by which @p robot drives: as profileOf() says, but never looking lower than @p settings.
+/// Returns the virtual scan by which @p robot drives: by profileOf(), but never lower than in @p settings.
 [[nodiscard]] VirtualScanSettings scanFor(const RobotDescription& robot, const SelfDrivingSettings& settings);
 
-/// What robots that can drive by themselves do alike (paper, section 2.3): a virtual scan of 3D or plane
-/// lasers, safe teleoperation, exploring, driving to a goal, and back to where the link was good. One thread.
+/// What robots that can drive by themselves have in common (paper, section 2.3). They have a virtual scan of
+/// 3D or plane lasers and safe teleoperation. They explore, drive to a goal, and drive back to where the link
+/// was good. One thread.
 class SelfDrivingAgent : public RobotAgent {
 protected:
-    /// @p drive: of driveFor().
+    /// @p drive: from driveFor().
     SelfDrivingAgent(RobotHardware& hardware, const RobotDescription& robot, const FuzzyDrive& drive,
                      const AgentSettings& agent, const SelfDrivingSettings& settings);
-    /// Errors as of FuzzyDrive::create().
+    /// Errors as in FuzzyDrive::create().
     [[nodiscard]] static Result<FuzzyDrive> driveFor(const RobotDescription& robot, const FuzzySystem& fuzzy,
                                                      const SelfDrivingSettings& settings);
 
@@ -41,15 +42,15 @@ protected:
     void goTo(const PoseSample& goal) override;
     DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& wish, Time now) override;
 
-    /// A new view, before anything is decided by it: robots may know more of what is about them.
+    /// Takes a new view before it is used: robots may know more about their surroundings.
     virtual void consider(VirtualScanView& view, const Pose& here, Time now);
-    /// What its own drivers want; the robot is at @p here. Also told while others drive: it looks on.
+    /// Returns what its own drivers want at pose @p here. Also called while others drive: it looks on.
     virtual DriveVelocity think(const ModeDecision& decision, const Pose& here, Time now);
-    virtual void thought(const ModeDecision& decision, Time now);  ///< after every thought
-    virtual void takeOver(Driver before, Driver now);  ///< before the first thought of another driver
+    virtual void thought(const ModeDecision& decision, Time now);  ///< after every think()
+    virtual void takeOver(Driver before, Driver now);  ///< before the first think() of another driver
     [[nodiscard]] virtual double caution() const { return 1.0; }  ///< share of the speed, 0 to 1
 
-    /// Where @p frame of @p sensor is now, by tf, else as described. Empty: nobody knows.
+    /// Returns the pose of @p frame of @p sensor now, by tf, else as described. Empty: unknown.
     [[nodiscard]] std::optional<Pose> inBase(const std::string& frame, const std::string& sensor) const;
     [[nodiscard]] const OdometryTrack& odometry() const { return m_odometry; }
     [[nodiscard]] const VirtualScanView& view() const { return m_view; }
@@ -57,11 +58,11 @@ protected:
     [[nodiscard]] const DriveVelocity& velocity() const { return m_velocity; }  ///< that it wanted last
     [[nodiscard]] Driver driver() const { return m_driver; }
     [[nodiscard]] bool hasGoal() const { return m_goal.has_value(); }  ///< of the operator
-    /// One step to @p place in odom [m], without a word to the modes; empty: it is there, or finds no way.
+    /// Drives one step to @p place in odom [m], unreported to the modes; empty: it is there, or finds no way.
     [[nodiscard]] std::optional<DriveVelocity> driveBy(const Eigen::Vector3d& place, const Pose& here,
                                                        Time now);
     Explorer& explorer() { return m_explorer; }
-    Report& told() { return m_report; }  ///< to be said to the modes
+    Report& told() { return m_report; }  ///< to be reported to the modes
 
 private:
     DriveVelocity explore(const std::optional<Eigen::Vector3d>& goal, const Pose& here, Time now);
@@ -74,7 +75,7 @@ private:
     Explorer m_explorer;
     LinkTrail m_trail;
     OdometryTrack m_odometry;
-    std::map<std::string, std::pair<std::string, Pose>> m_frames;  ///< child: parent, child in it
+    std::map<std::string, std::pair<std::string, Pose>> m_frames;  ///< by child: parent, child in parent
     VirtualScanView m_view;
     std::optional<Eigen::Vector3d> m_goal;  ///< of the operator, odom [m]
     std::optional<Time> m_thought;

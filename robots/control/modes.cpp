@@ -9,7 +9,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds NewsFor(5);  ///< that the link is back
+constexpr std::chrono::seconds NewsFor(5);  ///< how long "the link is back" is reported
 constexpr std::array<std::pair<DriveMode, std::string_view>, 6> Names = {
     {{DriveMode::Stopped, "stopped"},
      {DriveMode::Teleoperation, "teleoperation"},
@@ -138,7 +138,7 @@ void ModeMachine::stepRemote(const ModeInputs& inputs, Time now) {
         m_remote = {};
     }
     const bool inUse = m_remoteAt && now - *m_remoteAt < m_settings.remoteIdle;
-    if (m_mode == DriveMode::Stopped) return;  // the stop is above the remote
+    if (m_mode == DriveMode::Stopped) return;  // the stop overrides the remote
     if (inUse && m_mode != DriveMode::Remote) {
         needNeutral();
         m_held = false;
@@ -166,7 +166,7 @@ void ModeMachine::stepLink(const ModeInputs& inputs, Time now) {
             return;
         }
         m_backAt = now;
-        // Whatever moved on, moves on; what stands, waits.
+        // A mode that kept moving goes on; one that stands waits.
         if (m_link == Link::Finishing) {
             say(robot_says::LinkBackGoesOn);
         } else if (isAutonomous()) {
@@ -235,7 +235,7 @@ void ModeMachine::stepDriver(const ModeInputs& inputs) {
     }
 }
 
-/// Sticks that are held and do nothing: without a word the operator could not tell why.
+/// Reports sticks that are held and do nothing: otherwise the operator would not know why.
 void ModeMachine::stepSticks(Time now) {
     const bool held = m_commandAt && now - *m_commandAt < m_settings.watchdog && !isZero(m_command);
     const bool waits = held && isManual(m_mode) && !m_neutral && m_link == Link::Good;

@@ -42,30 +42,30 @@ enum class Driver : std::uint8_t {
 };
 
 struct ModeSettings {
-    std::chrono::nanoseconds watchdog = DriveWatchdog;                     ///< commands are good for
-    std::chrono::nanoseconds lostAfter = std::chrono::seconds(3);          ///< of silence, the link is lost
+    std::chrono::nanoseconds watchdog = DriveWatchdog;                     ///< how long commands are valid
+    std::chrono::nanoseconds lostAfter = std::chrono::seconds(3);          ///< silence until the link is lost
     std::chrono::nanoseconds finishWithin = std::chrono::seconds(60);      ///< of FinishAndWait
-    std::chrono::nanoseconds remoteIdle = std::chrono::milliseconds(500);  ///< then the remote is let go of
+    std::chrono::nanoseconds remoteIdle = std::chrono::milliseconds(500);  ///< silence that ends remote use
     std::map<std::string, LinkLossRule> linkLoss;  ///< of autonomous modes; none: Stop
     bool hasRemote = false;
     std::vector<DriveMode> modes = {DriveMode::Teleoperation, DriveMode::SafeTeleoperation,
                                     DriveMode::Explore,
-                                    DriveMode::VictimApproach};  ///< that may be asked for
+                                    DriveMode::VictimApproach};  ///< that may be requested
 };
 
-/// What the machine goes by, each time.
+/// Inputs of one step of the machine.
 struct ModeInputs {
     bool stopped = false;                 ///< the stop stands (RobotRules, or the robot's own)
     std::string stopReason;               ///< in words
     std::optional<DriveVelocity> remote;  ///< of the radio remote, while it is in use
     bool cue = false;                     ///< the heat detector has a body to go to
     bool sent = false;                    ///< the operator sent it somewhere: it goes there first
-    bool done = false;                    ///< the driver of before has reached its aim, or is at the end
+    bool done = false;                    ///< the last driver has reached its aim, or is at the end
     bool failed = false;                  ///< ... or has given up
     std::string report;                   ///< of done or failed, in words
 };
 
-/// What follows.
+/// Result of one step of the machine.
 struct ModeDecision {
     DriveMode mode = DriveMode::Teleoperation;
     Driver driver = Driver::Nobody;
@@ -73,23 +73,23 @@ struct ModeDecision {
     std::string reason;      ///< why it is so, in words
     bool changed = false;    ///< mode or reason are new: to be published
     bool linkLost = false;
-    bool heardNow = false;         ///< of the station, in the last 0.2 s
-    bool waitsForNeutral = false;  ///< the sticks have to be let go of first
+    bool heardNow = false;         ///< the station was heard in the last 0.2 s
+    bool waitsForNeutral = false;  ///< the sticks must be neutral first
 };
 
-/// The modes of a robot and the rules between them. Pure: times are passed in. Motion never begins by itself:
-/// after a stop, a lost link, the remote or a change from an autonomous mode, the operator's sticks are
-/// neutral first, and autonomous modes have to be asked for again.
+/// The modes of a robot and the rules between them. Pure: times are passed in. Motion never begins by itself.
+/// After a stop, a lost link, the remote or a change from an autonomous mode, the operator's sticks must be
+/// neutral first, and autonomous modes must be requested again.
 class ModeMachine {
 public:
     explicit ModeMachine(const ModeSettings& settings = {});
 
-    /// The operator asks for @p mode. Refusals say why.
+    /// Requests @p mode for the operator. The error is the reason of a refusal.
     Result<void> request(DriveMode mode, Time now);
     Result<void> request(const std::string& mode, Time now);
-    /// The operator's sticks, each time a command comes (or each time RobotRules is asked).
+    /// Takes the operator's sticks, each time a command comes (or each time RobotRules is asked).
     void command(const DriveVelocity& velocity, Time now);
-    /// The sticks, of which RobotRules wants to see zero first.
+    /// Takes sticks that RobotRules refuses until they were zero.
     void commandBeforeNeutral(const DriveVelocity& velocity, Time now);
     void heardStation(Time now);  ///< anything came from the station that drives
 
@@ -97,7 +97,7 @@ public:
 
     [[nodiscard]] DriveMode mode() const { return m_mode; }
     [[nodiscard]] bool isAutonomous() const;
-    /// As it is published; the header is left to the caller.
+    /// Returns the mode as it is published; the header is left to the caller.
     [[nodiscard]] ModeSample sample() const;
 
 private:
@@ -118,16 +118,16 @@ private:
     ModeSettings m_settings;
     DriveMode m_mode = DriveMode::Teleoperation;
     DriveMode m_manual = DriveMode::Teleoperation;  ///< to come back to after stop and remote
-    DriveMode m_before = DriveMode::Teleoperation;  ///< VictimApproach
+    DriveMode m_before = DriveMode::Teleoperation;  ///< mode before VictimApproach
     std::string m_reason = robot_says::Started;
-    std::string m_reasonBefore;  ///< the sticks had to be let go of
+    std::string m_reasonBefore;  ///< reason before the sticks had to be neutral
     bool m_changed = true;
     bool m_held = false;     ///< an autonomous mode that stands until it is asked for again
-    bool m_neutral = false;  ///< sticks were neutral since the last reason to ask for it
+    bool m_neutral = false;  ///< the sticks were neutral since that was last required
     bool m_cue = false;
     Link m_link = Link::Good;
     Time m_lostAt{}, m_backAt{};     ///< of the link
-    std::string m_reasonBeforeLoss;  ///< of the mode: told again once the link's return is no news
+    std::string m_reasonBeforeLoss;  ///< reason of the mode, reported again some time after the link is back
     std::optional<Time> m_heard, m_commandAt, m_remoteAt;
     DriveVelocity m_command, m_remote;
 };

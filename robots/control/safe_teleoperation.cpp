@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-/// Age of the oldest sector that @p wish drives into [s].
+/// Returns the age of the oldest sector that @p wish drives into [s].
 double ageAhead(const DriveVelocity& wish, const VirtualScanView& view) {
     constexpr double HalfAhead = 0.6;  // [rad]
     if (std::abs(wish.forward) < 1e-3) return view.oldest(-3.1415, 3.1415);
@@ -19,13 +19,13 @@ double ageAhead(const DriveVelocity& wish, const VirtualScanView& view) {
     return view.oldest(middle + bend - HalfAhead, middle + bend + HalfAhead);
 }
 
-/// The highest speed from which the robot stands within @p way [m/s].
+/// Returns the highest speed from which the robot stops within @p way [m/s].
 double speedFor(double way, const SafeTeleoperationSettings& settings) {
     const double lag = settings.deceleration * settings.delay;
     return std::sqrt(lag * lag + 2.0 * settings.deceleration * std::max(0.0, way)) - lag;
 }
 
-/// What sectors of @p age allow [m/s]; infinite: anything.
+/// Returns the speed that sectors of @p age [s] allow, at most @p wished [m/s].
 double speedForAge(double age, double wished, const SafeTeleoperationSettings& settings) {
     if (age <= settings.freshAge) return wished;
     if (age >= settings.oldAge) return std::min(wished, settings.creep);

@@ -2,12 +2,12 @@
 
 namespace leitstand {
 
-/// What a speed controller is tuned with.
+/// How a speed controller is tuned.
 struct SpeedControllerSettings {
     double fullSpeed = 0.7;        ///< of the motor without load, at full voltage [m/s]
-    double proportional = 3.0;     ///< voltage (of 1) a m/s of error
-    double integral = 8.0;         ///< voltage a m of error
-    double maxAcceleration = 3.0;  ///< of what is asked for [m/s2]
+    double proportional = 3.0;     ///< voltage (of 1) per m/s of error
+    double integral = 8.0;         ///< voltage per m of error
+    double maxAcceleration = 3.0;  ///< of the requested speed [m/s2]
 };
 
 /// Keeps one side of a drive at a speed (PI with feed-forward; paper, section 3: "a speed controller for each
@@ -17,14 +17,14 @@ class SpeedController {
 public:
     explicit SpeedController(const SpeedControllerSettings& settings) : m_settings(settings) {}
 
-    /// The voltage, -1 to 1, for @p wanted while @p measured [m/s], @p seconds after the last call.
+    /// Returns the voltage, -1 to 1, for @p wanted while @p measured [m/s], @p seconds after the last call.
     [[nodiscard]] double step(double wanted, double measured, double seconds);
     /// Forgets the past: after a stop.
     void reset();
 
 private:
     SpeedControllerSettings m_settings;
-    double m_ramped = 0.0;    ///< what is asked for, after the limit of acceleration [m/s]
+    double m_ramped = 0.0;    ///< requested speed, after the limit of acceleration [m/s]
     double m_integral = 0.0;  ///< voltage
 };
 

@@ -16,14 +16,14 @@
 namespace leitstand {
 namespace {
 
-/// Names of bumpers begin so; in the order of BodySide.
+/// Names of bumpers begin with these; in the order of BodySide.
 constexpr std::array<std::string_view, 4> Bumpers = {"front", "left", "rear", "right"};
 
 bool isOwn(Driver driver) {
     return driver == Driver::Explorer || driver == Driver::Returner;
 }
 
-/// Places on the outside of @p side of @p body, where what it ran into stands; base_link [m].
+/// Returns places on the outside of @p side of @p body, where what it ran into stands; base_link [m].
 std::array<Eigen::Vector2d, 3> placesBeside(const BodyBox& body, BodySide side) {
     constexpr double Out = 0.04, Share = 0.8;
     const double front = body.front + Out, back = -body.back - Out, left = body.left + Out,
@@ -57,7 +57,7 @@ CrawlerSettings::CrawlerSettings() {
     agent.modes = {DriveMode::Teleoperation, DriveMode::SafeTeleoperation, DriveMode::Explore};
     agent.hasRemote = true;
     driving.drive.speed = 0.3;
-    // Others stick out below what it sees of them. Behind it nothing is seen, but remembered.
+    // Others stick out below what it sees of them. It sees nothing behind it, but remembers.
     driving.drive.safety.margin = 0.08;
     driving.drive.safety.creep = 0.15;
     driving.drive.safety.freshAge = 6.0;
@@ -129,7 +129,7 @@ DriveVelocity CrawlerAgent::think(const ModeDecision& decision, const Pose& here
 }
 
 void CrawlerAgent::remember(const EvasionStep& felt, const Pose& here, Time now) {
-    constexpr double Explains = 0.12;  ///< from where it was touched, something that is in sight [m]
+    constexpr double Explains = 0.12;  ///< a visible obstacle so near a touched place explains it [m]
     const auto places = placesBeside(safety().body, *felt.felt);
     const bool inSight =
         std::any_of(view().obstacles.begin(), view().obstacles.end(), [&](const VirtualObstacle& obstacle) {
@@ -164,7 +164,7 @@ void CrawlerAgent::feel(const ImuSample& imu) {
     say(StreamRole::Diagnostics, DiagnosticsSample{header(), {warning()}});
 }
 
-/// Of what tips it over, the share that it leans, or will soon, turning at @p rate [rad/s].
+/// Returns how far it leans, or will soon when turning at @p rate [rad/s], as a share of the tip-over limit.
 double CrawlerAgent::lean(const Eigen::Vector3d& rate) const {
     const auto share = [this](double angle, double turning, double limit) {
         if (limit <= 0.0) return 0.0;
@@ -176,7 +176,7 @@ double CrawlerAgent::lean(const Eigen::Vector3d& rate) const {
 DiagnosticStatus::Level CrawlerAgent::danger(const Eigen::Vector3d& rate) const {
     if (std::cos(m_roll) * std::cos(m_pitch) < std::cos(m_settings.lies))
         return DiagnosticStatus::Level::Error;
-    // Let go of later than it begins, so that it does not flicker.
+    // The warning ends later than it begins, so that it does not flicker.
     const double from = (m_danger == DiagnosticStatus::Level::Ok ? 1.0 : 0.85) * m_settings.warnFrom;
     return lean(rate) > from ? DiagnosticStatus::Level::Warning : DiagnosticStatus::Level::Ok;
 }

@@ -21,14 +21,14 @@ struct CrawlerSettings {
     EvasionSettings evasion;
     double warnFrom = 0.7;      ///< share of the tip-over limits
     double lies = degrees(65);  ///< tilted so far, it lies on its side or back [rad]
-    double lookAhead = 0.5;     ///< turn rates of the gyro are carried on for so long [s]
+    double lookAhead = 0.5;     ///< turn rates of the gyro are extrapolated for so long [s]
 };
 
-/// What drives the Crawler: chains, radio remote, warning of rolling over (paper, section 3), and by itself
-/// as Kurt3D does, by its plane laser and by what it feels. One thread.
+/// Drives the Crawler: chains, radio remote, warning of rolling over (paper, section 3). Also drives by
+/// itself as Kurt3D does, by its plane laser and by what it feels. One thread.
 class CrawlerAgent final : public SelfDrivingAgent {
 public:
-    /// @p fuzzy: rules of resources/control/fuzzy_drive.yaml. Errors as of FuzzyDrive::create().
+    /// @p fuzzy: rules of resources/control/fuzzy_drive.yaml. Errors as in FuzzyDrive::create().
     [[nodiscard]] static Result<std::unique_ptr<CrawlerAgent>> create(RobotHardware& hardware,
                                                                       const RobotDescription& robot,
                                                                       const FuzzySystem& fuzzy,

@@ -11,8 +11,7 @@
 
 namespace leitstand {
 
-/// Who is to have a sample: a stream that is asked for less often leaves the robot's own drivers what they
-/// need.
+/// Who receives a sample: the robot's own drivers get what they need, even when a stream is sent less often.
 enum class Reach : std::uint8_t { Everywhere, OnBoard, Sent };
 
 /// One sample of a sensor on board.
@@ -29,7 +28,7 @@ struct TrackState {
     double leftCurrent = 0.0, rightCurrent = 0.0;  ///< of the motors [A]
 };
 
-/// What a stream is sent with. Lasers go on for the robot's own drivers, whatever is sent (Reach).
+/// How a stream is sent. Lasers go on for the robot's own drivers, whatever is sent (Reach).
 struct StreamSettings {
     bool enabled = true;
     double rate = 0.0;  ///< [Hz]; 0: the sensor's own
@@ -37,24 +36,24 @@ struct StreamSettings {
     int maxWidth = 0;   ///< [px]; 0: the sensor's own
 };
 
-/// What an agent needs of the robot that it drives: a real one, or a simulated one, which it cannot tell
-/// apart. One thread.
+/// What an agent needs from the robot that it drives. Real and simulated robots look the same to it. One
+/// thread.
 class RobotHardware {
 public:
     virtual ~RobotHardware() = default;
 
     [[nodiscard]] virtual Time now() const = 0;  ///< robot's clock
-    /// Samples that became ready since the last call, in the order of their stamps.
+    /// Returns samples that became ready since the last call, in the order of their stamps.
     [[nodiscard]] virtual std::vector<HardwareSample> take() = 0;
     [[nodiscard]] virtual TrackState tracks() const = 0;
 
-    /// Voltages of the motors, -1 to 1 of the full battery's; they hold until the next call.
+    /// Sets voltages of the motors, -1 to 1 of the full battery's; they hold until the next call.
     virtual void setMotors(double left, double right) = 0;
     virtual void setBrake(bool on) = 0;  ///< holds the robot, also on ramps
     /// Turns a pan-tilt unit ("left", "right") as fast as it can, within its limits [rad].
     virtual void setPanTilt(const std::string& unit, double pan, double tilt) = 0;
     virtual void setStream(StreamRole role, const std::string& sensor, const StreamSettings& settings) = 0;
-    /// What the radio remote says now; empty while it is not in use (or there is none).
+    /// Returns the radio remote's command; empty while it is not in use (or there is none).
     [[nodiscard]] virtual std::optional<TwistSample> remote() const = 0;
 };
 

@@ -16,15 +16,15 @@ namespace {
 
 constexpr auto CueAge = std::chrono::milliseconds(700);
 
-// To see again what it passed by.
-constexpr double BeenTo = 1.0;       // so near is one body [m]
-constexpr double LooksFrom = 3.0;    // the camera looks at it [m]
-constexpr double ThereWithin = 0.6;  // of where it was seen from [m]
+// Bounds for visiting what it passed by.
+constexpr double BeenTo = 1.0;       ///< heat nearer to each other is one body [m]
+constexpr double LooksFrom = 3.0;    ///< the camera looks at heat that is nearer [m]
+constexpr double ThereWithin = 0.6;  ///< of where it was seen from [m]
 constexpr auto LooksFor = std::chrono::seconds(8);
-constexpr double TurnsFrom = degrees(60);  // farther aside it turns, beside its camera [rad]
-constexpr double TurnRate = 0.5;           // [rad/s]
+constexpr double TurnsFrom = degrees(60);  ///< when it is farther aside, the robot turns, too [rad]
+constexpr double TurnRate = 0.5;           ///< [rad/s]
 
-/// The infrared camera that can be turned; null: there is none.
+/// Returns the infrared camera that can be turned; null: there is none.
 const SensorDescription* heatCamera(const RobotDescription& robot) {
     for (const StreamDescription& stream : robot.streams) {
         const auto sensor = robot.sensors.find(stream.sensor);
@@ -121,12 +121,12 @@ void Kurt3dAgent::lookForHeat(const ModeDecision& decision, Time now) {
         const Eigen::Vector3d heat = here->inverse() * *lookAt;
         angles = within(*camera->panTilt, towards(heat - camera->sensorInBase.translation()));
     } else if (decision.driver == Driver::Explorer) {
-        // To and fro, at an even rate.
+        // Swings to both sides at an even rate.
         const double seconds = toSeconds(now.time_since_epoch());
         const double phase = std::fmod(seconds * m_settings.lookRate / m_settings.lookAside, 4.0);
         angles.pan = m_settings.lookAside * (phase < 2.0 ? phase - 1.0 : 3.0 - phase);
     } else if (!m_looks) {
-        return;  // others' cameras stay where they are
+        return;  // cameras that it did not turn stay where they are
     }
     m_looks = look(camera->panTilt->unit, angles.pan, angles.tilt) && angles != PanTiltAngles{};
 }
@@ -144,7 +144,7 @@ std::optional<DriveVelocity> Kurt3dAgent::visit(const Pose& here, Time now) {
         const bool there = (m_visited->from - here.translation()).head<2>().norm() < ThereWithin;
         if (there) m_lookedSince = now;
     }
-    // Where it is in sight, the modes begin an approach.
+    // When it is in sight, the modes begin an approach.
     if (!m_lookedSince || now - *m_lookedSince > LooksFor) {
         m_passed.forget(m_visited->heat, BeenTo);
         leaveVisited();

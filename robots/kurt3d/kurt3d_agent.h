@@ -22,14 +22,14 @@ struct Kurt3dSettings {
                            .hasRemote = false};
     SelfDrivingSettings driving;
     double lookAside = degrees(70);  ///< while exploring, it looks for heat so far to each side [rad]
-    double lookRate = degrees(25);   ///< so fast [rad/s]
+    double lookRate = degrees(25);   ///< rate at which it does so [rad/s]
 };
 
-/// What drives Kurt3D: by its operator, by its operator with the virtual scan's limits, or by itself with
-/// fuzzy control, up to victims (paper, section 2.3). One thread.
+/// Drives Kurt3D: by its operator, by its operator with the virtual scan's limits, or by itself with fuzzy
+/// control, up to victims (paper, section 2.3). One thread.
 class Kurt3dAgent final : public SelfDrivingAgent {
 public:
-    /// @p fuzzy: rules of resources/control/fuzzy_drive.yaml. Errors as of FuzzyDrive::create().
+    /// @p fuzzy: rules of resources/control/fuzzy_drive.yaml. Errors as in FuzzyDrive::create().
     [[nodiscard]] static Result<std::unique_ptr<Kurt3dAgent>> create(RobotHardware& hardware,
                                                                      const RobotDescription& robot,
                                                                      const FuzzySystem& fuzzy,
@@ -47,7 +47,7 @@ private:
     void see(const HardwareSample& sample, const PictureSample& picture);
     void lookForHeat(const ModeDecision& decision, Time now);
     DriveVelocity approach(const Pose& here, Time now);
-    /// To what it saw while it drove to another; empty: there is none.
+    /// Returns the motion to what it saw while it drove to another; empty: there is none.
     [[nodiscard]] std::optional<DriveVelocity> visit(const Pose& here, Time now);
     void leaveVisited();
 
@@ -55,14 +55,14 @@ private:
     VictimApproach m_approach;
     std::map<std::string, CameraInfoSample> m_cameras;  ///< by sensor
     std::vector<HeatCue> m_cues;                        ///< of the newest picture with a body in it
-    std::optional<HeatCue> m_cue;                       ///< that matters
+    std::optional<HeatCue> m_cue;                       ///< the one that matters
     std::optional<Eigen::Vector3d> m_heat;              ///< that it drives to or stands before; odom [m]
     PassedHeat m_passed;
-    Time m_considered{};                       ///< stamp of the newest picture of which that is so
-    std::optional<PassedHeat::One> m_visited;  ///< of these, that it goes to see
-    std::optional<Time> m_lookedSince;         ///< it is where it saw that from, and looks
+    Time m_considered{};                       ///< stamp of the newest picture that m_passed has seen
+    std::optional<PassedHeat::One> m_visited;  ///< the one of them that it goes to see
+    std::optional<Time> m_lookedSince;         ///< since when it looks from where it saw that
     bool m_looks = false;                      ///< it has turned the cameras by itself
-    std::size_t m_sightings = 0;               ///< that were said
+    std::size_t m_sightings = 0;               ///< number of those published
 };
 
 }  // namespace leitstand

@@ -12,28 +12,28 @@
 
 namespace leitstand::simulation {
 
-/// Puts sensors on a robot of a world, as its description says, and keeps its frames.
+/// Fits a robot of a world with the sensors of its description and collects its fixed frames.
 class FitOut {
 public:
     FitOut(World& world, int robot, const RobotDescription& description, std::uint64_t seed);
 
-    /// Noise of its own for the sensor called @p name.
+    /// Returns the noise stream of the sensor called @p name.
     [[nodiscard]] Noise noise(const std::string& name) const;
-    /// Where the sensor of the stream of @p role (and @p key, when given) sits. @p name and @p usual: what it
-    /// is called and where it sits when nobody says. Empty: the robot has none.
+    /// Returns where the sensor of the stream of @p role (and @p key, when given) sits. Its default name is
+    /// @p name, its default pose in base_link @p usual. Empty when the robot has no such sensor.
     [[nodiscard]] std::optional<SensorPlace> place(StreamRole role, const std::string& key,
                                                    const std::string& name, const Pose& usual) const;
-    /// Tells by tf_static that @p frame sits there in base_link.
+    /// Adds @p frame at @p inBase in base_link to the static transforms (tf_static).
     void fix(const std::string& frame, const Pose& inBase);
-    /// A pan-tilt unit behind a camera at @p camera.
+    /// Adds a pan-tilt unit behind the camera at @p camera.
     std::shared_ptr<MountedPanTilt> addPanTilt(const std::string& name, const SensorPlace& camera);
-    /// Puts the camera that sits at @p place onto @p unit. Returns where it is over time.
+    /// Mounts the camera at @p place on @p unit. Returns the camera's pose in base_link over time.
     [[nodiscard]] MountAt mountOn(const std::shared_ptr<MountedPanTilt>& unit, const SensorPlace& place);
     void add(std::unique_ptr<Sensor> sensor) { m_sensors.push_back(std::move(sensor)); }
 
-    /// Inertial unit and odometry.
+    /// Adds the inertial unit and the odometry.
     void addReckoning();
-    /// Adds what every robot has (joints, bumpers, diagnostics) and returns the whole.
+    /// Adds what every robot has (joints, bumpers, diagnostics) and returns the robot's hardware.
     [[nodiscard]] std::unique_ptr<RobotHardware> finish();
 
     [[nodiscard]] Time start() const { return m_world.now(); }
@@ -44,7 +44,7 @@ private:
     int m_robot;
     const RobotDescription& m_description;
     std::uint64_t m_seed;
-    std::string m_prefix;  ///< of names of frames: "kurt3d/" or nothing, as base_link's
+    std::string m_prefix;  ///< of frame names, as in base_link's: "kurt3d/" or empty
     std::string m_baseFrame, m_odomFrame;
     PanTiltUnits m_units;
     std::vector<FrameTransform> m_fixed;

@@ -13,7 +13,7 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr double OwnHead = 0.14;  ///< the scanner's housing ends before [m]
+constexpr double OwnHead = 0.14;  ///< the scanner's own housing lies nearer than this [m]
 
 Pose at(double x, double y, double z) {
     return poseFrom({x, y, z}, 0.0, 0.0, 0.0);
@@ -74,7 +74,7 @@ std::unique_ptr<Camera> camera(FitOut& fit, const SensorPlace& place, const Moun
     return std::make_unique<Camera>(settings, light, fit.noise(place.key), fit.start());
 }
 
-/// Left camera on its unit; right and infrared camera on the other one.
+/// Puts the left camera on its own unit, the right and the infrared camera on the other one.
 void addKurt3dCameras(FitOut& fit, const RobotDescription& description, const HardwareSettings& hardware) {
     const bool draw = hardware.cameras;
     const auto light = std::make_shared<SharedLight>();
@@ -175,7 +175,7 @@ std::unique_ptr<RobotHardware> makeCrawlerHardware(World& world, int robot,
     fit.addReckoning();
     addPlaneLaser(fit, settings.turningLaser);
     addOmni(fit, settings);
-    // CO2 is Kurt3D's, unless the description gives the Crawler one.
+    // The Crawler has a CO2 sensor only when its description gives it one.
     if (description.stream(StreamRole::Gas) != nullptr) addGas(fit, at(0.18, 0.0, 0.15));
     addBattery(fit, crawlerBattery());
     return fit.finish();

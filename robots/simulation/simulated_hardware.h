@@ -19,13 +19,14 @@ enum class ScannerMount { ScanDrive, Tilting };
 struct HardwareSettings {
     std::uint64_t seed = 1;                          ///< of its noise
     ScannerMount scanner = ScannerMount::ScanDrive;  ///< of Kurt3D
-    bool turningLaser = false;                       ///< of the Crawler: its laser gives 3D slices too
-    bool cameras = true;                             ///< off: nothing is drawn (quicker tests)
-    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; none: always
+    bool turningLaser = false;  ///< of the Crawler: its laser turns and gives 3D slices too
+    bool cameras = true;        ///< false: no picture is drawn (quicker tests)
+    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; empty: always
 };
 
-/// The sensors and motors of Kurt3D or the Crawler in a world. Frames, sensors and mountings as in the
-/// description (resources/robots). The world is moved on by its owner; take() measures up to its present.
+/// Creates the sensors and motors of Kurt3D or the Crawler in a world. Frames, sensors and mountings are
+/// those of the description (resources/robots). The world's owner advances it; take() measures up to its
+/// present time.
 [[nodiscard]] std::unique_ptr<RobotHardware> makeKurt3dHardware(World& world, int robot,
                                                                 const RobotDescription& description,
                                                                 const HardwareSettings& settings = {});

@@ -52,7 +52,7 @@ struct RobotWire::State {
 
     const RobotDescription robot;
     std::map<std::string, std::unique_ptr<Publisher>> publishers;  ///< by topic; not changed after open()
-    mutable std::mutex mutex;                                      ///< of the two that follow
+    mutable std::mutex mutex;                                      ///< guards the two that follow
     std::vector<HeardCommand> waiting;
     RobotWireCounts counts;
     std::vector<std::unique_ptr<Subscription>> subscriptions;  ///< last: they call back
@@ -133,7 +133,7 @@ Result<void> RobotWire::State::say(const StreamDescription& stream, const Sample
         const auto cdr = encode(sample, stream.type);
         return cdr ? publisher.write(*cdr) : Result<void>(cdr.error());
     }
-    if (publisher.matched() == 0) return {};  // it is big: only for somebody
+    if (publisher.matched() == 0) return {};  // it is big: only sent when somebody listens
     auto raw = rawPicture(*picture);
     if (!raw) return raw.error();
     const auto cdr = encode(std::move(raw).value(), stream.type);

@@ -13,12 +13,12 @@
 
 namespace leitstand {
 
-/// What came over the wire for a robot.
+/// A command or grant that came over the wire for a robot.
 struct HeardCommand {
-    StreamRole role = StreamRole::DriveCommand;  ///< of the command stream; nothing to grants
+    StreamRole role = StreamRole::DriveCommand;  ///< of the command stream; unused for grants
     bool grant = false;                          ///< sample is a GrantSample
     Sample sample;
-    Sender from;    ///< the process that said it
+    Sender from;    ///< the process that sent it
     Time received;  ///< when it was complete here, this computer's clock
 };
 
@@ -30,8 +30,8 @@ struct RobotWireCounts {
     std::uint64_t unsaid = 0;  ///< could not be encoded or written
 };
 
-/// A robot's end of the wire: hears commands and grants, says samples by the topics, types and QoS of its
-/// description. Any thread.
+/// A robot's end of the wire: receives commands and grants, publishes samples with the topics, types and QoS
+/// of its description. Any thread.
 class RobotWire {
 public:
     /// Errors name the topic.
@@ -40,11 +40,12 @@ public:
     RobotWire(const RobotWire&) = delete;
     RobotWire& operator=(const RobotWire&) = delete;
 
-    /// What came since the last call, in order. A drive command that cannot be read is one that is no number,
-    /// which stops.
+    /// Returns what came since the last call, in order. A drive command that cannot be read becomes NaN,
+    /// which stops the robot.
     [[nodiscard]] std::vector<HeardCommand> take();
-    /// Says it on all streams of its role and sensor; nothing when the robot has none. Never waits.
-    /// Compressed pictures become raw ones on streams of sensor_msgs/msg/Image, while somebody listens.
+    /// Publishes @p sample on all streams of its role and sensor; does nothing when the robot has none. Never
+    /// waits. Compressed pictures become raw ones on streams of sensor_msgs/msg/Image, while somebody
+    /// listens.
     void say(const HardwareSample& sample);
     [[nodiscard]] RobotWireCounts counts() const;
 

@@ -10,7 +10,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::size_t MostStructures = 100'000;
-constexpr std::size_t MostPadding = 7;  // after the last field, by senders that round their buffers up
+constexpr std::size_t MostPadding = 7;  // after the last field, from senders that round buffers up
 
 }  // namespace
 
@@ -73,7 +73,7 @@ void CdrReader::read(const char* field, bool& to) {
 void CdrReader::read(const char* field, std::string& to) {
     const std::size_t size = readCount(field, 1);
     to.clear();
-    if (size == 0) return;  // some senders leave out even the terminator of an empty text
+    if (size == 0) return;  // some senders omit even the terminator of an empty text
     const std::byte* from = take(field, 1, size);
     if (from == nullptr) return;
     const auto* text = reinterpret_cast<const char*>(from);

@@ -14,17 +14,17 @@
 
 namespace leitstand {
 
-/// A cursor over a sample in XCDR1 with its encapsulation header, of either byte order. The first thing that
-/// does not fit ends it: all that is read afterwards stays as it was, and finish() tells what was wrong. No
-/// count of the sender is believed before the bytes that it needs were seen; of texts and structures, which
-/// take more memory here than bytes there, a sequence has at most 100 000.
+/// Reads a sample in XCDR1 with its encapsulation header, in either byte order. The first field that does not
+/// fit ends it: later reads leave their values as they were, and finish() reports what was wrong. No count of
+/// the sender is trusted before the bytes that it needs are there. Texts and structures take more memory here
+/// than bytes there, so a sequence of them has at most 100 000 elements.
 class CdrReader {
 public:
     explicit CdrReader(std::span<const std::byte> sample);
 
     void read(const char* field, bool& to);
     void read(const char* field, std::string& to);
-    /// The bytes stay in the sample.
+    /// Sets a view of the bytes, which stay in the sample.
     void read(const char* field, std::span<const std::byte>& to);
     void read(const char* field, std::vector<std::string>& to);
 
@@ -58,14 +58,14 @@ public:
         }
     }
 
-    /// To be called when all fields were read: what is left over, but for padding, is an error too.
+    /// Must be called when all fields are read. Bytes left over, except padding, are an error too.
     [[nodiscard]] Result<void> finish();
     [[nodiscard]] bool ok() const { return m_error.empty(); }
 
 private:
-    /// @p size bytes after the padding of @p alignment; null when there are fewer.
+    /// Returns @p size bytes after the padding for @p alignment; null when there are fewer.
     const std::byte* take(const char* field, std::size_t alignment, std::size_t size);
-    /// Count of a sequence whose elements take @p leastSize bytes each; 0 when it does not fit.
+    /// Returns the count of a sequence of elements of at least @p leastSize bytes each; 0: it does not fit.
     std::size_t readCount(const char* field, std::size_t leastSize);
     std::size_t readStructureCount(const char* field, std::size_t leastSize);
     void fail(std::string text);
@@ -77,7 +77,7 @@ private:
     }
     static void swapBytes(std::byte* values, std::size_t size, std::size_t count);
 
-    std::span<const std::byte> m_body;  // without the encapsulation header, which alignment does not count
+    std::span<const std::byte> m_body;  // without the encapsulation header, which alignment ignores
     std::size_t m_at = 0;
     bool m_swap = false;
     std::string m_error;

@@ -14,10 +14,10 @@ namespace leitstand {
 /// Serialises into XCDR1 with its encapsulation header.
 class CdrWriter {
 public:
-    /// The robots' byte order is the one of the machine, little-endian, unless a test wants the other.
+    /// Robots use the byte order of the machine, little-endian; a test may choose the other.
     explicit CdrWriter(std::endian order = std::endian::little);
 
-    void reserve(std::size_t bytes) { m_bytes.reserve(bytes); }  ///< spares copies of a big sample
+    void reserve(std::size_t bytes) { m_bytes.reserve(bytes); }  ///< avoids copies of a big sample
     void write(bool value) { write(static_cast<std::uint8_t>(value)); }
     void write(const std::string& text);
     void write(std::span<const std::byte> bytes);
@@ -45,7 +45,7 @@ public:
         }
     }
 
-    /// The whole sample; nothing may be written afterwards.
+    /// Returns the whole sample; nothing may be written afterwards.
     [[nodiscard]] std::vector<std::byte> finish() && { return std::move(m_bytes); }
 
 private:

@@ -26,11 +26,11 @@ Result<Sample> decodeAs(const RawEvent& event, const StreamDescription* stream) 
     return Sample(std::move(sample));
 }
 
-/// A type of message; which streams of robots may have it is in the table of streams.
+/// A type of message. The table of streams lists which streams of robots may have it.
 struct Entry {
     std::string_view type;
     Decoder decode;
-    bool ofStations = false;  ///< it is of the stations' own topics
+    bool ofStations = false;  ///< belongs to the stations' own topics
 };
 
 template <class Message>
@@ -97,7 +97,7 @@ bool serves(const Entry& entry, const StreamDescription* stream) {
     return std::find(types.begin(), types.end(), entry.type) != types.end();
 }
 
-/// The types that @p stream may have, for a message.
+/// Returns the types that @p stream may have, as text for an error.
 std::string expectedTypes(const StreamDescription* stream) {
     std::string text;
     for (const Entry& entry : entries()) {

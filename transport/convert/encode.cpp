@@ -10,7 +10,7 @@ namespace {
 using namespace wire;  // packages of messages
 using Encoder = Result<Payload> (*)(const Sample&);
 
-/// Bytes that a message holds beside its fixed ones, roughly: saves copies while it is written.
+/// Estimates the size of a message [B]: reserving it saves copies while the message is written.
 template <class Message>
 std::size_t bulk(const Message& message) {
     std::size_t size = 256;
@@ -55,7 +55,7 @@ Entry entry() {
     return {Message::RosName, &encodeAs<Kind, Message>, indexOf<Kind>()};
 }
 
-/// Of several types for a kind, the first one says everything.
+/// When a kind has several types, the first one holds everything.
 const std::vector<Entry>& entries() {
     static const std::vector<Entry> all = {
         entry<CloudSample, sensor_msgs::PointCloud2>(),

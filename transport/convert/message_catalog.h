@@ -13,10 +13,10 @@ struct MessageType {
     std::string_view definition;  ///< text in rosbag2's encoding "ros2msg", with all types it holds
 };
 
-/// All types, sorted by ROS name.
+/// Returns all types, sorted by ROS name.
 [[nodiscard]] std::span<const MessageType> messageTypes();
 
-/// The type of that ROS or DDS name; null when it is unknown.
+/// Returns the type of that ROS or DDS name; null when it is unknown.
 [[nodiscard]] const MessageType* findMessageType(std::string_view rosOrDdsName);
 
 }  // namespace leitstand

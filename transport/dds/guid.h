@@ -14,7 +14,7 @@ struct Guid {
     friend auto operator<=>(const Guid&, const Guid&) = default;
 };
 
-/// "010f1a2b.3c4d0000.00000000.000001c1"
+/// Formats @p guid as "010f1a2b.3c4d0000.00000000.000001c1".
 [[nodiscard]] std::string toString(const Guid& guid);
 
 }  // namespace leitstand

@@ -21,15 +21,15 @@ namespace leitstand {
 struct ReceivedSample {
     RawEvent event;   ///< topic, type, bytes as received, time when it was complete here; not yet numbered
     Guid writer;      ///< who wrote it
-    Time sourceTime;  ///< when it was written, writer's clock; 0 when not told
+    Time sourceTime;  ///< when it was written, writer's clock; 0 when unknown
     std::uint64_t writerSequence = 0;  ///< number of the sample at its writer, from 1: gaps are losses
 };
 using SampleCallback = std::function<void(ReceivedSample)>;
 
-/// Which of a node's two threads calls back: what is slow in one delays nothing in the other.
+/// Which of a node's two threads calls back: a slow callback in one delays nothing in the other.
 enum class Lane : std::uint8_t { Small, Large };
 
-/// What to listen to.
+/// What to subscribe to.
 struct ReaderSettings {
     std::string topic = {};  ///< ROS name "/kurt3d/odom", or a DDS name without leading slash
     std::string type = {};   ///< ROS name "nav_msgs/msg/Odometry", or a DDS name
@@ -37,15 +37,15 @@ struct ReaderSettings {
     Lane lane = Lane::Small;
 };
 
-/// What to say.
+/// What to publish.
 struct WriterSettings {
-    std::string topic = {};  ///< as of ReaderSettings
+    std::string topic = {};  ///< as in ReaderSettings
     std::string type = {};
     Qos qos = {};
     Flow flow = Flow::Telemetry;
 };
 
-/// What a subscription has seen so far.
+/// What a subscription has received so far.
 struct SubscriptionCounts {
     std::uint64_t samples = 0;
     std::uint64_t bytes = 0;
@@ -53,8 +53,8 @@ struct SubscriptionCounts {
     int writers = 0;         ///< matched now
 };
 
-/// Listens to a topic for as long as it lives. Once its destructor has returned, its callback neither runs
-/// nor will (a callback may destroy its own subscription, and then runs to its end). Any thread.
+/// Receives a topic for as long as it lives. Once its destructor has returned, its callback no longer runs. A
+/// callback may destroy its own subscription, and then runs to its end. Any thread.
 class Subscription {
 public:
     ~Subscription();
@@ -80,9 +80,9 @@ public:
     /// Sends @p cdr, encapsulation header first. Never waits for the network when the history is keep_last.
     /// An error when the bytes are no sample, the node is gone, or a keep_all history stays full for 0.1 s.
     Result<void> write(const Payload& cdr);
-    [[nodiscard]] int matched() const;                ///< readers that get what is written
-    [[nodiscard]] std::vector<Guid> readers() const;  ///< who they are
-    /// True once all matched reliable readers have everything; false after @p atMost.
+    [[nodiscard]] int matched() const;                ///< number of readers that receive what is written
+    [[nodiscard]] std::vector<Guid> readers() const;  ///< those readers
+    /// Waits; true once all matched reliable readers have everything, false after @p atMost.
     [[nodiscard]] bool waitForAcknowledgments(std::chrono::milliseconds atMost) const;
     [[nodiscard]] Guid guid() const;
 
@@ -111,22 +111,22 @@ public:
     [[nodiscard]] std::vector<RemoteEndpoint> endpoints()
         const;                                               ///< of all topics, also those that are not ROS
     [[nodiscard]] std::vector<Mismatch> mismatches() const;  ///< of our readers and writers, in words
-    /// What is announced on the topics that are listened to here, and what of it came.
+    /// Returns what is announced on the topics that we subscribe to, and what of it was received.
     [[nodiscard]] DomainHearing hearing() const;
-    /// Leaves the domain and joins it as another participant, with another guid(): subscriptions and
-    /// publishers stay, what is transient local is written again, what is sent meanwhile is lost. Takes some
-    /// 0.1 s. Not for callbacks of this node. @p entered is told the new guid() before anything is sent or
-    /// heard as it. An error names what could not be made again.
+    /// Leaves the domain and joins it again as another participant, with another guid(). Subscriptions and
+    /// publishers stay, transient local samples are written again, samples sent meanwhile are lost. Takes
+    /// some 0.1 s. Not for callbacks of this node. @p entered receives the new guid() before anything is sent
+    /// or received under it. The error names what could not be created again.
     Result<void> rejoin(const std::function<void(const Guid&)>& entered = {});
-    /// @p changed is called on the thread of the small lane after participants, endpoints, mismatches or what
-    /// is dropped changed (several changes may come as one), and once at first. Replaces an earlier one.
+    /// Calls @p changed once at first and after participants, endpoints, mismatches or drops change, on the
+    /// thread of the small lane. Several changes may come as one. Replaces an earlier callback.
     void onDiscovery(std::function<void()> changed);
 
-    /// What the operator should know about this computer: a system limit that costs samples, with the command
-    /// that lifts it, and transports that cannot be screened. Empty when all is well.
+    /// Returns what the operator should know about this computer: a system limit that costs samples, with the
+    /// command that lifts it, and transports that cannot be screened. Empty when all is well.
     [[nodiscard]] const std::vector<std::string>& warnings() const;
-    /// What was kept from the DDS library since the node joined, by reason and sender (docs/wire.md). Any
-    /// thread.
+    /// Returns what the screen kept from the DDS library since the node joined, by reason and sender
+    /// (docs/wire.md). Any thread.
     [[nodiscard]] std::vector<ScreenDrop> dropped() const;
     [[nodiscard]] Guid guid() const;
 

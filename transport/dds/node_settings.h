@@ -17,8 +17,8 @@ enum class Flow : std::uint8_t {
 };
 
 /// At most @p bytes leave in each period; larger samples are cut into pieces of that size. A period begins
-/// when the last one is over *and* the thread that sends gets its turn: short ones stretch to a multiple on a
-/// busy computer, and the limit sinks with them.
+/// when the last one is over *and* the sending thread gets its turn. On a busy computer, short periods
+/// stretch to a multiple, and the limit sinks with them.
 struct FlowLimit {
     int bytes = 7000;       ///< [B]; 0: no limit
     int milliseconds = 10;  ///< length of the period
@@ -40,25 +40,27 @@ struct NodeSettings {
     std::string name = "leitstand";  ///< what others see as the participant's name
     /// Names ("wlan0") or IPv4 addresses of the interfaces to use; empty: all.
     std::vector<std::string> interfaces = {};
-    /// "192.168.0.7" (the first ten participants there) or "192.168.0.7:7410" (one of them), told of us by
-    /// unicast.
+    /// Peers that we announce ourselves to by unicast: "192.168.0.7" (the first ten participants there) or
+    /// "192.168.0.7:7410" (one of them).
     std::vector<std::string> initialPeers = {};
     bool multicast = true;  ///< false: discovery by initial peers or server only, nothing is sent to groups
     /// Discovery servers as in ROS_DISCOVERY_SERVER: "192.168.0.1:11811;192.168.0.2"; the place in the list
     /// is the server's number, empty places are skipped. Empty: peers discover each other.
     std::string discoveryServer = {};
-    /// Profiles of FASTRTPS_DEFAULT_PROFILES_FILE (when it is set) replace our participant defaults, and
-    /// those named after a topic ("/kurt3d/points" or "rt/kurt3d/points") the QoS of its readers and writers.
+    /// Profiles of FASTRTPS_DEFAULT_PROFILES_FILE (when it is set) replace our participant defaults. Profiles
+    /// named after a topic ("/kurt3d/points" or "rt/kurt3d/points") replace the QoS of its readers and
+    /// writers.
     bool useXmlProfiles = true;
     std::optional<SecurityFiles> security = {};  ///< none: open to everyone in the domain
-    /// A participant that was silent for so long is forgotten by the others [s]. What a shorter radio gap
-    /// kept back arrives afterwards, as far as the writers' histories reach; after a longer one only what is
-    /// transient local (a gap of 30 s with a lease of 20 s costs every volatile slice of it). One that ends
-    /// in order is forgotten at once, and data tells earlier than the lease that somebody is silent.
+    /// The others forget a participant that was silent for so long [s]. After a shorter radio gap, missed
+    /// samples arrive as far as the writers' histories reach. After a longer gap, only transient local
+    /// samples arrive (a gap of 30 s with a lease of 20 s costs every volatile slice of it). A participant
+    /// that ends in order is forgotten at once. Missing data shows earlier than the lease that somebody is
+    /// silent.
     double lease = 100.0;
-    /// Set for a link of 10 Mbit/s that two robots share, where p99 of odometry and commands stays below
-    /// 60 ms beside scans and pictures. Where all interfaces are loopback, nothing is limited.
-    /// With security on, pieces are 7500 B at least.
+    /// Set for a link of 10 Mbit/s that two robots share: p99 of odometry and commands stays below 60 ms
+    /// beside scans and pictures. Nothing is limited when all interfaces are loopback. With security on,
+    /// pieces are 7500 B at least.
     FlowLimit telemetryLimit = {7000, 10}, scanLimit = {7000, 20}, pictureLimit = {7000, 15};
 };
 

@@ -20,14 +20,14 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::milliseconds LooksForRobot(100);  ///< whether the robot still hears the guard
+constexpr std::chrono::milliseconds LooksForRobot(100);  ///< period of checks that the robot still hears it
 constexpr std::chrono::milliseconds TellsAgain(500);
 
 SteadyTime moment() {
     return std::chrono::steady_clock::now();
 }
 
-/// Waits until something is to be read from @p pipe; @p open: without it, for the time alone.
+/// Waits until @p pipe has something to read, at most @p atMost. Without @p open, only waits for that time.
 void waitFor(int pipe, bool open, std::chrono::nanoseconds atMost) {
     const auto ns = std::max(atMost, std::chrono::nanoseconds(0)).count();
     const timespec patience{ns / 1'000'000'000, ns % 1'000'000'000};
@@ -46,18 +46,18 @@ struct DriveGuard::State {
 
     Result<void> open();
     [[nodiscard]] bool isHeard() const;
-    /// Tells the station whether the robot hears the guard: when that changes, and again and again.
+    /// Notifies the station whether the robot hears the guard, on change and periodically.
     void tell(int pipe, bool heard, SteadyTime now);
-    /// Takes all that came through @p pipe; whether its other end is still open.
+    /// Reads all that came through @p pipe; returns whether its other end is still open.
     bool read(int pipe);
 
     Node& node;
     const DriveGuardSettings settings;
-    std::optional<bool> told;  ///< whether the robot hears the guard, as the station was told last
+    std::optional<bool> told;  ///< last notification: whether the robot hears the guard
     SteadyTime toldAt = {};
     std::mutex mutex;
     // Under the mutex:
-    bool piped = true;         ///< the pipe
+    bool piped = true;         ///< the pipe is open
     std::set<Sender> drivers;  ///< participants that the station is, or was
     GuardRules rules;
     std::unique_ptr<Publisher> publisher;
@@ -71,7 +71,7 @@ Result<void> DriveGuard::State::open() {
     if (!made) return made.error();
     publisher = std::move(made).value();
     const Sender self = senderOf(node.guid());
-    // Whatever others' commands promise, they are heard.
+    // Receives others' commands whatever QoS they offer.
     const Qos any{.reliability = Qos::Reliability::BestEffort, .depth = 10};
     auto heard = node.subscribe({stream.topic, stream.type, any, Lane::Small},
                                 [this, self](const ReceivedSample& sample) {
@@ -88,8 +88,8 @@ Result<void> DriveGuard::State::open() {
             const auto* grant = event ? std::get_if<GrantSample>(&event->sample) : nullptr;
             if (grant == nullptr) return;
             const std::lock_guard lock(mutex);
-            // The station has joined the domain anew, as another participant. One that was started anew is
-            // another driver: the pipe of the one before is closed.
+            // The station has joined the domain again, as another participant. A restarted station is another
+            // driver: the pipe of the one before is closed.
             if (piped && grant->station == settings.station) drivers.insert(senderOf(sample.writer));
             rules.hear(*grant, senderOf(sample.writer), moment());
         });
@@ -98,8 +98,8 @@ Result<void> DriveGuard::State::open() {
     return {};
 }
 
-/// A reader of the commands is the robot's unless it is a station's, which records what is said (it is known
-/// by its grants), or another guard's.
+/// A reader of the commands is the robot's unless it belongs to a recording station (known by its grants) or
+/// to another guard.
 bool DriveGuard::State::isHeard() const {
     const auto readers = publisher->readers();
     const auto endpoints = node.endpoints();
@@ -128,7 +128,7 @@ bool DriveGuard::State::read(int pipe) {
         if (size < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
         const auto pulse = guardPulseFrom({text.data(), static_cast<std::size_t>(size)});
         const std::lock_guard lock(mutex);
-        if (pulse) rules.pulse(*pulse, moment());  // what makes no sense is as good as silence
+        if (pulse) rules.pulse(*pulse, moment());  // an invalid pulse counts as silence
     }
 }
 

@@ -11,23 +11,23 @@
 
 namespace leitstand {
 
-/// What a guard tells its station through the pipe, when it changes and twice a second: whether the robot
+/// What a guard reports to its station through the pipe, on change and twice a second: whether the robot
 /// hears it.
 namespace guard_word {
 inline constexpr std::string_view Ready = "ready", Waits = "waits";
 }
 
 struct DriveGuardSettings {
-    std::string ownName = "leitstand-guard";  ///< of the node, and of others that guard
+    std::string ownName = "leitstand-guard";  ///< of this node and of other guards
     std::string robot;                        ///< name
     std::string station;                      ///< identity of the station that is guarded
-    Sender driver = {};                       ///< its process, whose commands are nobody else's
+    Sender driver = {};                       ///< the station's process: its commands do not count as others'
     DriveMessage message;                     ///< how the robot is driven
     GuardTiming timing = {};
 };
 
-/// Sends zeros to one robot when the station that drives it hangs or dies (GuardRules), from a process beside
-/// the station: it takes part in the domain by itself, and listens to grants and to others' drive commands.
+/// Sends zeros to one robot when the station that drives it hangs or dies (GuardRules). Runs in a process
+/// beside the station, takes part in the domain by itself, and receives grants and others' drive commands.
 class DriveGuard {
 public:
     /// Errors: the robot takes no such commands.
@@ -37,7 +37,7 @@ public:
     DriveGuard& operator=(const DriveGuard&) = delete;
 
     /// Guards until the station's end of @p pipe is closed and there is nothing more to do. @p pipe: a socket
-    /// that keeps messages apart; GuardPulse comes through it, guard_word goes back.
+    /// that keeps messages apart; receives GuardPulse and sends guard_word.
     void serve(int pipe);
 
 private:

@@ -17,13 +17,13 @@ struct DriveMessage {
     double trackDistance = 0.0;                                        ///< of track commands [m]
     std::string leftTrack = "left_track", rightTrack = "right_track";  ///< joints of track commands
 
-    /// The command for @p velocity, said now. @p clockAhead: robot's clock minus this computer's.
+    /// Encodes the command for @p velocity, stamped now. @p clockAhead: robot's clock minus this computer's.
     [[nodiscard]] Result<Payload> encoded(const DriveVelocity& velocity,
                                           std::chrono::nanoseconds clockAhead) const;
 };
 
-/// For a robot that takes drive_command, or else track_command. Errors: it takes neither; it is tracked, and
-/// its footprint tells no width.
+/// Returns the message for a robot that takes drive_command, or else track_command. Errors: the robot takes
+/// neither, or it is tracked and its footprint has no width.
 [[nodiscard]] Result<DriveMessage> driveMessageFor(const RobotDescription& robot);
 
 }  // namespace leitstand

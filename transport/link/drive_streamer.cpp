@@ -16,7 +16,7 @@
 namespace leitstand {
 namespace {
 
-/// Readers that are not of this process, which listens too when it records.
+/// Counts the readers of other processes; this process also reads when it records.
 int othersOf(const Publisher& publisher) {
     const Sender self = senderOf(publisher.guid());
     const auto readers = publisher.readers();
@@ -37,9 +37,9 @@ struct DriveStreamer::State {
         return settings.clockAhead ? settings.clockAhead() : std::chrono::nanoseconds(0);
     }
     bool send(const DriveVelocity& velocity);
-    /// To the guard: more commands follow, or none for now.
+    /// Notifies the guard: more commands follow, or none for now.
     void pulse(bool driving);
-    /// Sends what is due; when to come again.
+    /// Sends what is due; returns when to run again.
     SteadyTime step();
     void run(const std::stop_token& stop);
     template <class Change>
@@ -62,7 +62,7 @@ struct DriveStreamer::State {
     bool changed = false;
     // Of the streamer's own thread:
     DriveSchedule schedule;
-    bool pulsed = false;  ///< the guard was told last that more commands follow
+    bool pulsed = false;  ///< the last pulse announced more commands
     std::unique_ptr<Publisher> publisher;
     std::jthread thread;  ///< last: joined first
 };
@@ -95,13 +95,13 @@ SteadyTime DriveStreamer::State::step() {
         velocity = setpoint.at(steadyNow());
         withoutEyes = setpoint.withoutEyes(steadyNow());
     }
-    // It looks at what others have locked: not under our own mutex.
+    // It uses locks of others, so our own mutex is not held.
     const SightCap sight = settings.sight ? settings.sight(velocity, withoutEyes) : SightCap{};
     {
         const std::lock_guard lock(mutex);
         const SteadyTime now = steadyNow();
         const DriveVelocity sticks = setpoint.at(now);
-        // Sticks told meanwhile, with the override perhaps, are judged in the next step, which comes at once.
+        // Sticks or an override that were set meanwhile are judged in the next step, which follows at once.
         const bool judged = sticks == velocity && setpoint.withoutEyes(now) == withoutEyes;
         if (sight.factor <= 0.0 && !isZero(sticks) && judged) setpoint.halt();
         velocity = capped(sticks, sight, setpoint.limits());
@@ -118,7 +118,7 @@ SteadyTime DriveStreamer::State::step() {
     const auto decision = schedule.decide(velocity, driving || conditions.hold, steadyNow());
     if (decision.send && send(velocity)) pulse(true);
     if (!decision.speaks) pulse(false);
-    // What grows too old becomes zero then, not with the next repetition.
+    // A setpoint that expires becomes zero at once, not with the next repetition.
     return driving ? std::min(decision.next, expires) : decision.next;
 }
 
@@ -150,7 +150,7 @@ Result<std::unique_ptr<DriveStreamer>> DriveStreamer::create(Node& node, const R
     message.rightTrack = settings.rightTrack;
     auto state = std::make_unique<State>(robot, std::move(message), std::move(settings));
     const StreamDescription* const stream = &state->message.stream;
-    // Better now than when the operator first pushes the stick.
+    // An error is better now than when the operator first pushes the stick.
     if (const auto tried = state->message.encoded({}, {}); !tried) {
         return Error{fmt::format("{}: {}", stream->topic, tried.error().text)};
     }

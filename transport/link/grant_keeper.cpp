@@ -49,7 +49,7 @@ struct GrantKeeper::State {
     }
     void say(const std::vector<GrantSample>& samples) const {
         for (const GrantSample& sample : samples) {
-            // Not written: the node has left; heartbeats are missed by nobody then.
+            // A write fails only when the node has left; nobody misses heartbeats then.
             if (const auto cdr = encode(sample, GrantType)) static_cast<void>(publisher->write(*cdr));
         }
     }
@@ -105,7 +105,7 @@ GrantKeeper::~GrantKeeper() {
     m_state->subscription.reset();
     m_state->book.leave(steadyNow());
     m_state->say(m_state->book.due(steadyNow(), std::chrono::system_clock::now()));
-    // Who goes at once takes what was not sent with it.
+    // A node that goes at once takes unsent samples with it.
     static_cast<void>(m_state->publisher->waitForAcknowledgments(std::chrono::milliseconds(200)));
 }
 

@@ -10,34 +10,34 @@
 
 namespace leitstand {
 
-/// How grants travel: reliable, transient local, as all topics below /leitstand/.
+/// Returns the QoS of grants: reliable, transient local, as for all topics below /leitstand/.
 [[nodiscard]] Qos grantQos();
 
-/// Called on the keeper's own thread, without any lock held; may call the keeper, but not destroy it.
+/// Callbacks on the keeper's own thread, without any lock held; they may call the keeper, but not destroy it.
 struct GrantListener {
-    std::function<void()> onChange = {};                      ///< what view() or mayAct() say has changed
-    std::function<void(std::vector<HeldGrant>)> onHeld = {};  ///< what is held changed: to be remembered
+    std::function<void()> onChange = {};                      ///< the result of view() or mayAct() changed
+    std::function<void(std::vector<HeldGrant>)> onHeld = {};  ///< held grants changed: store them
 };
 
 /// A station's grants over DDS (GrantBook): heartbeats, requests and answers on /leitstand/grants. Drive
-/// commands and releases have to come from the same node, or robots will not take them for the holder's.
-/// Any thread; nothing waits for the network.
+/// commands and releases must come from the same node, or robots do not accept them as the holder's. Any
+/// thread; nothing waits for the network.
 class GrantKeeper {
 public:
-    /// What @p me held before it ended is held again at once. An error when the node may not speak of grants
-    /// (a viewer in a secured domain).
+    /// Holds again at once what @p me held before it ended. Error when the node may not publish grants (a
+    /// viewer in a secured domain).
     [[nodiscard]] static Result<std::unique_ptr<GrantKeeper>> create(Node& node, const StationIdentity& me,
                                                                      GrantListener listener = {},
                                                                      const GrantTiming& timing = {});
-    /// Gives everything up, without calling the listener: what was held is still to be remembered.
+    /// Releases all grants without calling the listener: what was held stays stored.
     ~GrantKeeper();
     GrantKeeper(const GrantKeeper&) = delete;
     GrantKeeper& operator=(const GrantKeeper&) = delete;
 
-    /// As of GrantBook; before anything is heard of this process under its new identity.
+    /// See GrantBook::rejoined(). Call it before anything of this process is received under its new identity.
     void rejoined(const Guid& participant);
     void ask(const GrantId& id);
-    void release(const GrantId& id);  ///< asks no more, too
+    void release(const GrantId& id);  ///< also withdraws a request
     void answer(const GrantId& id, bool consent);
 
     [[nodiscard]] GrantView view(const GrantId& id) const;

@@ -45,7 +45,7 @@ bool setDomain(int& domain, std::string_view text) {
     return number && domain >= 0 && domain <= LastDomain;
 }
 
-/// A number that is finite and not below zero.
+/// Sets a number that is finite and not below zero; false for any other text.
 bool setLength(double& length, std::string_view text) {
     double number = 0.0;
     const char* const end = text.data() + text.size();
@@ -78,7 +78,7 @@ bool setKind(Kind& to, std::string_view text, std::initializer_list<Kind> kinds)
     return false;
 }
 
-/// An option, what it expects, and what it sets; it refuses what it cannot set.
+/// An option, what it expects, and its setter, which returns false for a text that does not fit.
 struct Option {
     const char* name;
     const char* expects;

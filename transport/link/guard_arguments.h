@@ -10,17 +10,17 @@
 
 namespace leitstand {
 
-/// What `leitstand-guard` is told by the station that starts it.
+/// What a station passes to the `leitstand-guard` that it starts.
 struct GuardArguments {
-    NodeSettings network = {};        ///< domain, interfaces, peers, discovery server; no more is told
+    NodeSettings network = {};        ///< only domain, interfaces, peers, discovery server
     std::filesystem::path keys = {};  ///< folder of the station's identity; empty: open
     DriveGuardSettings guard = {};    ///< all but the timing
 };
 
-/// As words of a command line, and back. Errors name the word, and what was expected.
+/// Convert to words of a command line, and back. Errors name the word and what was expected.
 [[nodiscard]] std::vector<std::string> wordsOf(const GuardArguments& arguments);
 [[nodiscard]] Result<GuardArguments> guardArgumentsFrom(const std::vector<std::string>& words);
-/// What `leitstand-guard --help` says.
+/// Returns the text of `leitstand-guard --help`.
 [[nodiscard]] std::string guardHelp();
 
 }  // namespace leitstand

@@ -18,7 +18,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-/// When a sample was received that has just been handed over, on the clock that never steps.
+/// Returns when a sample that has just been handed over was received, on the steady clock.
 SteadyTime receivedAt(Time received) {
     const nanoseconds since = std::chrono::system_clock::now() - received;
     return std::chrono::steady_clock::now() -
@@ -30,7 +30,7 @@ StreamArrival arrivalOf(const ReceivedSample& sample) {
             sample.sourceTime, sample.event.received};
 }
 
-/// Whether the log should hear of @p now after @p told.
+/// Returns whether @p now differs enough from the last logged status to be logged.
 bool isNews(const ClockStatus& told, const ClockStatus& now) {
     const auto moved = std::chrono::abs(now.ahead - told.ahead);
     const auto bounds =
@@ -62,7 +62,7 @@ struct LinkClient::State {
     // Of the client's own thread:
     std::uint64_t number = 0;
     LinkState state = LinkState::NeverSeen;
-    std::optional<ClockStatus> clock;  ///< as the log knows it
+    std::optional<ClockStatus> clock;  ///< as logged last
     SteadyTime clockTold;
     std::unique_ptr<Publisher> pings;
     std::unique_ptr<Subscription> pongs;

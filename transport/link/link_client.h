@@ -16,14 +16,14 @@ namespace leitstand {
 
 /// How a link is watched.
 struct LinkClientSettings {
-    std::string station = "leitstand";           ///< persistent identity, told in the pings
+    std::string station = "leitstand";           ///< persistent identity, sent in the pings
     std::chrono::milliseconds pingEvery{500};    ///< 0: never
-    std::chrono::milliseconds statusEvery{200};  ///< how often the status is judged and told
+    std::chrono::milliseconds statusEvery{200};  ///< how often the status is judged and reported
     LinkRules rules = {};
 };
 
-/// Called on the client's own thread or on the node's, which they must not hold up. Not after the client is
-/// gone. They may not destroy it.
+/// Callbacks on the client's own thread or on the node's. They must not block, and must not destroy the
+/// client. None runs after the client is gone.
 struct LinkListener {
     std::function<void(const LinkStatus&)> onStatus;  ///< every statusEvery
     std::function<void(const LinkStatus&)> onState;   ///< when the state changed; before onStatus
@@ -33,11 +33,11 @@ struct LinkListener {
     std::function<void(const RawEvent&)> onPing;        ///< every ping that was sent
 };
 
-/// Watches the link to one robot: sends it pings, listens to their answers, and is handed what else comes
-/// from it. A robot that answers no pings is watched by its samples alone. Any thread.
+/// Watches the link to one robot: sends pings, receives their answers, and is handed the robot's other
+/// samples. A robot that answers no pings is watched by its samples alone. Any thread.
 class LinkClient {
 public:
-    /// Errors name the robot's topic: its ping or pong has a type that is none.
+    /// Errors name the robot's topic: its ping or pong has a wrong type.
     [[nodiscard]] static Result<std::unique_ptr<LinkClient>> create(Node& node, const RobotDescription& robot,
                                                                     const LinkClientSettings& settings = {},
                                                                     LinkListener listener = {});
@@ -45,13 +45,12 @@ public:
     LinkClient(const LinkClient&) = delete;
     LinkClient& operator=(const LinkClient&) = delete;
 
-    /// A sample of the robot, as soon as it was received: all that its streams bring, but for the pong topic,
-    /// which the client listens to itself (handed over too, they are passed by). Never waits, never
-    /// allocates.
+    /// Takes a sample of any of the robot's streams, as soon as it was received. Ignores samples of the pong
+    /// topic, which the client receives itself. Never waits, never allocates.
     void onSample(const ReceivedSample& sample);
-    /// The station switched a stream off (or on again): its silence is no fault.
+    /// Notes that the station switched a stream off (or on again): its silence is no fault.
     void setPaused(std::string_view topic, bool paused);
-    /// As of now.
+    /// Returns the status as of now.
     [[nodiscard]] LinkStatus status() const;
     [[nodiscard]] std::uint64_t brokenPongs() const;  ///< answers that could not be read
 

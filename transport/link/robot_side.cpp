@@ -49,7 +49,8 @@ struct RobotCommands::State {
     void hearGrant(const ReceivedSample& sample);
     void hear(const StreamDescription& stream, const ReceivedSample& sample);
     [[nodiscard]] DriveVelocity velocityOf(const Sample& command) const;
-    /// Says the state of the stop; @p before: changes the rules first, and nobody says anything in between.
+    /// Publishes the state of the stop. @p before changes the rules first; no other state is published in
+    /// between.
     template <class Change>
     void say(Change before);
     void sayWhenItStands();
@@ -58,8 +59,8 @@ struct RobotCommands::State {
     const RobotDescription robot;
     const double distance;  ///< between the tracks [m]
     StreamDescription stopState;
-    std::mutex saying;  ///< states go out in their order; taken before the other mutex
-    std::mutex mutex;   ///< of all that follows; never held while anything is written
+    std::mutex saying;  ///< states are published in order; taken before the other mutex
+    std::mutex mutex;   ///< guards all that follows; never held while anything is written
     RobotRules rules;
     RobotCommandCounts counts;
     bool toldStanding = false;
@@ -104,7 +105,7 @@ DriveVelocity RobotCommands::State::velocityOf(const Sample& command) const {
     if (const auto* twist = std::get_if<TwistSample>(&command)) {
         return {twist->linear.x(), twist->linear.y(), twist->angular.z()};
     }
-    std::pair<double, double> tracks{NoNumber, NoNumber};  // a track of which nothing is said does not turn
+    std::pair<double, double> tracks{NoNumber, NoNumber};  // a track without a speed does not turn
     const auto& joints = std::get<TrackCommand>(command);
     for (std::size_t i = 0; i < std::min(joints.names.size(), joints.velocities.size()); ++i) {
         if (joints.names[i] == settings.leftTrack) tracks.first = joints.velocities[i];
@@ -125,7 +126,7 @@ void RobotCommands::State::hear(const StreamDescription& stream, const ReceivedS
     const std::lock_guard lock(mutex);
     if (!decoded) {
         ++counts.broken;
-        // A holder whose commands are not understood drives nobody: what went before is over.
+        // A holder whose commands cannot be read does not drive: its earlier commands are over.
         static_cast<void>(rules.drive(NoVelocity, from, steadyNow()));
         return;
     }

@@ -16,7 +16,7 @@ namespace leitstand {
 
 /// How a robot takes commands.
 struct RobotCommandSettings {
-    std::chrono::nanoseconds watchdog = DriveWatchdog;  ///< without a command it stops
+    std::chrono::nanoseconds watchdog = DriveWatchdog;  ///< the robot stops when no command comes for so long
     GrantTiming grants = {};
     StandingRules standing = {};
     std::function<Time()> clock = {};  ///< the robot's, for stamps; none: the computer's
@@ -31,8 +31,8 @@ struct RobotCommandCounts {
     std::uint64_t stops = 0;    ///< stops and releases, repetitions too
 };
 
-/// The robot's end of the commands (design, section 4; RobotRules): listens to grants, cmd_vel or track_cmd,
-/// and stop_cmd, answers on stop_state, and says how fast the robot has to move now. For robots that are
+/// The robot's end of the commands (design, section 4; RobotRules). Receives grants, cmd_vel or track_cmd,
+/// and stop_cmd, answers on stop_state, and returns how fast the robot has to move now. For robots that are
 /// written with Leitstand; simulated ones and the tests use it too. Any thread.
 ///
 /// A Twist carries no identity: a command counts when the participant (the first 12 bytes of the writer's
@@ -40,7 +40,7 @@ struct RobotCommandCounts {
 /// participant; without security, anybody in the network can.
 class RobotCommands {
 public:
-    /// Errors name the stream that the description lacks, or whose type is none.
+    /// Errors name the stream that the description lacks, or whose type is wrong.
     [[nodiscard]] static Result<std::unique_ptr<RobotCommands>> create(Node& node,
                                                                        const RobotDescription& robot,
                                                                        RobotCommandSettings settings = {});
@@ -48,12 +48,12 @@ public:
     RobotCommands(const RobotCommands&) = delete;
     RobotCommands& operator=(const RobotCommands&) = delete;
 
-    /// How the robot has to move now: to be asked in its control loop, ten times a second or more.
+    /// Returns how the robot has to move now. Call it in its control loop, ten times a second or more.
     [[nodiscard]] DriveVelocity commanded() const;
     [[nodiscard]] bool isStopped() const;      ///< latched: it must not move by itself either
     [[nodiscard]] std::string holder() const;  ///< identity of the station that is obeyed; may be empty
-    void press();                              ///< its own stop button
-    /// Its odometry: speed [m/s] and turn rate [rad/s], as often as it is measured.
+    void press();                              ///< presses its own stop button
+    /// Takes its odometry: speed [m/s] and turn rate [rad/s]. Call it as often as they are measured.
     void moved(double speed, double turnRate);
     [[nodiscard]] RobotCommandCounts counts() const;
 

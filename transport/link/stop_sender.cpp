@@ -19,7 +19,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// What changes of itself all the time is not news.
+/// Clears what changes by itself all the time: it is no news.
 StopStatus told(StopStatus status) {
     status.unanswered = {};
     return status;
@@ -40,7 +40,7 @@ struct StopSender::State {
     explicit State(StopSenderSettings given) : settings(std::move(given)) {}
 
     Result<void> add(Node& node, const RobotDescription& description);
-    /// @p doIt with the control of @p robot; nothing when it is unknown.
+    /// Calls @p doIt with the control of @p robot; does nothing when it is unknown.
     template <class Change>
     void change(const std::string& robot, Change doIt) {
         {
@@ -64,9 +64,9 @@ struct StopSender::State {
     void run(const std::stop_token& stop);
 
     const StopSenderSettings settings;
-    mutable std::mutex mutex;  ///< of the controls; never held while anything is written
+    mutable std::mutex mutex;  ///< guards the controls; never held while anything is written
     std::condition_variable_any woken;
-    Robots robots;  ///< the map itself stays as it is once the thread runs
+    Robots robots;  ///< the map itself does not change once the thread runs
     bool changed = false;
     std::jthread thread;  ///< last: joined first
 };
@@ -78,7 +78,7 @@ void StopSender::State::hear(const std::string& robot, const StreamDescription& 
     if (const auto* state = std::get_if<StopStateSample>(&*decoded)) {
         change(robot, [&](StopControl& control) { control.hear(*state); });
     } else if (const auto* odometry = std::get_if<OdometrySample>(&*decoded)) {
-        // Told with the next tick: nobody is woken 50 times a second for it.
+        // Reported with the next tick: the thread is not woken 50 times a second for it.
         const std::lock_guard lock(mutex);
         robots.at(robot).control.moved(odometry->linear.norm(), odometry->angular.norm(), steadyNow());
     }
@@ -87,7 +87,7 @@ void StopSender::State::hear(const std::string& robot, const StreamDescription& 
 Result<void> StopSender::State::add(Node& node, const RobotDescription& description) {
     const StreamDescription* command = description.stream(StreamRole::StopCommand);
     const auto made = [&] {
-        const std::lock_guard lock(mutex);  // the robots before it are heard already
+        const std::lock_guard lock(mutex);  // samples of the robots before it already arrive
         return robots.try_emplace(
             description.name,
             Robot{.control = StopControl(settings.station, command != nullptr, settings.timing)});
@@ -112,7 +112,7 @@ Result<void> StopSender::State::add(Node& node, const RobotDescription& descript
             return Error{fmt::format("{}: {}", command->topic, tried.error().text)};
         }
         Qos qos = command->qos;
-        qos.lifespan = 0.0;  // a stop never grows old, whatever the robot's file says
+        qos.lifespan = 0.0;  // a stop never expires, whatever the robot's file contains
         auto writer = node.publisher({command->topic, command->type, qos, Flow::Immediate});
         if (!writer) return writer.error();
         robot.publisher = std::move(writer).value();

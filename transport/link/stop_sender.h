@@ -16,22 +16,22 @@ namespace leitstand {
 /// How a station stops robots.
 struct StopSenderSettings {
     std::string station = "leitstand";  ///< persistent identity
-    /// Whether this station holds the grant to drive a robot (GrantKeeper::mayAct); none: it releases
+    /// Returns whether this station holds the grant to drive a robot (GrantKeeper::mayAct); none: it releases
     /// nothing.
     std::function<bool(const std::string& robot)> mayRelease = {};
-    /// What status() says of a robot has changed. Called on the sender's own thread, without a lock held; may
+    /// Called when the status() of a robot has changed, on the sender's own thread, without a lock held. May
     /// call the sender, but not destroy it.
     std::function<void(const std::string& robot)> onChange = {};
     StopTiming timing = {};
 };
 
-/// STOP over DDS (StopControl): stops any of the robots, repeats until each has acknowledged, and tells how
+/// STOP over DDS (StopControl): stops any of the robots, repeats until each has acknowledged, and reports how
 /// far it is. Needs no grant but for releases; viewers may have one. Robots without a stop_command are only
-/// told apart here: DriveStreamer holds them by zeros. Any thread; nothing waits for the network or anybody
+/// identified here: DriveStreamer holds them by zeros. Any thread; nothing waits for the network or anybody
 /// else.
 class StopSender {
 public:
-    /// Errors name the robot's topic: a type that is none, or a node that may not stop.
+    /// Errors name the robot's topic: its type is wrong, or the node may not stop.
     [[nodiscard]] static Result<std::unique_ptr<StopSender>> create(Node& node,
                                                                     std::span<const RobotDescription> robots,
                                                                     StopSenderSettings settings = {});
@@ -40,14 +40,14 @@ public:
     StopSender& operator=(const StopSender&) = delete;
 
     void stopAll();
-    void stop(const std::string& robot);  ///< unknown names: nothing
-    /// Errors as of StopControl::release, or an unknown name.
+    void stop(const std::string& robot);  ///< does nothing for unknown names
+    /// Errors as in StopControl::release, or an unknown name.
     Result<void> release(const std::string& robot);
 
     [[nodiscard]] StopStatus status(const std::string& robot) const;
     /// For DriveConditions: no stop of the robot stands; false for unknown names.
     [[nodiscard]] bool allowsDriving(const std::string& robot) const;
-    /// For DriveConditions: the robot listens to no stops and is to be held by zeros.
+    /// For DriveConditions: the robot takes no stop commands and is to be held by zeros.
     [[nodiscard]] bool holdsByZeros(const std::string& robot) const;
 
 private:

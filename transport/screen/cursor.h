@@ -8,8 +8,8 @@
 
 namespace leitstand::screen {
 
-/// Reads a part of a datagram in either byte order. The first thing that does not fit ends it: all that is
-/// read afterwards is zero, and ok() says so.
+/// Reads a part of a datagram in either byte order. After the first read that does not fit, all reads return
+/// zero and ok() is false.
 class Cursor {
 public:
     Cursor(std::span<const std::byte> bytes, bool little) : m_bytes(bytes), m_little(little) {}
@@ -18,7 +18,7 @@ public:
     [[nodiscard]] std::size_t left() const { return m_bytes.size(); }
     void setLittle(bool little) { m_little = little; }
 
-    /// The next @p size bytes; none when there are fewer.
+    /// Returns the next @p size bytes; none when there are fewer.
     std::span<const std::byte> take(std::size_t size) {
         if (!m_ok || size > m_bytes.size()) {
             m_ok = false;
@@ -30,18 +30,18 @@ public:
         return taken;
     }
     std::span<const std::byte> rest() { return take(m_bytes.size()); }
-    /// What pads @p size bytes to a multiple of four, as far as it is there.
+    /// Skips the padding of @p size bytes to a multiple of four, as far as it is there.
     void skipPadding(std::size_t size) { take(std::min((4 - size % 4) % 4, m_bytes.size())); }
 
     std::uint8_t u8() { return static_cast<std::uint8_t>(number(1)); }
     std::uint16_t u16() { return static_cast<std::uint16_t>(number(2)); }
     std::uint32_t u32() { return static_cast<std::uint32_t>(number(4)); }
-    /// Of a sample, as RTPS writes it: the high half first, in either byte order.
+    /// Reads the number of a sample as RTPS writes it: the high half first, in either byte order.
     std::int64_t sequenceNumber() {
         const std::uint64_t high = u32();
         return static_cast<std::int64_t>(high << 32 | u32());
     }
-    /// An entity's, which no byte order changes.
+    /// Reads the id of an entity, which no byte order changes.
     std::uint32_t entityId() {
         std::uint32_t id = 0;
         for (const std::byte byte : take(4)) id = id << 8 | std::to_integer<std::uint32_t>(byte);

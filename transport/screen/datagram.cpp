@@ -15,7 +15,7 @@ bool flag(std::uint8_t flags, int bit) {
     return (flags >> bit & 1) != 0;
 }
 
-/// A base and the bits after it; @p bits says how many. False when there are more than RTPS allows.
+/// Reads the number of bits into @p bits and skips them. False when there are more than RTPS allows.
 bool skipBits(Cursor& in, std::uint32_t& bits) {
     bits = in.u32();
     if (bits > MostBits) return false;
@@ -131,7 +131,7 @@ Fault readReplyLocators(Cursor in, std::uint8_t flags) {
     return in.ok() ? Fault{} : "INFO_REPLY: is cut off";
 }
 
-/// What a submessage says of those after it, and how it stands between them.
+/// What a submessage sets for those after it: their source and the secure envelope.
 struct Context {
     Prefix source{};
     Envelope envelope;
@@ -166,7 +166,7 @@ Fault readSubmessage(Cursor in, std::uint8_t flags, Context& context, Submessage
         case Kind::InfoReplyIp4:
             return size >= (flag(flags, 1) ? 16U : 8U) ? Fault{} : "INFO_REPLY_IP4: is cut off";
         default:
-            return {};  // the standard: those that are unknown are skipped
+            return {};  // the standard: unknown ones are skipped
     }
 }
 
@@ -199,7 +199,7 @@ Fault parse(std::span<const std::byte> bytes, Datagram& into) {
         std::size_t size = in.u16();
         if (!in.ok()) return "the header of a submessage is cut off";
         const bool mayBeEmpty = next.kind == Kind::InfoTimestamp || next.kind == Kind::Pad;
-        const bool toTheEnd = size == 0 && !mayBeEmpty;  // the standard: the last one
+        const bool toTheEnd = size == 0 && !mayBeEmpty;  // the standard: it is the last one
         if (next.kind == Kind::Statistics && (size != StatisticsSize || in.left() != StatisticsSize))
             return "statistics that the library did not append";
         if (toTheEnd) size = in.left();

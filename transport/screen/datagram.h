@@ -14,7 +14,7 @@ using Prefix = std::array<std::uint8_t, 12>;     ///< of the GUIDs of a particip
 using GuidBytes = std::array<std::uint8_t, 16>;  ///< prefix and entity
 using EntityId = std::uint32_t;                  ///< as it is written: 0x000100c2 announces participants
 
-/// What is wrong, for a developer's eyes; empty: nothing.
+/// What is wrong, in words for developers; empty: nothing.
 using Fault = std::string_view;
 
 /// Entities that every participant has (RTPS 2.3, table 9.3; DDS-Security 1.1, table 8).
@@ -47,14 +47,14 @@ enum class Kind : std::uint8_t {
     Statistics = 0x80,  ///< appended by Fast DDS to all that it sends, where it was built with statistics
 };
 
-/// A submessage with what it claims. Fields that its kind has not are zero.
+/// A submessage with what it claims. Fields that its kind lacks are zero.
 struct Submessage {
     Kind kind = Kind::Pad;
     bool protectedBySignature = false;  ///< stands between SRTPS_PREFIX and SRTPS_POSTFIX
     Prefix source{};                    ///< the participant that it claims to come from
     EntityId reader = 0, writer = 0;
     std::int64_t first = 0;        ///< number of the sample; first of a HEARTBEAT or GAP, base of an ACKNACK
-    std::int64_t last = 0;         ///< of a HEARTBEAT; of a GAP the last before its bits, of both with bits
+    std::int64_t last = 0;         ///< of a HEARTBEAT; of a GAP or ACKNACK, its bits included
     std::int64_t gapped = 0;       ///< numbers that a GAP covers before its bits
     std::uint32_t count = 0;       ///< of HEARTBEAT, ACKNACK, HEARTBEAT_FRAG, NACK_FRAG
     std::uint32_t sampleSize = 0;  ///< of a DATA_FRAG's whole sample [B]
@@ -66,17 +66,17 @@ struct Submessage {
     std::span<const std::byte> payload;  ///< of DATA and DATA_FRAG, in the datagram
 };
 
-/// A datagram taken apart. Reused, it takes no memory anew.
+/// A parsed datagram. When reused, it allocates no new memory.
 struct Datagram {
     Prefix sender{};   ///< of the header
-    Prefix speaker{};  ///< likewise, or of the last INFO_SRC: the library takes this one for alive
+    Prefix speaker{};  ///< of the header or the last INFO_SRC: the library considers this one alive
     std::vector<Submessage> submessages;
 };
 
-/// Takes @p bytes apart and checks all that can be judged without knowing what came before: the header, each
-/// submessage's kind, length and fields, inline QoS, fragments against their sample, secure envelopes, and
-/// that the submessage of statistics is the last and as long as the library writes it. Never reads outside
-/// of @p bytes, whatever they say; @p into is undefined after a fault.
+/// Parses @p bytes and checks all that can be judged without knowing what came before. Checks the header,
+/// each submessage's kind, length and fields, inline QoS, fragments against their sample, and secure
+/// envelopes. The submessage of statistics must be the last and as long as the library writes it. Never reads
+/// outside of @p bytes, whatever they contain; @p into is undefined after a fault.
 [[nodiscard]] Fault parse(std::span<const std::byte> bytes, Datagram& into);
 
 }  // namespace leitstand::screen

@@ -10,8 +10,8 @@
 
 namespace leitstand::screen {
 
-/// Counts what was dropped by reason and address. Of each reason the first sixteen addresses are told apart,
-/// the rest is counted together: who floods us may name a new one each time.
+/// Counts what was dropped by reason and address. Counts the first sixteen addresses of each reason
+/// separately, the rest together: a flooder may use a new address each time.
 class DropBook {
 public:
     void note(ScreenDrop::Kind why, const Address& from, Fault fault);

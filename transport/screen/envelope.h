@@ -5,14 +5,14 @@
 
 namespace leitstand::screen {
 
-/// The order and sizes of secure submessages in a datagram (DDS-Security 1.1, section 7.3.6): a whole message
-/// between SRTPS_PREFIX, the first, and SRTPS_POSTFIX, the last but for statistics; or a submessage between
-/// SEC_PREFIX and SEC_POSTFIX. What is in them only the library can judge.
+/// Checks the order and sizes of secure submessages in a datagram (DDS-Security 1.1, section 7.3.6). A whole
+/// message stands between SRTPS_PREFIX, the first, and SRTPS_POSTFIX, the last but for statistics. A single
+/// submessage stands between SEC_PREFIX and SEC_POSTFIX. Only the library can judge what is in them.
 class Envelope {
 public:
-    /// Takes the next submessage with its content, and marks it where it is protected.
+    /// Takes the next submessage with its content, and marks it when it is protected.
     [[nodiscard]] Fault take(Submessage& next, Cursor content);
-    /// Whether all that was opened was closed.
+    /// Returns a fault unless all that was opened was closed.
     [[nodiscard]] Fault end() const;
 
 private:

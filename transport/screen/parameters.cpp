@@ -8,8 +8,8 @@ namespace {
 constexpr std::uint32_t LongestText = 1024, LongestUserData = 16'384;
 constexpr std::size_t MostLocators = 16;
 
-/// How long values of a fixed size are at least. What is not here has a content of its own, or none that the
-/// library reads.
+/// Returns the least length of values of a fixed size. Other parameters have content of their own, or none
+/// that the library reads.
 std::size_t leastSize(std::uint16_t id) {
     switch (id) {
         case 0x0006:  // ownership strength
@@ -64,11 +64,11 @@ bool skipText(Cursor& in, std::uint32_t longest = LongestText) {
     if (size > longest || size > in.left()) return false;
     const auto text = in.take(size);
     in.skipPadding(size);
-    // The library copies as far as the zero that ends it.
+    // The library copies up to the terminating zero.
     return in.ok() && (size == 0 || text.back() == std::byte{0});
 }
 
-/// As skipText, for bytes; the count stands before them.
+/// Skips bytes and the count before them.
 bool skipBytes(Cursor& in) {
     const std::uint32_t size = in.u32();
     if (size > in.left()) return false;
@@ -77,7 +77,7 @@ bool skipBytes(Cursor& in) {
     return in.ok();
 }
 
-/// A count and as many elements, of at least @p least bytes each.
+/// Skips a count and as many elements, of at least @p least bytes each.
 template <class Skip>
 bool skipSequence(Cursor& in, std::size_t least, Skip skip) {
     const std::uint32_t count = in.u32();
@@ -94,7 +94,7 @@ bool skipProperty(Cursor& in) {
 bool skipBinaryProperty(Cursor& in) {
     return skipText(in) && skipBytes(in);
 }
-/// A token: name, properties, binary properties.
+/// Skips a token: name, properties, binary properties.
 bool skipDataHolder(Cursor& in) {
     return skipText(in) && skipSequence(in, 8, skipProperty) && skipSequence(in, 8, skipBinaryProperty);
 }
@@ -143,7 +143,7 @@ bool fits(std::uint16_t id, Cursor in) {
     }
 }
 
-/// A cursor behind the encapsulation of @p sample; false when that is none of @p big and the next number.
+/// Sets @p in behind the encapsulation of @p sample. False when that is neither @p big nor the next number.
 bool skipEncapsulation(std::span<const std::byte> sample, std::uint16_t big, bool& little, Cursor& in) {
     in = Cursor(sample, false);
     const std::uint16_t kind = in.u16();
@@ -153,7 +153,7 @@ bool skipEncapsulation(std::span<const std::byte> sample, std::uint16_t big, boo
     return in.ok() && (little || kind == big);
 }
 
-/// Goes through the parameters of a sample of @p data, or of a key.
+/// Calls @p take with each parameter of the sample or key in @p data.
 template <class Take>
 Fault eachOf(const Submessage& data, Take take) {
     constexpr std::uint16_t ParametersBigEndian = 0x0002;

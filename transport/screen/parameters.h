@@ -23,11 +23,12 @@ struct Parameter {
     bool littleEndian = false;
 };
 
-/// Whether @p parameter is as long as its kind says, and every count, text and sequence in it fits.
+/// Checks that @p parameter is as long as its kind requires, and that every count, text and sequence in it
+/// fits.
 [[nodiscard]] Fault checkParameter(const Parameter& parameter);
 
-/// Calls @p take with each parameter of a list, which it checks first, up to the list's end, which has to be
-/// there; ends with the first fault.
+/// Checks each parameter of a list and calls @p take with it, up to the list's end, which must be there.
+/// Stops at the first fault.
 template <class Take>
 [[nodiscard]] Fault eachParameter(Cursor& in, bool littleEndian, Take take) {
     for (;;) {
@@ -47,28 +48,30 @@ template <class Take>
 
 using Seconds = std::chrono::duration<double>;
 
-/// What a participant announces of itself, as far as the screen cares.
+/// What a participant announces about itself, as far as the screen cares.
 struct Announcement {
     Prefix participant{};
     bool ends = false;               ///< it leaves
     Seconds lease{100.0};            ///< the standard's default
-    std::vector<Address> addresses;  ///< where it says that it is; at most sixteen
+    std::vector<Address> addresses;  ///< that it claims to have; at most sixteen
     std::vector<std::uint16_t> discoveryPorts,
-        samplePorts;  ///< that it hears either on; at most sixteen each
+        samplePorts;  ///< on which it receives either; at most sixteen each
 };
-/// What a participant announces of a writer or reader.
+/// What a participant announces about a writer or reader.
 struct EndpointAnnouncement {
     GuidBytes endpoint{};
     bool ends = false;
 };
 
-/// Reads a sample of the writers that announce participants; faults as of checkParameter().
+/// Reads a sample of the writers that announce participants; faults as in checkParameter().
 [[nodiscard]] Fault read(const Submessage& data, Announcement& into);
 [[nodiscard]] Fault read(const Submessage& data, EndpointAnnouncement& into);
 
-/// Checks a sample of the writer by which participants prove who they are (DDS-Security 1.1, section 7.4.3).
+/// Checks a sample of the writer by which participants prove their identity (DDS-Security 1.1, section
+/// 7.4.3).
 [[nodiscard]] Fault checkAuthentication(std::span<const std::byte> sample);
-/// Checks a sample of the writer by which participants tell that they live; @p participant is who it says.
+/// Checks a sample of the writer by which participants assert liveliness; sets @p participant to the one it
+/// names.
 [[nodiscard]] Fault checkLiveliness(std::span<const std::byte> sample, Prefix& participant);
 
 }  // namespace leitstand::screen

@@ -115,7 +115,7 @@ void Participants::setHome(Remote& remote, const Place& place, Moment now) {
 
 bool Participants::bind(Remote& remote, const Place& place, bool speaks, Moment now) {
     if (remote.places.size() >= limits::PlacesOfParticipant) {
-        // Not home, and not where it speaks from: else a handful of ports would drive those out.
+        // Keeps home and the places where it speaks from: else a handful of ports would displace them.
         auto oldest = remote.places.end();
         for (auto one = remote.places.begin(); one != remote.places.end(); ++one) {
             const bool silent = now - one->heard > limits::Silence;

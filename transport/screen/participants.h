@@ -16,21 +16,21 @@ struct Remote {
     struct Bound {
         Place place;
         Moment heard;
-        bool speaks = false;  ///< and does not only announce itself
+        bool speaks = false;  ///< it does not only announce itself from there
     };
-    Address host{};  ///< whose places it takes
-    Place home;      ///< that it announced itself from first, or since that is silent ...
-    Moment atHome;   ///< ... and when it was heard there
+    Address host{};  ///< the host whose limits it counts against
+    Place home;      ///< where it announces itself from; changes only after silence there
+    Moment atHome;   ///< when it was last heard at home
     Moment first, heard;
     Seconds lease{0.0};
-    bool refused = false;            ///< it went beyond what a host may have: nothing of it passes
-    std::vector<Address> announced;  ///< where it says that it is
-    std::vector<std::uint16_t> discoveryPorts, samplePorts;  ///< that it says it hears on
+    bool refused = false;            ///< it exceeded what a host may have: nothing of it passes
+    std::vector<Address> announced;  ///< addresses that it claims to have
+    std::vector<std::uint16_t> discoveryPorts, samplePorts;  ///< ports that it claims to receive on
     std::uint64_t announcement = 0;                          ///< hash of what it announced last
     std::vector<Bound> places;                               ///< where it sends from
     std::unordered_map<EntityId, std::size_t> endpoints;     ///< with the bytes of their announcements
-    /// Where a writer or reader speaks from. A port: a participant with several addresses speaks from the
-    /// same one at all of them, and nobody else on its host has that.
+    /// Where a writer or reader speaks from, as a port. A participant with several addresses uses the same
+    /// port at all of them, and nobody else on its host has that port.
     struct Voice {
         std::optional<std::uint16_t> port;
         Moment heard;
@@ -47,42 +47,44 @@ struct Remote {
     std::unordered_map<std::uint64_t, ReaderWindows> readers;  ///< by reader and our writer
     Budget unfinished{limits::UnfinishedSamples};
 
-    /// A writer of its, or a reader that hears a writer of ours. Null for those that it never announced, when
-    /// there are many: the library hears none of them. Those that every participant has are always there.
+    /// Returns a writer of this participant, or a reader that listens to a writer of ours. Null for those
+    /// that it never announced, when there are many: the library ignores them. Those that every participant
+    /// has are always there.
     [[nodiscard]] Writer* writerOf(EntityId writer);
     [[nodiscard]] ReaderWindows* windowsOf(EntityId reader, EntityId ours);
-    /// Whether @p place is where @p voice speaks from: the first place that it was heard from. Another one
-    /// takes its place when nothing at all comes from there for a while; home does when nothing of this voice
-    /// does.
+    /// Returns whether @p voice speaks from @p place: the first place where it was heard. Another place takes
+    /// over when nothing at all comes from there for a while. Home takes over when nothing of this voice
+    /// comes for a while.
     [[nodiscard]] bool leads(const Voice& voice, const Place& place, Moment now) const;
-    /// Whether a writer or reader speaks from @p place.
+    /// Returns whether a writer or reader speaks from @p place.
     [[nodiscard]] bool isVoice(const Place& place) const;
 };
 
-/// Who is in the domain, as far as the screen let them in: bounded for each host and in total. Processes that
-/// were killed keep their memory until their lease is over, but take no place of those that speak.
+/// The participants of the domain that the screen let in: bounded for each host and in total. Processes that
+/// were killed keep their memory until their lease is over, but take no place from those that speak.
 class Participants {
 public:
     [[nodiscard]] Remote* find(const Prefix& prefix);
-    /// Lets a participant in that says @p said; null when its host has too many, or all hosts together.
+    /// Lets in the participant that @p said announces; null when its host, or all hosts together, have too
+    /// many.
     Remote* admit(const Announcement& said, const Address& host, Moment now);
     void remove(const Prefix& prefix);
-    /// Lets go of those that were silent for their lease, as the library does.
+    /// Forgets those that were silent for their lease, as the library does.
     void forgetSilent(Moment now);
 
-    /// Whether @p remote may send from @p place: one where it was heard before, or a new one that is its own
-    /// by all that can be told (see docs/wire.md). Notes that it was heard there.
+    /// Returns whether @p remote may send from @p place: where it was heard before, or a new place that is
+    /// its own as far as can be judged (docs/wire.md). Notes that it was heard there.
     [[nodiscard]] bool mayComeFrom(Remote& remote, const Place& place, bool speaks, Moment now);
-    /// Whether @p place is where @p remote announces itself from, or may be because that is silent. What
-    /// changes or ends its announcement has to come from there: in the time in which new places are taken
-    /// anybody on its host could send it away otherwise, with keys, too, since that is plain.
+    /// Returns whether @p remote announces itself from @p place, or may do so because its home is silent.
+    /// What changes or ends its announcement must come from there. Otherwise anybody on its host could send
+    /// it away while new places are accepted; with keys, too, since announcements are plain.
     [[nodiscard]] static bool isHome(const Remote& remote, const Place& place, Moment now);
     /// Notes that @p remote announced itself from @p place, which is its own.
     static void setHome(Remote& remote, const Place& place, Moment now);
-    /// Whether a participant sends from @p place.
+    /// Returns whether a participant sends from @p place.
     [[nodiscard]] bool isKnown(const Place& place) const { return m_places.contains(place); }
 
-    /// Whether one of them hears discovery on @p port, and none samples.
+    /// Returns whether one of them receives discovery on @p port, and none receives samples there.
     [[nodiscard]] bool hearDiscoveryOnly(std::uint16_t port) const;
 
     /// Notes an endpoint; false when its host has too many: then the participant is refused.
@@ -97,9 +99,9 @@ private:
         std::size_t participants = 0, endpoints = 0, bytes = 0;
     };
     void forget(Remotes::iterator one);
-    /// What those of @p host have that were heard lately.
+    /// Returns what the participants of @p host have that were heard lately.
     [[nodiscard]] Use presentUse(const Address& host, Moment now) const;
-    /// Notes that @p remote sends from @p place; false where it sends from too many.
+    /// Notes that @p remote sends from @p place; false when it sends from too many.
     [[nodiscard]] bool bind(Remote& remote, const Place& place, bool speaks, Moment now);
 
     Remotes m_remotes;

@@ -19,10 +19,10 @@ struct Place {
 [[nodiscard]] inline bool isLoopback(const Address& address) {
     return address[12] == 127;
 }
-/// "10.0.0.7"
+/// Formats @p address as "10.0.0.7".
 [[nodiscard]] std::string toString(const Address& address);
 
-/// For tables by bytes that come from outside.
+/// Hash for tables whose keys come from outside.
 struct BytesHash {
     template <std::size_t N>
     std::size_t operator()(const std::array<std::uint8_t, N>& bytes) const {
@@ -35,7 +35,7 @@ struct BytesHash {
     }
 
 private:
-    static const std::uint64_t Seed;  // another one each start: nobody can choose what collides
+    static const std::uint64_t Seed;  // random at each start: nobody can choose keys that collide
 };
 
 }  // namespace leitstand::screen

@@ -25,16 +25,17 @@ bool announcesEndpoint(const Submessage& one) {
            (one.writer == entity::PublicationsWriter || one.writer == entity::SubscriptionsWriter);
 }
 
-/// Whether all of @p writer has to come from one place: what it has to say is who somebody is and which
-/// endpoints he has, and what is passed over or forged there is not mended any more. That need not be a
-/// participant's home: Fast DDS announces itself to the group by other sockets than it speaks to one.
+/// Returns whether all of @p writer must come from one place. It announces who somebody is and which
+/// endpoints he has; what is skipped or forged there is never corrected. That place need not be a
+/// participant's home: Fast DDS announces itself to the group from other sockets than it uses to reach one
+/// participant.
 bool speaksFromOnePlace(EntityId writer) {
     return writer == entity::PublicationsWriter || writer == entity::SubscriptionsWriter ||
            writer == entity::AuthenticationWriter;
 }
 
-/// Whether @p one may travel without protection where messages are encrypted: who is there, and how each
-/// proves who he is. Keys are exchanged in submessages that are protected on their own.
+/// Returns whether @p one may travel without protection when messages are encrypted: announcements of
+/// participants and proofs of identity. Keys are exchanged in submessages that are protected on their own.
 bool mayBePlain(const Submessage& one) {
     if (one.protectedBySignature) return true;
     if (isFromReader(one)) return one.reader == entity::AuthenticationReader;
@@ -43,7 +44,7 @@ bool mayBePlain(const Submessage& one) {
     return true;
 }
 
-/// What is in samples of writers that every participant has: the library believes it.
+/// Checks the content of samples of writers that every participant has: the library trusts it.
 Fault checkContent(const Submessage& one) {
     if (one.kind != Kind::Data || one.payload.empty() || one.isKey) return {};
     if (one.writer == entity::AuthenticationWriter) return checkAuthentication(one.payload);
@@ -64,7 +65,7 @@ EntityId entityOf(const GuidBytes& guid) {
     return id;
 }
 
-/// FNV-1a of what a participant announces.
+/// Returns the FNV-1a hash of what a participant announces.
 std::uint64_t hashOf(std::span<const std::byte> bytes) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const std::byte byte : bytes) hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3;
@@ -99,7 +100,7 @@ Screen::Verdict Screen::judgeAnnouncement(const Submessage& next, const Place& p
     if (own && changes && !Participants::isHome(*remote, place, now))
         return {false, Why::Impostor, "a participant changes or ends from a place that is not its own"};
     if (own && !m_participants.mayComeFrom(*remote, place, false, now)) {
-        // The same once more, from another interface, say, changes nothing.
+        // The same again, for example from another interface, changes nothing.
         if (!changes) return {};
         return {false, Why::Impostor, "a participant announced from a place that is not its own"};
     }

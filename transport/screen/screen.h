@@ -11,30 +11,30 @@ namespace leitstand::screen {
 
 /// How a node takes part, as far as the screen cares.
 struct ScreenSettings {
-    bool encrypted = false;  ///< messages are protected as a whole: plain ones are of discovery only
+    bool encrypted = false;  ///< messages are protected as a whole: only discovery is plain
     bool relayed = false;    ///< a discovery server announces others
 };
 
-/// Stands between the network and the DDS library: sees each datagram before it and says whether it passes.
-/// What it keeps of the domain is bounded (docs/wire.md); nothing is changed on its way. Any thread.
+/// Stands between the network and the DDS library and decides which datagrams pass. What it stores about the
+/// domain is bounded (docs/wire.md); it changes no datagram. Any thread.
 class Screen {
 public:
-    /// @p dropped is called when something was dropped, at most once a second, by the thread that asked. It
-    /// must not ask back.
+    /// Calls @p dropped when something was dropped, at most once a second, on the thread that called
+    /// passes(). It must not call the screen.
     explicit Screen(const ScreenSettings& settings, std::function<void()> dropped = {})
         : m_settings(settings), m_dropped(std::move(dropped)) {}
 
-    /// Whether @p bytes that came from @p place may reach the library.
+    /// Returns whether @p bytes that came from @p place may reach the library.
     [[nodiscard]] bool passes(std::span<const std::byte> bytes, const Place& place,
                               Moment now = Clock::now());
 
-    /// Whether participants that were let in hear discovery on @p port, and nothing else.
+    /// Returns whether participants that were let in receive discovery on @p port, and nothing else.
     [[nodiscard]] bool isDiscoveryPort(std::uint16_t port) const;
 
-    /// What was dropped so far, by reason and sender.
+    /// Returns what was dropped so far, by reason and sender.
     [[nodiscard]] std::vector<ScreenDrop> drops() const;
     [[nodiscard]] std::uint64_t passed() const;
-    /// Why the last datagram was dropped, in a developer's words.
+    /// Returns why the last datagram was dropped, in words for developers.
     [[nodiscard]] Fault lastFault() const;
 
 private:
@@ -51,12 +51,12 @@ private:
     [[nodiscard]] Verdict judgeEndpoint(const Submessage& next, Moment now);
     [[nodiscard]] Verdict judgeStranger(const Place& place, Moment now);
 
-    /// Counts what was judged; whether somebody has to be told of drops now.
+    /// Counts a verdict; returns whether drops are to be reported now.
     [[nodiscard]] bool count(const Verdict& verdict, const Place& place, Moment now);
 
     const ScreenSettings m_settings;
     const std::function<void()> m_dropped;
-    mutable std::mutex m_mutex;  // of all that follows
+    mutable std::mutex m_mutex;  // guards all that follows
     Participants m_participants;
     std::unordered_map<Place, Budget, BytesHash> m_strangers;
     DropBook m_drops;

@@ -15,7 +15,7 @@ bool isBuiltin(EntityId id) {
     return (id & 0xc0) == 0xc0;
 }
 
-/// The writer that a submessage comes from or goes to; zero where its kind has none.
+/// Returns the writer that a submessage comes from or goes to; zero when its kind has none.
 EntityId writerOf(Kind kind, Cursor body) {
     switch (kind) {
         case Kind::Data:

@@ -63,7 +63,7 @@ Fault WriterWindow::admit(const Submessage& next, bool leads, Budget& unfinished
         case Kind::Gap:
             if (next.gapped > limits::LongestGap) return "a GAP that is too long";
             if (!leads && next.gapped > limits::Beside) return "a GAP that is too long";
-            // First: a GAP that is refused for that moves no numbers.
+            // Checked first: a GAP that is refused for this does not advance the numbers.
             if (leads && !m_gaps.take(double(next.gapped), now, limits::Gaps))
                 return "GAPs that cover too much";
             return admitNumber(next.last, leads, now) ? Fault{} : Jump;

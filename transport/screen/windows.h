@@ -7,11 +7,11 @@
 
 namespace leitstand::screen {
 
-/// How far the counts of one sender advance. Lower ones pass: the library ignores what it has seen.
+/// Bounds how far the counts of one sender advance. Lower ones pass: the library ignores what it has seen.
 class CountWindow {
 public:
-    /// @p leads: it comes from where the sender speaks (Remote::leads()). What comes from elsewhere is at
-    /// most a little ahead of that, and takes nothing of what the sender may do.
+    /// @p leads: it comes from where the sender speaks (Remote::leads()). What comes from elsewhere may be
+    /// only a little ahead of that, and uses up nothing of the sender's budget.
     [[nodiscard]] bool admits(std::uint32_t count, bool leads, Moment now);
 
 private:
@@ -20,10 +20,10 @@ private:
     Budget m_budget{limits::Counts};
 };
 
-/// How far the numbers of a writer advance. The first may be any.
+/// Bounds how far the numbers of a writer advance. The first may be any.
 class WriterWindow {
 public:
-    /// @p leads: as of CountWindow::admits().
+    /// @p leads: as in CountWindow::admits().
     [[nodiscard]] Fault admit(const Submessage& next, bool leads, Budget& unfinished, Moment now);
 
 private:
@@ -39,7 +39,7 @@ private:
     std::int64_t m_highest = 0;
     Budget m_numbers{limits::Numbers}, m_gaps{limits::Gaps};
     CountWindow m_heartbeats, m_fragmentHeartbeats;
-    std::vector<Sample> m_samples;  // in fragments: the last that began, in a ring
+    std::vector<Sample> m_samples;  // samples in fragments: the last that began, as a ring
     std::size_t m_nextSample = 0;
 };
 

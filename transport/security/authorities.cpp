@@ -9,7 +9,7 @@ namespace leitstand {
 namespace fs = std::filesystem;
 namespace {
 
-/// Told apart from those of other keystores: DDS compares authorities by their names.
+/// Returns a name unlike those in other keystores, since DDS compares authorities by their names.
 std::string uniqueName(const char* what) {
     unsigned char bytes[4] = {};
     if (RAND_bytes(bytes, sizeof bytes) != 1) return what;
@@ -93,7 +93,7 @@ Result<Authorities> openAuthorities(const KeystoreLayout& layout, const KeySetti
                                              std::pair(layout.identityCaKey().parent_path(), true)}) {
             if (auto made = makeFolder(folder, secret); !made) return made.error();
         }
-        // The identity authority's certificate, by which a keystore is known, comes last.
+        // The identity authority's certificate, which identifies a keystore, comes last.
         auto made = makeAuthority("Leitstand permissions", layout.permissionsCa(), layout.permissionsCaKey(),
                                   settings);
         if (made) {

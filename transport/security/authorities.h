@@ -13,12 +13,12 @@ namespace leitstand {
 struct Authorities {
     openssl::Certificate identityCa, permissionsCa;
     openssl::Key identityKey, permissionsKey;
-    std::string identityCaPem;  ///< the certificate, and the revocation list where there is one
+    std::string identityCaPem;  ///< the certificate, and the revocation list if there is one
 };
 
-/// Opens those of @p layout; makes them where the folder is empty or absent.
+/// Opens the authorities of @p layout; makes them when the folder is empty or absent.
 [[nodiscard]] Result<Authorities> openAuthorities(const KeystoreLayout& layout, const KeySettings& settings);
-/// Opens those of @p layout, which must be there.
+/// Opens the authorities of @p layout. Error when they are missing.
 [[nodiscard]] Result<Authorities> readAuthorities(const KeystoreLayout& layout);
 
 }  // namespace leitstand

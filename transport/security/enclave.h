@@ -11,15 +11,16 @@
 
 namespace leitstand {
 
-/// The files of the enclave @p folder ("KEYS/enclaves/station1"), after a check that DDS does only silently:
-/// all are there and not readable by others (the key), the certificate is by the identity authority, neither
-/// expired nor revoked, the key fits, governance and permissions are signed by the permissions authority and
-/// speak of this certificate's subject. Errors name the file and what to do.
+/// Returns the files of the enclave @p folder ("KEYS/enclaves/station1"), after checks that DDS makes only
+/// silently. All files exist, and others cannot read the key. The certificate is signed by the identity
+/// authority and neither expired nor revoked; the key fits it. Governance and permissions are signed by the
+/// permissions authority, and the permissions are for this certificate's subject. Errors name the file and
+/// what to do.
 [[nodiscard]] Result<SecurityFiles> securityFiles(const std::filesystem::path& folder,
                                                   Time now = std::chrono::system_clock::now());
 
-/// One line that tells the operator whether the domain is secured: "Security is OFF: ..." or
-/// "Security is on: station1 (station), valid until 2027-01-31".
+/// Returns one line for the operator on whether the domain is secured: "Security is OFF: ..." or "Security is
+/// on: station1 (station), valid until 2027-01-31".
 [[nodiscard]] std::string securityLine(const std::optional<SecurityFiles>& files);
 
 }  // namespace leitstand

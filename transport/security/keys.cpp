@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::hours Day(24);
-/// Dates of certificates beyond the year 2200 are a slip of the hand.
+/// Dates of certificates beyond the year 2200 are typing errors.
 constexpr int MaxDays = 36'500;
 
 bool isNameCharacter(char c) {
@@ -97,7 +97,7 @@ struct EnclaveFile {
 
 Result<void> writeEnclave(const fs::path& folder, const std::vector<EnclaveFile>& files) {
     std::error_code none;
-    fs::remove_all(folder, none);  // of a run that was interrupted
+    fs::remove_all(folder, none);  // left by an interrupted run
     if (auto made = makeFolder(folder, true); !made) return made;
     for (const EnclaveFile& file : files) {
         if (auto written = writeNewFile(folder / file.name, file.text, file.secret); !written) {
@@ -108,7 +108,7 @@ Result<void> writeEnclave(const fs::path& folder, const std::vector<EnclaveFile>
     return {};
 }
 
-/// Keeps the enclave that is to be replaced.
+/// Moves the enclave that is replaced to retired/.
 Result<void> retire(const KeystoreLayout& layout, const std::string& name) {
     const auto pem = readKeyFile(layout.enclave(name) / "cert.pem");
     if (!pem) return pem.error();

@@ -1,4 +1,4 @@
-// Reading a keystore, and withdrawing what it gave out.
+// Reads a keystore, and revokes certificates that it issued.
 #include <algorithm>
 #include <system_error>
 
@@ -62,7 +62,7 @@ bool contains(const std::vector<std::string>& list, const std::string& text) {
     return std::find(list.begin(), list.end(), text) != list.end();
 }
 
-/// The certificate in @p pem without the revocation lists behind it.
+/// Returns the certificate in @p pem without the revocation lists behind it.
 std::string withoutLists(const std::string& pem) {
     return pem.substr(0, pem.find("-----BEGIN X509 CRL-----"));
 }

@@ -39,7 +39,7 @@ bool addPart(X509_NAME* name, const char* part, const std::string& text) {
                                       reinterpret_cast<const unsigned char*>(text.c_str()), -1, -1, 0) == 1;
 }
 
-/// A random positive number of 16 bytes, so that no two certificates of one authority share theirs.
+/// Sets a random positive number of 16 bytes, so that no two certificates of one authority share theirs.
 bool setSerial(X509* certificate) {
     unsigned char bytes[16];
     if (RAND_bytes(bytes, sizeof bytes) != 1) return false;
@@ -104,7 +104,7 @@ Result<RevocationList> makeRevocationList(const std::vector<std::string>& revoke
     RevocationList list(X509_CRL_new());
     const std::unique_ptr<ASN1_TIME, decltype(&ASN1_TIME_free)> time(ASN1_TIME_set(nullptr, seconds(now)),
                                                                      &ASN1_TIME_free);
-    // Without a next update it never expires: a station without a network must not lose its robots.
+    // Without a next update the list never expires: a station without a network must not lose its robots.
     bool done = list != nullptr && time != nullptr &&
                 X509_CRL_set_version(list.get(), X509_CRL_VERSION_2) == 1 &&
                 X509_CRL_set_issuer_name(list.get(), X509_get_subject_name(authority)) == 1 &&

@@ -1,4 +1,4 @@
-// PEM and S/MIME: what stands in files.
+// PEM and S/MIME, the formats of the files.
 #include <algorithm>
 
 #include <openssl/bio.h>
@@ -34,7 +34,7 @@ std::string contentOf(const Bio& bio) {
     return length > 0 ? std::string(text, static_cast<std::size_t>(length)) : std::string();
 }
 
-/// Keys with a password would make OpenSSL ask on the terminal: they count as unreadable.
+/// Refuses keys with a password, for which OpenSSL would ask on the terminal; they count as unreadable.
 int noPassword(char*, int, int, void*) {
     return -1;
 }
@@ -68,7 +68,7 @@ Result<std::string> verifiedText(const std::string& smime, X509* authority) {
     const Message message(SMIME_read_PKCS7(in.get(), &found));
     const Bio content(found);
     const std::unique_ptr<X509_STORE, FreeText> store(X509_STORE_new());
-    // Whether the authority is still valid is asked elsewhere, with a clearer answer.
+    // Another check, with a clearer error, covers whether the authority is still valid.
     const bool verified =
         message != nullptr && X509_STORE_add_cert(store.get(), authority) == 1 &&
         X509_STORE_set_flags(store.get(), X509_V_FLAG_NO_CHECK_TIME) == 1 &&

@@ -15,10 +15,10 @@ using Topics = std::vector<std::string>;
 constexpr std::array<const char*, 8> Commands = {"cmd_vel",   "track_cmd", "stop_cmd",   "mode_cmd",
                                                  "goal_pose", "ptu_cmd",   "stream_cmd", "ping"};
 
-/// What every ROS 2 process has beside its own topics.
+/// Topics that every ROS 2 process has beside its own.
 const Topics RosTopics = {"ros_discovery_info", "rt/rosout", "rt/parameter_events"};
 
-/// @p command of any robot, also of one whose topics have no name before them.
+/// Returns the topics of @p command of any robot, also of one whose topics have no name before them.
 Topics ofAnyRobot(const std::string& command) {
     return {"rt/" + command, "rt/*/" + command};
 }
@@ -65,7 +65,7 @@ std::string viewerRules(const KeyRequest& request) {
 std::string robotRules(const KeyRequest& request) {
     const std::string& name = request.name;
     Topics own = request.moreTopics;
-    // The last three are services: questions, answers, and the parts of actions.
+    // rq and rr are services: requests and replies, also those of actions.
     append(own, {"rt/" + name + "/*", "rq/" + name + "/*", "rr/" + name + "/*"});
     append(own, {"rt/tf", "rt/tf_static", "rt/diagnostics"});
     append(own, RosTopics);
@@ -75,7 +75,7 @@ std::string robotRules(const KeyRequest& request) {
     if (!request.commandsItself) {
         for (const char* command : Commands) forbidden.push_back("rt/" + name + "/" + command);
     }
-    // The first rule with the topic decides.
+    // The first rule that contains the topic decides.
     return rule("deny_rule", forbidden, {}) + rule("allow_rule", own, subscribe);
 }
 

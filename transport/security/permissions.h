@@ -7,18 +7,18 @@
 
 namespace leitstand {
 
-/// The rules of a secured domain (DDS-Security 1.1, 9.4.1.2): nobody without an identity takes part; what is
-/// there and who is alive is encrypted, and so is every message as a whole; whoever writes a command signs it
-/// for each reader apart, so that nobody who may read commands can forge them.
+/// Returns the rules of a secured domain (DDS-Security 1.1, 9.4.1.2). Nobody without an identity takes part.
+/// Discovery and liveliness are encrypted, and so is every message as a whole. The writer of a command signs
+/// it for each reader separately, so that nobody who may read commands can forge them.
 [[nodiscard]] std::string governanceXml();
 
-/// What the owner of a certificate of @p subject may do (DDS-Security 1.1, 9.4.1.3) between @p from and
-/// @p until, which are widened by a day: Fast DDS takes UTC for local time here, and the certificate, which
-/// it reads properly, is the limit that counts. @p subject is in the order of RFC 2253.
+/// Returns what the owner of a certificate of @p subject may do (DDS-Security 1.1, 9.4.1.3) between @p from
+/// and @p until. Both are widened by a day, since Fast DDS takes UTC for local time here. The certificate,
+/// which it reads correctly, is the limit that counts. @p subject is in the order of RFC 2253.
 [[nodiscard]] std::string permissionsXml(const KeyRequest& request, const std::string& subject, Time from,
                                          Time until);
 
-/// @p text so that it stands in XML as it is: & < > " ' escaped, control characters left out.
+/// Returns @p text for use in XML: & < > " ' escaped, control characters left out.
 [[nodiscard]] std::string xmlEscaped(const std::string& text);
 
 }  // namespace leitstand

@@ -15,20 +15,19 @@ namespace leitstand {
 namespace {
 
 constexpr double Row = 30.0, Sign = 18.0, Gap = 8.0, Letter = 20.0;  ///< [px]
-constexpr int MostLines = 4;                                         ///< the tooltip has all of it
+constexpr int MostLines = 4;                                         ///< the tooltip shows the whole text
 
-/// Where the parts of a row are, from its left edge.
+/// Positions of the parts of a row, from its left edge.
 struct RowParts {
     double text = 0.0, since = 0.0;  ///< where they begin [px]
-    QStringList lines;               ///< of the text: the first one ends before the time
+    QStringList lines;               ///< of the text; the first line ends before the time
 };
 
 QFont textFont(const QStyleOptionViewItem& option, const AlarmLine& line) {
     return sized(option.font, 13, line.stage == AlarmStage::Standing);
 }
 
-/// A row @p width wide. What an alarm says is told to its end, in several lines where it is long: numbers
-/// stand there.
+/// Lays out a row @p width wide [px]. A long text wraps instead of being cut: its end may hold numbers.
 RowParts partsOf(const AlarmLine& line, const QStyleOptionViewItem& option, double width) {
     RowParts parts;
     parts.text = Gap + Sign + Gap + Letter;

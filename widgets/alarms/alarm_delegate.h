@@ -7,8 +7,7 @@
 
 namespace leitstand {
 
-/// Paints an alarm into a row: its sign, its robot's letter, what it says (in several lines where it is
-/// long), for how long.
+/// Paints an alarm into a row: its sign, its robot's letter, its text (wrapped when long) and its age.
 class AlarmDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -19,8 +18,8 @@ public:
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 };
 
-/// The sign of a severity, told apart by its shape: a triangle to look, an octagon to act; filled while it
-/// stands.
+/// Paints the sign of @p severity into @p box: a triangle for Attention, an octagon for Act. @p filled: the
+/// alarm is standing.
 void paintAlarmSign(QPainter& painter, const QRectF& box, AlarmSeverity severity, bool filled,
                     const QColor& colour, const QColor& ink);
 

@@ -30,7 +30,7 @@ AlarmPanel::AlarmPanel(QWidget* parent)
     m_list->setItemDelegate(new AlarmDelegate(m_list));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setResizeMode(QListView::Adjust);  // rows are as high as what they say
+    m_list->setResizeMode(QListView::Adjust);  // rows are as high as their text
     m_calm->setProperty("muted", true);
     m_calm->setAlignment(Qt::AlignCenter);
     m_acknowledge->setObjectName(QStringLiteral("acknowledge"));
@@ -50,7 +50,7 @@ AlarmPanel::AlarmPanel(QWidget* parent)
     connect(m_mute, &QToolButton::clicked, this, &AlarmPanel::muteToggled);
 
     m_head->setContentsMargins(8, 4, 0, 0);
-    m_head->setSpacing(0);  // buttons have air of their own
+    m_head->setSpacing(0);  // buttons have margins of their own
     m_head->addWidget(m_title, 1);
     m_head->addWidget(m_mute);
     m_head->addWidget(m_acknowledge);
@@ -103,7 +103,7 @@ void AlarmPanel::fitHead() {
     const QString mute = m_muted.isEmpty() ? tr("M Mute") : tr("M %1").arg(m_muted);
     const QString brief = m_muted.isEmpty() ? mute : tr("M %1").arg(m_mutedBrief);
     const QString acknowledge = tr("⌫ Acknowledge"), key = QStringLiteral("⌫");
-    // It is looked at three times a second: texts that fit are let alone.
+    // Called three times a second: nothing is done while texts and width stay the same.
     const QString wanted = QStringList{title, mute, QString::number(width())}.join(QLatin1Char('\n'));
     if (std::exchange(m_fitted, wanted) == wanted) return;
     m_title->setAccessibleName(title);
@@ -113,7 +113,7 @@ void AlarmPanel::fitHead() {
                                                           {count == 0 ? QString() : number, brief, key}};
     for (QWidget* part : {static_cast<QWidget*>(m_title), static_cast<QWidget*>(m_mute),
                           static_cast<QWidget*>(m_acknowledge)})
-        part->ensurePolished();  // they need more room then
+        part->ensurePolished();  // the style adds to their size
     for (const auto& [first, second, third] : ways) {
         m_title->setText(first);
         m_mute->setText(second);

@@ -11,26 +11,26 @@ class QToolButton;
 
 namespace leitstand {
 
-/// All alarms, newest first: how loud (by shape and colour), whose, what, and for how long. Acknowledges and
-/// mutes; never a box in the way of who drives.
+/// Lists all alarms, newest first: severity (by shape and colour), robot, text and age. Emits requests to
+/// acknowledge and to mute. It never opens a box in front of the driver.
 class AlarmPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit AlarmPanel(QWidget* parent = nullptr);
 
-    /// alarmLinesOf() all alarms; @p mute, @p brief: muteText(), muteBrief().
+    /// Shows @p lines (alarmLinesOf()). @p mute, @p brief: muteText(), muteBrief().
     void show(const std::vector<AlarmLine>& lines, const QString& mute, const QString& brief = {});
     using QWidget::show;
-    /// What the operator has to know of the tones: "no sound device"; empty: they are heard.
+    /// Shows why tones cannot be heard: "no sound device". Empty: they are heard.
     void setSoundTrouble(const QString& trouble);
-    /// Alarms of the past are only looked at.
+    /// While on, alarms cannot be acknowledged or muted: they are of the past.
     void setReadOnly(bool on);
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 160}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {188, 90}; }
 
 signals:
-    void acknowledged(const leitstand::AlarmId& id);  ///< this one
+    void acknowledged(const leitstand::AlarmId& id);  ///< the operator activated its row
     void newestAcknowledged();
     void muteToggled();
 
@@ -40,7 +40,7 @@ protected:
 
 private:
     void refresh();
-    void fitHead();  ///< words of the head give way to its numbers and keys
+    void fitHead();  ///< shortens the head's words, then drops them; numbers and keys stay
 
     AlarmListModel m_model;
     QListView* m_list;
@@ -48,7 +48,7 @@ private:
     QLabel *m_title, *m_calm;
     QToolButton *m_acknowledge, *m_mute;
     QString m_muted, m_mutedBrief, m_trouble;
-    QString m_fitted;  ///< what the head was fitted for
+    QString m_fitted;  ///< texts and width that the head was last fitted to
 };
 
 }  // namespace leitstand

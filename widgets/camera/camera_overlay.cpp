@@ -23,7 +23,7 @@ struct OverlayTexts {
 
 const QColor Rim(0, 0, 0, 150);
 
-/// Where the mode ends [px].
+/// Paints the mode and returns its lower edge [px].
 double paintMode(QPainter& painter, const QRectF& picture, double top, const ModeLabel& mode) {
     QRectF open = picture;
     open.setTop(std::max(picture.top(), top));
@@ -60,7 +60,7 @@ void paintHorizon(QPainter& painter, const QRectF& picture, const CameraOverlay&
     painter.save();
     painter.setClipRect(picture);
     strokeRimmed(painter, line, overlayInks().select, 2.0);
-    // where the camera looks
+    // the cross marks where the camera looks
     QPainterPath cross;
     const QPointF middle = picture.center();
     const double arm = std::min(16.0, 0.03 * picture.width());
@@ -74,8 +74,8 @@ void paintHorizon(QPainter& painter, const QRectF& picture, const CameraOverlay&
 
 void paintArc(QPainter& painter, const QRectF& circle, const Proximity& part) {
     constexpr double Gap = 3.0;       // between parts [degrees]
-    constexpr double SeenFrom = 2.5;  // farther things leave the ring faint [m]
-    // ahead is up: directions are counter-clockwise from x, Qt's angles from the right
+    constexpr double SeenFrom = 2.5;  // things farther away are drawn faintest [m]
+    // ahead is up: directions count counter-clockwise from x, Qt's angles from the right
     const double from = inDegrees(part.from) + 90.0 + 0.5 * Gap;
     const double span = inDegrees(part.to - part.from) - Gap;
     QPainterPath arc;

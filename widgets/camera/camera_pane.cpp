@@ -16,7 +16,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Rhythm = 0.1;  ///< pictures that come faster than this are soon followed by another [s]
+constexpr double Rhythm = 0.1;  ///< a picture younger than this is soon followed by the next [s]
 
 }  // namespace
 
@@ -126,7 +126,7 @@ void CameraPane::showCursor() {
 
 QRectF CameraPane::pictureArea() const {
     if (m_picture.isNull()) return {};
-    if (m_panorama) {  // wide and low: what lies over other pictures has the room below
+    if (m_panorama) {  // wide and low: the overlay goes below it
         const double top = std::min<double>(paneHeadHeight(font()), 0.5 * height());
         const QSizeF size =
             QSizeF(m_picture.size()).scaled(QSizeF(width(), height() - top), Qt::KeepAspectRatio);
@@ -156,7 +156,7 @@ void CameraPane::scalePicture(const QSize& size, bool grey) {
 
 void CameraPane::paintPicture(QPainter& painter, Freshness freshness) {
     if (m_picture.isNull() || freshness == Freshness::Never) return;
-    // Scaled once a picture: what lies over it changes more often.
+    // Scaled once per picture: the overlay changes more often.
     const double ratio = painter.device()->devicePixelRatioF();
     const QRectF area = pictureArea();
     scalePicture((ratio * area.size()).toSize().expandedTo({1, 1}), freshness != Freshness::Live);
@@ -173,7 +173,7 @@ void CameraPane::paintThermal(QPainter& painter, bool live) const {
     if (live) taken.push_back(thermalScaleArea(open));
     if (m_overlay.turn.pan || m_overlay.turn.tilt) taken.push_back(panMarkArea(area));
     paintHeat(painter, area, *m_thermal, m_heat, open, taken);
-    if (!live) return;  // what is grey has no temperatures
+    if (!live) return;  // a grey picture shows no temperatures
     paintThermalScale(painter, open, m_thermalRange, m_palette);
     if (!m_pointer) return;
     const QPointF at = inPicture(*m_pointer);
@@ -190,7 +190,7 @@ QRectF CameraPane::overlayArea() const {
 void CameraPane::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     const ThemeColours& colours = coloursOf(presentTheme());
-    // Dark in every theme: what is drawn over pictures is made for that.
+    // Dark in every theme: overlays are made for it.
     painter.fillRect(rect(), coloursOf(Theme::Dark).pane);
     const Freshness freshness = freshnessOf(m_head.age, m_head.limits);
     paintPicture(painter, freshness);
@@ -198,7 +198,7 @@ void CameraPane::paintEvent(QPaintEvent* /*event*/) {
     if (seen && m_thermal) paintThermal(painter, freshness == Freshness::Live);
     if (seen && m_panorama) paintPanorama(painter, pictureArea(), *m_panorama);
     if (seen && m_front && !m_panorama) paintFront(painter, pictureArea(), *m_front);
-    // The mode, the horizon and what is near have ages of their own: they stay when pictures do not come.
+    // Mode, horizon and proximity have ages of their own: they stay when pictures do not come.
     paintCameraOverlay(painter, overlayArea(), paneHeadHeight(font()), m_overlay);
     paintLoss(painter, rect(), m_head, colours);
     paintPaneHead(painter, rect(), m_head, colours);
@@ -227,12 +227,11 @@ void CameraPane::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || !inside) return;
     if (m_pointing) return emit pointedAt(at);
     m_pressed = event->position();
-    m_points =
-        event->modifiers().testFlag(Qt::ShiftModifier);  // unless it is dragged: Shift also drives slowly
+    m_points = event->modifiers().testFlag(Qt::ShiftModifier);  // unless dragged: Shift also drives slowly
 }
 
 void CameraPane::mouseDoubleClickEvent(QMouseEvent* event) {
-    event->accept();  // the first click was for something; its echo is not for driving
+    event->accept();  // the first click was handled; its double click must not drive
 }
 
 void CameraPane::mouseReleaseEvent(QMouseEvent* event) {

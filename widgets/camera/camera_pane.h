@@ -18,51 +18,51 @@
 
 namespace leitstand {
 
-/// What is drawn into a camera's picture; what is not known is empty and not drawn.
+/// What is drawn over a camera's picture. Unknown values are empty and not drawn.
 struct CameraOverlay {
     std::optional<ModeLabel> mode;
     std::optional<double> roll, pitch;  ///< of the robot: right side down, nose down [rad]
     PanWords turn;                      ///< of the camera
-    std::optional<double> wishedPan;    ///< where it is on its way to [rad]
+    std::optional<double> wishedPan;    ///< pan that the camera is turning to [rad]
     double panLimit = 1.75;             ///< to each side [rad]
     double viewAngle = 0.9;             ///< from the left to the right border of the picture [rad]
-    QStringList notes;                  ///< what was done to the picture: "contrast raised"
+    QStringList notes;                  ///< how the picture was processed: "contrast raised"
     std::vector<Proximity> ring;        ///< proximityRing(); empty: none
-    bool moving = false;                ///< a camera turned aside deserves a look then
+    bool moving = false;                ///< the robot moves; a camera turned aside is then highlighted
 };
 
-/// A camera of a robot: its picture as large as it fits, how old it is, and over it what the driver has to
-/// know without looking away. Pictures that are stale are grey, lost ones are hardly seen.
+/// Shows a camera of a robot: its picture as large as it fits, the picture's age, and an overlay for the
+/// driver. Stale pictures are grey, lost ones almost invisible.
 class CameraPane final : public QWidget {
     Q_OBJECT
 public:
     explicit CameraPane(QWidget* parent = nullptr);
 
-    /// Whose camera this is, and what it is called: "Left camera".
+    /// Sets the robot whose camera this is, and the camera's title: "Left camera".
     void setCamera(const RobotFace& face, const QString& title);
     void setPicture(const QImage& picture);
-    /// There is no camera for this pane: an empty one is calm.
+    /// Whether there is no camera for this pane; it then shows neither age nor loss.
     void setVacant(bool vacant);
-    /// Temperatures instead of a picture: with a scale, and the value under the pointer.
+    /// Shows temperatures instead of a picture, with a scale and the value under the pointer.
     void setThermal(std::shared_ptr<const ThermalPicture> picture, const ThermalRange& range = {},
                     ThermalPalette palette = ThermalPalette::Iron);
-    /// Warm things in the thermal picture, framed.
+    /// Frames warm things in the thermal picture.
     void setHeat(const std::vector<HeatBlob>& blobs);
-    /// From which age a picture is old.
+    /// Sets the ages from which a picture is stale or lost.
     void setLimits(const FreshnessLimits& limits) { m_head.limits = limits; }
-    /// How old the picture is, PictureAge::at(); @p note stands after it: "full speed".
+    /// Sets the picture's age (PictureAge::at()). @p note is shown after it: "full speed".
     void setAge(const DataAge& age, const QString& note = {});
     void setOverlay(const CameraOverlay& overlay);
-    /// The picture is one all around: directions are marked along it. Empty: it is none.
+    /// Marks directions along the picture, a panorama of @p shape. Empty: it is no panorama.
     void setPanorama(const std::optional<PanoramaShape>& shape);
-    /// Where the robot's front is in an omnidirectional picture, 0 to 1 of both sides; empty: unmarked.
+    /// Marks the robot's front in an omnidirectional picture, 0 to 1 of width and height. Empty: no mark.
     void setFront(const std::optional<QPointF>& ahead);
     /// Whether dragging the picture turns the camera.
     void setTurnable(bool turnable);
-    /// The next click points at something, as clicks with Shift always do.
+    /// Whether the next click points at something; clicks with Shift always do.
     void setPointing(bool pointing);
 
-    /// Where the picture is painted [px]; empty without one.
+    /// Returns where the picture is painted [px]; empty without a picture.
     [[nodiscard]] QRectF pictureArea() const;
     [[nodiscard]] QSize sizeHint() const override { return {640, 480}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {180, 140}; }
@@ -70,11 +70,11 @@ public:
 signals:
     /// The operator pointed at @p place, 0 to 1 of the picture's width and height.
     void pointedAt(const QPointF& place);
-    void pointingEnded();  ///< by the right button: at nothing
+    void pointingEnded();  ///< by the right button, without a place
     /// The picture was clicked at @p x, @p y, 0 to 1 of its width and height.
     void pictureClicked(double x, double y);
-    /// A camera that can be turned was taken hold of at @p from; places as above, @p to maybe outside. Told
-    /// again while the pointer moves; @p first: a new hold.
+    /// The operator drags a turnable camera from @p from to @p to; places as above, @p to may lie outside.
+    /// Emitted while the pointer moves; @p first: the drag begins.
     void pictureDragged(const QPointF& from, const QPointF& to, bool first);
 
 protected:
@@ -86,7 +86,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    /// The next picture is about to come: what lies over this one is painted with it.
+    /// Whether the next picture is due soon. Overlay changes are then painted with it.
     [[nodiscard]] bool nextIsNear() const;
     void showCursor();
     void paintPicture(QPainter& painter, Freshness freshness);
@@ -97,7 +97,7 @@ private:
 
     PaneHead m_head;
     QImage m_picture;
-    QImage m_scaled;  ///< m_picture as it is painted, made when it is needed
+    QImage m_scaled;  ///< m_picture at the size painted, made when needed
     bool m_scaledGrey = false;
     std::shared_ptr<const ThermalPicture> m_thermal;
     ThermalRange m_thermalRange;
@@ -107,7 +107,7 @@ private:
     std::optional<PanoramaShape> m_panorama;
     std::optional<QPointF> m_front;
     bool m_turnable = false, m_dragging = false, m_pointing = false;
-    std::optional<QPointF> m_pressed;  ///< where the button went down [px]
+    std::optional<QPointF> m_pressed;  ///< where the button was pressed [px]
     bool m_points = false;             ///< Shift was held then
     std::optional<QPointF> m_pointer;
 };

@@ -8,10 +8,11 @@
 
 namespace leitstand {
 
-/// Directions along the lower edge of a panorama that lies in @p area, its horizon, and where the robot's
-/// front is.
+/// Paints directions along the lower edge of a panorama that fills @p area, its horizon, and the robot's
+/// front.
 void paintPanorama(QPainter& painter, const QRectF& area, const PanoramaShape& shape);
-/// The robot's front in an omnidirectional picture that lies in @p area; @p ahead: 0 to 1 of both sides.
+/// Marks the robot's front in an omnidirectional picture that fills @p area. @p ahead: 0 to 1 of width and
+/// height.
 void paintFront(QPainter& painter, const QRectF& area, const QPointF& ahead);
 
 }  // namespace leitstand

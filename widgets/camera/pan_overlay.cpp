@@ -15,7 +15,7 @@ namespace {
 
 constexpr double WedgeBox = 56.0;     ///< side of the view from above [px]
 constexpr double WordsHeight = 44.0;  ///< of the line with its words [px]
-constexpr double LeastWidth = 320.0;  ///< narrower pictures have only the view from above [px]
+constexpr double LeastWidth = 320.0;  ///< narrower pictures show only the view from above [px]
 
 const QColor& colourOf(const CameraOverlay& overlay) {
     static const QColor calm(Qt::white);
@@ -23,7 +23,7 @@ const QColor& colourOf(const CameraOverlay& overlay) {
     return aside ? overlayInks().attention : calm;
 }
 
-/// The body from above, ahead is up, and what the camera sees of its surroundings.
+/// Paints the body from above, ahead up, and the camera's field of view.
 void paintFromAbove(QPainter& painter, const QRectF& box, const CameraOverlay& overlay,
                     const QColor& colour) {
     const QPointF eye(box.center().x(), box.center().y() + 4.0);
@@ -41,7 +41,7 @@ void paintFromAbove(QPainter& painter, const QRectF& box, const CameraOverlay& o
     painter.setPen(QPen(colour, 1.5));
     painter.setBrush(veil);
     painter.drawPath(wedge);
-    // the body, with a notch where its front is
+    // the body, with a notch at its front
     const QRectF body(eye.x() - 6.0, eye.y() - 3.0, 12.0, 17.0);
     painter.setPen(QPen(QColor(0, 0, 0, 150), 1.0));
     painter.setBrush(QColor(255, 255, 255, 190));
@@ -69,7 +69,7 @@ void paintLine(QPainter& painter, const QRectF& picture, const CameraOverlay& ov
     line.lineTo(x, y + 5.0);
     strokeRimmed(painter, line, QColor(255, 255, 255, 130), 1.5);
     const double limit = std::max(0.1, overlay.panLimit);
-    const auto tipOf = [&](double pan) {  // left is left
+    const auto tipOf = [&](double pan) {  // positive pan is left
         return QPointF(x - half * std::clamp(pan / limit, -1.0, 1.0), y - 10.0);
     };
     if (overlay.wishedPan) paintMark(painter, tipOf(*overlay.wishedPan), overlayInks().select, false);

@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-/// Numbers spread from their least to their greatest as grey.
+/// Returns the numbers of @p picture as grey, spread from their least to their greatest.
 template <class Number>
 QImage spread(const Picture& picture) {
     std::vector<Number> numbers(picture.bytes.size() / sizeof(Number));
@@ -46,7 +46,7 @@ QImage imageOf(const Picture& picture) {
             return QImage(bytes, picture.width, picture.height, picture.width, QImage::Format_Grayscale8)
                 .copy();
         case Picture::Pixel::Rgb8:
-            // what the painter draws fastest
+            // the format that the painter draws fastest
             return QImage(bytes, picture.width, picture.height, 3 * static_cast<qsizetype>(picture.width),
                           QImage::Format_RGB888)
                 .convertToFormat(QImage::Format_RGB32);

@@ -10,12 +10,11 @@
 
 namespace leitstand {
 
-/// @p picture as Qt draws it; a deep copy. Numbers (Grey16, Float32) are spread from their least to their
-/// greatest. Null when sizes and bytes do not fit.
+/// Returns @p picture as a QImage, a deep copy. Numbers (Grey16, Float32) are spread from their least to
+/// their greatest. Null when size and bytes do not match.
 [[nodiscard]] QImage imageOf(const Picture& picture);
 
-/// The temperatures that the palette spreads over; the same for all pictures, so that a colour keeps its
-/// meaning.
+/// The temperatures that the palette spans; the same for all pictures, so that a colour keeps its meaning.
 struct ThermalRange {
     float coolest = 15.0F, hottest = 40.0F;  ///< [degrees C]
     friend bool operator==(const ThermalRange&, const ThermalRange&) = default;
@@ -26,16 +25,17 @@ enum class ThermalPalette {
     GreyCold,  ///< hot is black
 };
 
-/// The colour of @p celsius, cut to @p range; NaN is mid grey.
+/// Returns the colour of @p celsius, clamped to @p range; mid grey for NaN.
 [[nodiscard]] QRgb thermalColour(float celsius, const ThermalRange& range, ThermalPalette palette);
 [[nodiscard]] QImage imageOf(const ThermalPicture& picture, const ThermalRange& range = {},
                              ThermalPalette palette = ThermalPalette::Iron);
-/// The temperature at @p x, @p y (0 to 1 of width and height); empty outside and where none was measured.
+/// Returns the temperature at @p x, @p y (0 to 1 of width and height) [degrees C]; empty outside or where
+/// none was measured.
 [[nodiscard]] std::optional<float> celsiusAt(const ThermalPicture& picture, double x, double y);
-/// The least and greatest temperatures of @p picture, at least 2 K apart.
+/// Returns the least and greatest temperatures of @p picture, at least 2 K apart.
 [[nodiscard]] ThermalRange rangeOf(const ThermalPicture& picture);
-/// @p before, moved some way to @p now, at once where they differ much: colours that follow the picture do
-/// not flicker.
+/// Returns @p before moved part of the way to @p now, or @p now where they differ by more than 10 K. Colours
+/// that follow the picture then do not flicker.
 [[nodiscard]] ThermalRange eased(const ThermalRange& before, const ThermalRange& now);
 
 }  // namespace leitstand

@@ -18,13 +18,13 @@ struct ThermalTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::ThermalOverlay)
 };
 
-constexpr double ScaleWidth = 83.0;  // with its figures [px]
+constexpr double ScaleWidth = 83.0;  // with its numbers [px]
 
 QString celsiusText(double celsius, int decimals) {
     return ThermalTexts::tr("%1 °C").arg(numberText(celsius, decimals));
 }
 
-/// @p box moved so that it lies within @p area.
+/// Returns @p box moved into @p area.
 QRectF within(QRectF box, const QRectF& area) {
     box.moveLeft(std::clamp(box.left(), area.left(), std::max(area.left(), area.right() - box.width())));
     box.moveTop(std::clamp(box.top(), area.top(), std::max(area.top(), area.bottom() - box.height())));

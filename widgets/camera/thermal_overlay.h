@@ -10,16 +10,16 @@
 
 namespace leitstand {
 
-/// The palette with its temperatures along the right edge of @p area.
+/// Paints the palette with its temperatures along the right edge of @p area.
 void paintThermalScale(QPainter& painter, const QRectF& area, const ThermalRange& range,
                        ThermalPalette palette);
-/// What paintThermalScale() needs of @p area.
+/// Returns the part of @p area that paintThermalScale() needs.
 [[nodiscard]] QRectF thermalScaleArea(const QRectF& area);
-/// Frames around warm things in @p picture as it lies in @p area, bodies with a word within @p open that
-/// keeps off what is @p taken.
+/// Frames warm things in @p picture, which fills @p area. Bodies get a label within @p open that avoids
+/// @p taken.
 void paintHeat(QPainter& painter, const QRectF& area, const ThermalPicture& picture,
                const std::vector<HeatBlob>& blobs, const QRectF& open, const std::vector<QRectF>& taken);
-/// The temperature at the pointer, beside it and within @p area.
+/// Paints the temperature at the pointer, beside it and within @p area.
 void paintCelsius(QPainter& painter, const QRectF& area, const QPointF& pointer, float celsius);
 
 }  // namespace leitstand

@@ -15,18 +15,18 @@ class QTableView;
 
 namespace leitstand {
 
-/// What came and what went since the missions before, the largest first.
+/// Lists what is new and what is gone since the missions before, largest first.
 class ChangesPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit ChangesPanel(QWidget* parent = nullptr);
 
-    /// @p changes: null until they are known. @p robotInMap: of the selected robot.
+    /// Shows @p changes; null until they are known. @p robotInMap: pose of the selected robot.
     void show(const MapChanges* changes, const std::optional<Pose>& robotInMap);
     using QWidget::show;
-    /// Buttons for these commands, below the list.
+    /// Adds a button below the list for each of @p commands.
     void setCommands(const std::vector<QAction*>& commands);
-    /// What is chosen; empty: nothing.
+    /// Returns the chosen row; empty: none.
     [[nodiscard]] std::optional<ChangedRow> chosen() const;
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 180}; }

@@ -62,7 +62,7 @@ MissedPanel::MissedPanel(QWidget* parent)
 }
 
 void MissedPanel::focusInEvent(QFocusEvent* event) {
-    // No proxy: while it is hidden, nobody could leave by Tab what stands before it.
+    // No focus proxy: while it is hidden, Tab could not leave the widget before this one.
     QWidget& taken = m_table->isVisibleTo(this) ? static_cast<QWidget&>(*m_table) : *m_sensor;
     taken.setFocus(event->reason());
 }
@@ -74,7 +74,7 @@ void MissedPanel::show(const SearchedFloorPtr& searched, const std::optional<Pos
     m_model.setRows(rows);
     if (kept) {
         chooseRow(*m_table, m_model.rowAt(kept->inMap, SamePlace));
-        emit chosenChanged();  // a table that was filled anew does not say so
+        emit chosenChanged();  // a table that was reset does not notify
     }
     m_title->setText(searched ? searchedText(*searched, sensor()) : QString());
     m_table->setVisible(!rows.empty());

@@ -14,22 +14,22 @@ class QAction;
 
 namespace leitstand {
 
-/// What did I miss: floor that robots can reach and that a kind of sensor did not see, the largest first.
+/// Lists reachable floor that a kind of sensor did not see, largest piece first.
 class MissedPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit MissedPanel(QWidget* parent = nullptr);
 
-    /// @p searched: null until there is a map. @p robotInMap: of the selected robot.
+    /// Shows @p searched; null until there is a map. @p robotInMap: pose of the selected robot.
     void show(const SearchedFloorPtr& searched, const std::optional<Pose>& robotInMap);
     using QWidget::show;
     [[nodiscard]] SearchSensor sensor() const;
     void setSensor(SearchSensor sensor);
-    /// Buttons for these commands, below the list.
+    /// Adds a button below the list for each of @p commands.
     void setCommands(const std::vector<QAction*>& commands);
-    /// The piece that is chosen; empty: none.
+    /// Returns the chosen piece; empty: none.
     [[nodiscard]] std::optional<MissedRow> chosen() const;
-    /// Chooses the largest piece where none is chosen.
+    /// Chooses the largest piece when none is chosen.
     void chooseFirst();
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 180}; }

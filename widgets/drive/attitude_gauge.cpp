@@ -11,8 +11,8 @@
 namespace leitstand {
 namespace {
 
-/// How far the horizon is from the middle of a dial of radius 1 at the limit of pitch: its ends are then
-/// where the dots begin, as they are at the limit of roll.
+/// Returns the horizon's distance from the middle of a dial of radius 1 at the pitch limit. Its ends then
+/// reach the dots, as at the roll limit.
 double offsetAtLimit(const AttitudeFigures& attitude) {
     const bool dotted = attitude.maxRoll > 0.0 && attitude.maxRoll < degrees(85);
     return dotted ? std::sin(attitude.maxRoll) : 0.66;
@@ -37,7 +37,7 @@ void AttitudeGauge::paintDial(QPainter& painter, const QPointF& centre, double r
     painter.setPen(QPen(colours.line, 1.5));
     painter.setBrush(colours.window);
     painter.drawEllipse(circle);
-    // Beyond the limit of roll, on all four sides.
+    // Dots beyond the roll limit, on all four sides.
     const double limit = inDegrees(m_attitude.maxRoll);
     if (limit > 0.0 && limit < 85.0) {
         QPen dots(colours.act, 3.0, Qt::CustomDashLine, Qt::RoundCap);

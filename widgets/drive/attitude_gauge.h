@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Roll and pitch of a robot against the limits where it tips over: the horizon as from its cab; dotted
-/// beyond the limits.
+/// Shows roll and pitch of a robot as the horizon seen from its cab. The dial is dotted beyond the limits
+/// where the robot tips over.
 class AttitudeGauge final : public QWidget {
     Q_OBJECT
 public:

@@ -11,19 +11,20 @@ class EnergyCell;
 class GasCell;
 class ModeCell;
 
-/// The strip below the panes: mode, hold, motion, attitude, battery, link and CO2 of the selected robot.
+/// The strip below the panes. Shows mode, hold, motion, attitude, battery, link and CO2 of the selected
+/// robot.
 class DriveStrip final : public QWidget {
     Q_OBJECT
 public:
     explicit DriveStrip(QWidget* parent = nullptr);
 
-    /// driveStateOf() the selected robot.
+    /// Shows @p state, the driveStateOf() of the selected robot.
     void show(const DriveState& state);
     using QWidget::show;
 
 signals:
-    void grantAsked();                 ///< for the grant to drive
-    void grantGivenUp();               ///< or asked for no more
+    void grantAsked();                 ///< the operator requests the grant to drive
+    void grantGivenUp();               ///< the operator gives up the grant, or withdraws the request
     void grantAnswered(bool consent);  ///< to the station that asks
 
 private:

@@ -40,7 +40,7 @@ void EnergyCell::paintEvent(QPaintEvent* /*event*/) {
     if (tall || m_battery.leftBrief.isEmpty()) {
         paintCaption(painter, {left, y, inner, 18}, tr("Battery"), colours.muted);
     } else {
-        // The time left stands beside the caption, or instead of it.
+        // The time left goes beside the caption, or replaces it.
         const QFontMetricsF metrics(sized(painter.font(), CaptionSize));
         const double wide = metrics.horizontalAdvance(m_battery.leftBrief);
         const bool both = metrics.horizontalAdvance(tr("Battery")) + 8.0 + wide <= inner;
@@ -66,7 +66,7 @@ void EnergyCell::paintEvent(QPaintEvent* /*event*/) {
     y += 13.0;
     paintCaption(painter, {left, y, inner, 18}, tr("Link"), colours.muted);
     y += 19.0;
-    // What has no room beside the round trip stands below it, before the reason.
+    // What has no room beside the round trip goes below it, before the reason.
     const QString all = m_link.join(Between);
     const bool bold = m_linkTone == Tone::Attention;
     const double whole = QFontMetricsF(sized(painter.font(), LeastLinkSize, bold)).horizontalAdvance(all);

@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// Battery and link of the selected robot.
+/// Shows battery and link of the selected robot.
 class EnergyCell final : public QWidget {
     Q_OBJECT
 public:

@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-/// Between two pictures of which only the trend's ages differ: it is two minutes long.
+/// Interval of repaints while only the trend's ages change; the trend spans two minutes.
 constexpr std::chrono::milliseconds TrendEvery(250);
 
 bool sameWords(const GasFigures& a, const GasFigures& b) {
@@ -42,7 +42,7 @@ void GasCell::show(const GasFigures& gas) {
 
 void GasCell::paintTrend(QPainter& painter, const QRectF& area) const {
     const ThemeColours& colours = coloursOf(presentTheme());
-    double least = 400.0, most = 1.1 * m_gas.alarm;  // of air, and with the alarm's level in sight
+    double least = 400.0, most = 1.1 * m_gas.alarm;  // of clean air [ppm]; the alarm level stays in sight
     for (const auto& [age, ppm] : m_gas.samples) {
         least = std::min(least, ppm);
         most = std::max(most, ppm);

@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// CO2 of the selected robot: value, whether it rises, its last two minutes and the alarm's level.
+/// Shows CO2 of the selected robot: value, trend arrow, its last two minutes and the alarm level.
 class GasCell final : public QWidget {
     Q_OBJECT
 public:

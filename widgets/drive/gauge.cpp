@@ -11,7 +11,7 @@ void paintCaption(QPainter& painter, const QRectF& line, const QString& text, co
 
 double paintFigure(QPainter& painter, const QRectF& line, const Figure& figure, int pixels,
                    const ThemeColours& colours) {
-    // A number without its unit may be taken for another one: it gets smaller before that.
+    // A number without its unit may be misread: the number shrinks before the unit goes.
     const double unit = QFontMetricsF(sized(painter.font(), CaptionSize)).horizontalAdvance(figure.unit);
     painter.setFont(
         fitted(painter.font(), figure.value, line.width() - (unit > 0.0 ? unit + 4.0 : 0.0), pixels, 11));

@@ -9,12 +9,13 @@
 
 namespace leitstand {
 
-/// Fonts of the drive strip: captions, the one number of a gauge, smaller numbers.
+/// Font sizes of the drive strip: captions, the main number of a gauge, smaller numbers.
 inline constexpr int CaptionSize = 12, NumberSize = 24, FigureSize = 19;  ///< [px]
 
-/// Paints a caption into the left of @p line, cut with dots when it is too long.
+/// Paints a caption left-aligned into @p line, elided when it is too long.
 void paintCaption(QPainter& painter, const QRectF& line, const QString& text, const QColor& colour);
-/// Paints a number and its unit, and returns where it ends. The unit gives way to the number.
+/// Paints a number and its unit, and returns their right edge [px]. The unit is left out when there is no
+/// room.
 double paintFigure(QPainter& painter, const QRectF& line, const Figure& figure, int pixels,
                    const ThemeColours& colours);
 

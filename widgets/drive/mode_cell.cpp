@@ -12,7 +12,7 @@ using Choice = GrantFigures::Choice;
 
 constexpr double Left = 18.0, Right = 10.0;  ///< [px]
 constexpr double ButtonHeight = 24.0;        ///< [px]
-constexpr double Roomy = 190.0;              ///< height from which on lines keep some distance [px]
+constexpr double Roomy = 190.0;              ///< height from which lines are spaced out [px]
 constexpr double Numbers = 28.0, Captions = 18.0, TracksLine = 16.0, Hint = 31.0;  ///< heights [px]
 
 }  // namespace
@@ -109,7 +109,7 @@ void ModeCell::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(QRect(0, 0, 4, height()), colours.robot(m_state.face.place));
     const QColor ink = modeInk(m_state.mode.kind, colours);
     const bool red = m_state.mode.kind == ModeKind::Stop;
-    // On red, words are white: amber and grey would not be read there.
+    // On red, text is white: amber and grey are illegible there.
     const auto on = [&](Tone tone) { return red ? QColor(Qt::white) : toneColour(tone, colours); };
     const double inner = width() - Left - Right;
     const double grant = grantLine().top(), below = grantLine().bottom() + 1.0;
@@ -123,7 +123,7 @@ void ModeCell::paintEvent(QPaintEvent* /*event*/) {
     painter.drawText(QRectF(Left, 22, inner, grant - Hint - 22.0), Qt::AlignLeft | Qt::AlignVCenter,
                      m_state.mode.text);
     painter.setFont(sized(painter.font(), 13));
-    // A chain that does not follow is told in any case: before what is only good to know.
+    // A chain that does not follow is always shown; it replaces a muted hint.
     const bool noteFirst = !tracks.note.isEmpty() && !tracksFit && m_state.hintTone == Tone::Muted;
     painter.setPen(on(noteFirst ? tracks.tone : m_state.hintTone));
     paintWrapped(painter, {Left, grant - Hint, inner, Hint}, noteFirst ? tracks.note : m_state.hint, 2);
@@ -140,7 +140,7 @@ void ModeCell::paintEvent(QPaintEvent* /*event*/) {
         paintCaption(painter, {Left, below, inner, TracksLine}, tracks.note.isEmpty() ? figures : tracks.note,
                      on(tracks.tone));
     }
-    // Numbers stand at the bottom whatever the height; their captions go first when it is small.
+    // Numbers stay at the bottom at any height; their captions go first when it is small.
     const double column = inner / 3.0;
     const bool captions = numbers - Captions >= below - 1.0 + (tracksFit ? TracksLine : 0.0);
     ThemeColours onRed = colours;

@@ -8,8 +8,8 @@ class QToolButton;
 
 namespace leitstand {
 
-/// The mode of the selected robot as the largest text of the window, on its own background; below it what
-/// has to be known or done, who holds the grant to drive, speed, turn and the nearest obstacle.
+/// Shows the mode of the selected robot as the largest text of the window, on its own background. Below it: a
+/// hint, the holder of the grant to drive, speed, turn rate and the nearest obstacle.
 class ModeCell final : public QWidget {
     Q_OBJECT
 public:

@@ -8,7 +8,7 @@ namespace leitstand {
 namespace {
 
 constexpr int TextSize = 17, KeySize = 12;         ///< of fonts [px]
-constexpr int Height = 42, Upper = 25, Side = 12;  ///< of the upper line; beside the text [px]
+constexpr int Height = 42, Upper = 25, Side = 12;  ///< of the button; of the upper line; beside the text [px]
 
 }  // namespace
 
@@ -19,7 +19,7 @@ StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
     setToolTip(
         tr("Stops all robots and holds them until each is released (Esc, always and everywhere).\n"
            "A function of this program, no certified emergency stop."));
-    // A click on it never takes the keys from driving.
+    // A click never takes the focus: driving keeps the keys.
     setFocusPolicy(Qt::TabFocus);
     setCursor(Qt::PointingHandCursor);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);

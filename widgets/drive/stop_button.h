@@ -4,8 +4,8 @@
 
 namespace leitstand {
 
-/// The stop of all robots: large, red in every theme and state, always of one size. Esc is the window's: it
-/// is only written here.
+/// The button that stops all robots: large, of fixed size, red in every theme and state. It shows Esc; the
+/// window handles that key.
 class StopButton final : public QAbstractButton {
     Q_OBJECT
 public:
@@ -15,7 +15,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
-    void stopRequested();  ///< of all robots, on press: not only when let go
+    void stopRequested();  ///< of all robots; emitted on press, not on release
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -17,7 +17,7 @@
 namespace leitstand {
 namespace {
 
-/// A field with its caption before it.
+/// Adds @p field with its caption before it.
 void addTo(QHBoxLayout& line, const QString& caption, QWidget& field, const QString& hint) {
     auto* label = new QLabel(caption, field.parentWidget());
     label->setBuddy(&field);

@@ -16,15 +16,15 @@ namespace leitstand {
 class NumberBox;
 class StreamList;
 
-/// What every stream of every robot takes of the link, and what is asked of them: a table, an editor for the
-/// chosen stream, the total, the switch of the thin link and its budget.
+/// Shows what every stream of every robot takes of the link, and what is requested of it. Has a table, an
+/// editor for the chosen stream, the total, the thin-link switch and its budget.
 class LinkPane final : public QWidget {
     Q_OBJECT
 public:
-    /// @p thin: the command that switches the thin link, shown as a button.
+    /// @p thin: command that switches the thin link, shown as a button.
     explicit LinkPane(QAction& thin, QWidget* parent = nullptr);
 
-    /// @p megabits: of all robots together [Mbit/s]; @p budget: of the thin link.
+    /// @p megabits: total of all robots [Mbit/s]. @p budget: of the thin link [Mbit/s].
     void show(std::vector<StreamRow> rows, double megabits, bool thin, double budget);
     using QWidget::show;
     [[nodiscard]] const StreamTable& table() const;
@@ -43,7 +43,7 @@ private:
     QLabel *m_total, *m_chosen;
     QCheckBox* m_enabled;
     NumberBox *m_rate, *m_quality, *m_width, *m_budget;
-    bool m_showing = false;  ///< what the fields show comes from the model
+    bool m_showing = false;  ///< the fields are being filled from the model
 };
 
 }  // namespace leitstand

@@ -8,7 +8,8 @@
 
 namespace leitstand {
 
-/// The streams of all robots, a row each. Columns that do not fit are hidden, the least needed first.
+/// A table of the streams of all robots, one row each. Columns that do not fit are hidden, the least needed
+/// first.
 class StreamList final : public QTableView {
     Q_OBJECT
 public:
@@ -16,7 +17,7 @@ public:
 
     void setRows(std::vector<StreamRow> rows) { m_streams.setRows(std::move(rows)); }
     [[nodiscard]] const StreamTable& streams() const { return m_streams; }
-    /// Null: none is.
+    /// The chosen stream; null: none.
     [[nodiscard]] const StreamRow* chosen() const { return m_streams.row(currentIndex().row()); }
 
 signals:

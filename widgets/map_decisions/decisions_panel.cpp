@@ -21,7 +21,7 @@ namespace {
 
 constexpr double UsualCeiling = 2.0;
 
-/// Pair distances of a registration that is tried again, from wide to narrow [m].
+/// Returns the schedules of pair distances for a retry, each from wide to narrow [m].
 const std::vector<std::vector<double>>& schedules() {
     static const std::vector<std::vector<double>> all = {
         {1.5, 0.5, 0.25, 0.15}, {3.0, 1.5, 0.5, 0.25, 0.15}, {0.5, 0.25, 0.15}, {0.25, 0.15}};
@@ -125,7 +125,7 @@ QWidget* DecisionsPanel::worldLine() {
     return group;
 }
 
-// A field that goes while it has the focus says that it was edited, when this is no panel any more.
+// A field that is destroyed with the focus emits editingFinished, when this is no longer a DecisionsPanel.
 DecisionsPanel::~DecisionsPanel() {
     m_ceiling->disconnect(this);
 }

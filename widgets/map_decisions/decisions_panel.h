@@ -18,8 +18,8 @@ namespace leitstand {
 class KeyScanModel;
 class NumberBox;
 
-/// The scans of a map that grows, what speaks against them, and what can be decided: accept, reject, retry,
-/// rewind, undo; below, what of the world belongs into the map.
+/// Lists the scans of a live map with their doubts, and offers the decisions accept, reject, retry, rewind
+/// and undo. Below, it sets which part of the world enters the map.
 class DecisionsPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -27,19 +27,19 @@ public:
     explicit DecisionsPanel(KeyScanModel& scans, QWidget* parent = nullptr);
     ~DecisionsPanel() override;
 
-    /// Buttons for these commands, two a row; a null leaves room. They show the commands' short texts
+    /// Adds buttons for @p commands, two per row; a null leaves a gap. They show the commands' short texts
     /// (iconText) and keys.
     void setDecisions(const std::vector<QAction*>& commands);
-    /// Likewise beside what belongs into the map.
+    /// Adds buttons in the same way for commands that limit the map to an area.
     void setAreaCommands(const std::vector<QAction*>& commands);
 
     [[nodiscard]] std::uint64_t chosen() const;  ///< KeyScanSample::id; 0: none
     void choose(std::uint64_t id);
-    /// How far pairs may be apart when a scan is tried again: schedule [m].
+    /// Returns the schedule of pair distances with which a scan is registered again [m].
     [[nodiscard]] std::vector<double> retrySchedule() const;
     /// Shows the ceiling in force, map frame [m]; empty: none.
     void setCeiling(const std::optional<double>& height);
-    /// What is said of the area in force.
+    /// Shows @p text about the area in force.
     void setAreaText(const QString& text);
 
 signals:

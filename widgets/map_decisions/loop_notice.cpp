@@ -8,7 +8,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::seconds Shown(20);
-constexpr double Noticed = 0.05;  ///< what moves the map by less interrupts nobody [m]
+constexpr double Noticed = 0.05;  ///< smaller moves of the map show no notice [m]
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void LoopNotice::dismiss() {
 void LoopNotice::follow(std::uint64_t closed, double largest, SteadyTime now, bool asked) {
     if (closed != m_closed) {
         m_closed = closed;
-        if (largest < Noticed) return dismiss();  // the button would open that one
+        if (largest < Noticed) return dismiss();  // the button would open this loop
         m_until = now + Shown;
         m_notice->ask(tr("The map met itself and closed the loop: scans moved by up to %1 m.")
                           .arg(numberText(largest, 2)));

@@ -10,22 +10,24 @@
 
 namespace leitstand {
 
-/// Says over the map that it closed a loop by itself, for a while, with the button that opens the loop again.
+/// Shows for a while, over the map, that a loop closed automatically, with a button that opens the loop
+/// again.
 class LoopNotice final : public QObject {
     Q_OBJECT
 public:
-    /// @p open: opens the newest loop. @p over: the map. @p closed: loops that closed by themselves before.
+    /// @p open: opens the newest loop. @p over: the map. @p closed: number of loops closed automatically
+    /// before.
     LoopNotice(QAction& open, QWidget& over, std::uint64_t closed, QObject* parent);
 
-    /// @p closed: how many loops closed by themselves so far; the newest moved scans by up to @p largest [m].
-    /// @p asked: whether the map asks something, which goes before.
+    /// @p closed: number of loops closed automatically so far; the newest moved scans by up to @p largest
+    /// [m]. @p asked: the map asks a question, which goes first.
     void follow(std::uint64_t closed, double largest, SteadyTime now, bool asked);
 
 private:
     void dismiss();
 
     QAction m_keep;
-    MapQuestion* m_notice;  ///< of the map
+    MapQuestion* m_notice;  ///< child of the map
     std::uint64_t m_closed;
     SteadyTime m_until = {};
 };

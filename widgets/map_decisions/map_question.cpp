@@ -50,7 +50,7 @@ void MapQuestion::ask(const QString& question) {
     m_text->setToolTip(question);
     setAccessibleName(question);
     setVisible(!question.isEmpty());
-    placeAll();  // those above it make room, or come down
+    placeAll();  // those above it move up or down
 }
 
 void MapQuestion::placeAll() {
@@ -61,14 +61,14 @@ void MapQuestion::placeAll() {
 
 QList<MapQuestion*> MapQuestion::others() const {
     auto all = parentWidget()->findChildren<MapQuestion*>(QString(), Qt::FindDirectChildrenOnly);
-    // What is raised comes last among its parent's children.
+    // raise() moves a widget to the end of its parent's children.
     std::sort(all.begin(), all.end(),
               [](const MapQuestion* a, const MapQuestion* b) { return a->m_number < b->m_number; });
     return all;
 }
 
 bool MapQuestion::eventFilter(QObject* watched, QEvent* event) {
-    // Each lies on the one before: the first one sees to all.
+    // Each is stacked on the one before: the first places all.
     if (watched == parent() && event->type() == QEvent::Resize && others().front() == this) placeAll();
     return QFrame::eventFilter(watched, event);
 }
@@ -76,7 +76,7 @@ bool MapQuestion::eventFilter(QObject* watched, QEvent* event) {
 void MapQuestion::place() {
     constexpr int Widest = 420, Margin = 12, AboveLegend = 48, Small = 480, AtEdge = 4;
     const QSize room = parentWidget()->size();
-    // A small map is what one drives by: one line at its edge, without what would become of it.
+    // A small map is for driving: it shows one line at its edge, without the consequences.
     const bool small = room.height() < Small;
     m_text->setText(small ? m_question.section(QLatin1Char('\n'), 0, 0) : m_question);
     m_parts->setDirection(small ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);

@@ -12,27 +12,27 @@ class QLabel;
 
 namespace leitstand {
 
-/// Asks the operator something over the map. It lies at the lower edge of what it is over, in the middle,
-/// above those that were made before it; of a small map it takes a line. It takes no focus: driving goes on.
+/// Asks the operator a question over the map. It lies centred at the map's lower edge, above the questions
+/// made before it; on a small map it takes one line. It takes no focus: driving goes on.
 class MapQuestion final : public QFrame {
     Q_OBJECT
 public:
-    /// @p name: objectName(). @p answers: commands of its buttons.
+    /// @p name: objectName(). @p answers: commands of its buttons. @p over: the map.
     MapQuestion(const QString& name, const std::vector<QAction*>& answers, QWidget& over);
 
-    /// Empty: nothing is asked. What comes after its first line is left out over a small map.
+    /// Shows @p question; empty hides it. A small map shows only the first line.
     void ask(const QString& question);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void placeAll();  ///< that are asked over the same map
+    void placeAll();  ///< all questions over the same map
     void place();
-    /// All over the same map, itself too, as they were made.
+    /// Returns all questions over the same map, including this one, in order of creation.
     [[nodiscard]] QList<MapQuestion*> others() const;
 
-    const int m_number;  ///< rising, of those over the same map
+    const int m_number;  ///< rising among those over the same map
     QString m_question;
     QLabel* m_text;
     QBoxLayout* m_parts;

@@ -10,15 +10,15 @@
 
 namespace leitstand {
 
-/// A measurement between two points of a map. Each end goes with the scan that has its point, however the map
-/// moves.
+/// A measurement between two points of a map. Each end moves with the scan that holds its point.
 class MapRuler {
 public:
-    /// The next end is @p picked of @p content: the first, the second, then the first of another measurement.
+    /// Sets the next end to @p picked of @p content: the first, the second, then the first of a new
+    /// measurement.
     void pick(const PickedPoint& picked, const SceneContent& content);
     void clear();
     [[nodiscard]] bool begun() const { return m_from.has_value(); }
-    /// Where the ends are in @p content, map's frame [m]; empty: not picked.
+    /// Position of an end in @p content, in the map's frame [m]; empty: not picked.
     [[nodiscard]] std::optional<Eigen::Vector3d> from(const SceneContent& content) const;
     [[nodiscard]] std::optional<Eigen::Vector3d> to(const SceneContent& content) const;
     [[nodiscard]] std::optional<Measurement> measurement(const SceneContent& content) const;
@@ -28,7 +28,7 @@ private:
         std::size_t index = 0;  ///< of its scan in SceneContent::scans, where scans have no id
         std::uint64_t id = 0;   ///< SceneScan::id
         Eigen::Vector3d inScan = Eigen::Vector3d::Zero();  ///< [m]
-        Eigen::Vector3d inMap = Eigen::Vector3d::Zero();   ///< as it was picked, where that scan is gone [m]
+        Eigen::Vector3d inMap = Eigen::Vector3d::Zero();   ///< as picked; used when its scan is gone [m]
     };
     [[nodiscard]] static std::optional<Eigen::Vector3d> placeOf(const std::optional<End>& end,
                                                                 const SceneContent& content);

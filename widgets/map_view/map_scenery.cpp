@@ -12,11 +12,11 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds RestAfter(120);
-/// A robot that stops goes on mostly: what is begun then is overtaken.
+/// A robot that stops usually drives on soon. A full picture begun then would be interrupted.
 constexpr std::chrono::milliseconds FollowRestAfter(500);
-/// Between pictures while the camera goes with a robot: no hand waits for them.
+/// Interval of pictures while the camera follows a robot.
 constexpr std::chrono::milliseconds FollowEvery(90);
-/// Longer than between what is told of a robot, 30 times a second.
+/// Longer than the interval of robot poses, which come 30 times a second.
 constexpr std::chrono::milliseconds GlideEvery(50);
 
 bool sameScans(const MapPtr& a, const MapPtr& b) {
@@ -25,10 +25,10 @@ bool sameScans(const MapPtr& a, const MapPtr& b) {
                       [](const MapScan& x, const MapScan& y) { return x.scan == y.scan; });
 }
 
-/// Whether the map is framed so well by @p now that it need not move to become @p fitting: a map that grows
-/// by a little stands still.
+/// Whether @p now is so close to @p fitting that the camera need not move. A map that grows a little then
+/// stands still.
 bool isAlmost(const MapCamera& now, const MapCamera& fitting) {
-    constexpr double Shift = 0.03, Larger = 0.03, Smaller = 0.1;  // of the distance
+    constexpr double Shift = 0.03, Larger = 0.03, Smaller = 0.1;  // shares of the distance
     const double further = fitting.distance / now.distance - 1.0;
     return (fitting.focus - now.focus).norm() < Shift * now.distance && further < Larger &&
            further > -Smaller;
@@ -36,7 +36,7 @@ bool isAlmost(const MapCamera& now, const MapCamera& fitting) {
 
 }  // namespace
 
-// Callbacks come from other threads while this object lives: both workers stop calling before it goes.
+// Callbacks come from other threads. Both workers stop calling before this object is destroyed.
 MapScenery::MapScenery(QWidget& view)
     : m_view(view),
       m_freeCamera{presetCamera(CameraPreset::Reset, MapLook::Points)},
@@ -82,7 +82,7 @@ void MapScenery::setVisible(std::vector<bool> scanIsVisible) {
 void MapScenery::setTeam(std::vector<SceneRobot> robots) {
     if (robots == m_order.robots) return;
     m_order.robots = std::move(robots);
-    // What is coloured by robots, or named after them.
+    // Only these colourings show robots' colours or names.
     const MapColouring by = m_order.settings.colouring;
     if (by == MapColouring::Robot || by == MapColouring::Scan) submit();
 }
@@ -105,7 +105,7 @@ void MapScenery::recall(const MapViewSettings& settings) {
     setSettings(settings);
     m_freeCamera = leftFree;
     m_topCamera = leftTop;
-    // The view may have another size by now.
+    // The view may have been resized since.
     if (!following() && activeCamera().follows) frame();
 }
 
@@ -154,7 +154,7 @@ void MapScenery::aim(const Pose& baseInMap) {
     if (!m_followed.isActive()) drawFollowing();
 }
 
-/// Once in FollowEvery, wherever in it the robot was told of.
+/// Draws at most once per FollowEvery, however often poses arrive.
 void MapScenery::drawFollowing() {
     if (!std::exchange(m_wentOn, false)) return;
     m_followed.start();

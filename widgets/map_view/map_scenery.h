@@ -18,57 +18,57 @@ class QWidget;
 
 namespace leitstand {
 
-/// What a map view shows: hands orders to the worker, its content to the render thread, and keeps the picture
-/// drawn last and the cameras. GUI thread.
+/// The scene of a map view. Hands orders to the worker and its content to the render thread; keeps the last
+/// picture and the cameras. GUI thread.
 class MapScenery final : public QObject {
     Q_OBJECT
 public:
-    /// Draws for @p view, whose size, pixel ratio and visibility count.
+    /// Draws for @p view, with its size and pixel ratio, while it is visible.
     explicit MapScenery(QWidget& view);
     ~MapScenery() override;
 
     void setMap(MapPtr map);
     void setVisible(std::vector<bool> scanIsVisible);
-    /// Whose colours and names the robots' scans have.
+    /// Sets the robots that give their scans colours and names.
     void setTeam(std::vector<SceneRobot> robots);
-    /// A camera that followed a robot and does no more stays where it is.
+    /// Applies @p settings. A camera that stops following a robot stays where it is.
     void setSettings(const MapViewSettings& settings);
-    /// The same, but cameras that follow nothing are where they were left.
+    /// Applies @p settings; cameras that follow no robot return to where they were left.
     void recall(const MapViewSettings& settings);
     [[nodiscard]] const MapViewSettings& settings() const { return m_order.settings; }
 
-    /// The scan of this id stands out; 0: none.
+    /// Highlights the scan of this id; 0: none.
     void setHighlighted(std::uint64_t id);
-    /// As of MapView; @p dragged: setDragged().
+    /// As MapView::setGhosts(); @p dragged: as MapView::setDragged().
     void setGhosts(std::map<std::uint64_t, Pose> scansInMap, bool dragged);
-    void setChanges(std::shared_ptr<const MapChanges> changes);  ///< as of MapView
+    void setChanges(std::shared_ptr<const MapChanges> changes);  ///< as MapView::setChanges()
 
     [[nodiscard]] const MapCamera& camera() const;
-    /// The robot that the camera follows is there now.
+    /// Points the camera at the followed robot, now at @p baseInMap.
     void aim(const Pose& baseInMap);
-    /// Whether the camera goes with a robot.
+    /// Whether the camera follows a robot.
     [[nodiscard]] bool following() const;
-    /// The camera stays where it is from now on.
+    /// Stops following; the camera stays where it is.
     void stopFollowing();
-    /// Frames the scan of this id, without following anything. Nothing when it has no points on screen.
+    /// Frames the scan of this id and stops following. Does nothing when the scan has no points on screen.
     void frameScan(std::uint64_t id);
-    /// Looks at @p place of the map [m] as it looked before, without following anything.
+    /// Moves the focus to @p place of the map [m], keeps the view direction, and stops following.
     void centre(const Eigen::Vector3d& place);
-    /// Moves the camera; a coarse picture comes at once, a full one when it comes to rest.
+    /// Moves the camera. A coarse picture comes at once, a full one when the camera rests.
     void moveCamera(const MapCamera& camera);
     void setCamera(CameraPreset preset);
 
-    /// Asks for a full picture if the one there is does not show everything.
+    /// Requests a full picture if the one on screen does not show everything.
     void refresh();
-    /// A full picture of everything set so far; waits for it.
+    /// Draws a full picture of everything set so far, and waits for it.
     void finish();
 
-    /// What is on screen; its image is null before the first picture.
+    /// The picture on screen; its image is null before the first one.
     [[nodiscard]] const MapPicture& picture() const { return m_picture; }
-    /// How the picture on screen was projected, or the next one will be.
+    /// The projection of the picture on screen, or of the next one when there is none.
     [[nodiscard]] MapProjection projection() const;
     [[nodiscard]] bool settled() const;
-    /// Why nothing can be drawn; empty when all is well.
+    /// Why nothing can be drawn; empty without a failure.
     [[nodiscard]] const QString& failure() const { return m_failure; }
 
 signals:
@@ -77,12 +77,13 @@ signals:
     void failed(const QString& why);
 
 private:
-    /// A camera, and whether it frames the map: until somebody moves it, and then only when scans come or go.
+    /// A camera, and whether it frames the map. It frames the map when scans come or go, until somebody moves
+    /// it.
     struct FramedCamera {
         MapCamera camera;
         bool follows = true;
-        bool due = true;    ///< scans came or went since it framed them
-        bool fits = false;  ///< it framed some
+        bool due = true;    ///< scans came or went since it last framed the map
+        bool fits = false;  ///< it framed the map at least once
     };
 
     [[nodiscard]] FramedCamera& activeCamera();
@@ -102,11 +103,11 @@ private:
     SceneContentPtr m_content = std::make_shared<const SceneContent>();
     FramedCamera m_freeCamera, m_topCamera;
     FollowCamera m_follow;
-    Pose m_robot = Pose::Identity();  ///< that was aimed at last
+    Pose m_robot = Pose::Identity();  ///< last pose of the followed robot
     QElapsedTimer m_sinceAim;
-    QTimer m_followed;      ///< runs until the camera that goes with a robot is drawn again
-    bool m_wentOn = false;  ///< since it was drawn
-    QTimer m_glide;         ///< on to where a robot is of which nothing is told any more
+    QTimer m_followed;      ///< runs until the camera that follows a robot may be drawn again
+    bool m_wentOn = false;  ///< the camera moved since it was drawn
+    QTimer m_glide;         ///< moves the camera on to a robot that sends no new poses
     MapPicture m_picture;
     bool m_wasSettled = false;
     QString m_failure;

@@ -20,7 +20,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double StaleVeil = 0.5;  ///< of the background over a map to which nothing comes
+constexpr double StaleVeil = 0.5;  ///< opacity of the background over a stale map
 
 void paintFailure(QPainter& painter, const QRect& area, const QString& why, const OverlayStyle& style) {
     painter.setFont(style.font);

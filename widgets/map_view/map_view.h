@@ -35,122 +35,122 @@ struct Measurement {
     Eigen::Vector3d from, to;  ///< in the map's frame [m]
 };
 
-/// Something said of a part of the map, over what is drawn there highest.
+/// A text about a part of the map, drawn above that part's highest place on screen.
 struct MapCaption {
     std::vector<Eigen::Vector3d> places;  ///< of the part, in the map's frame [m]
     QString text;
 };
 
 /// Shows a map. A plain raster widget: VTK draws in its own EGL context on one render thread; the widget
-/// paints the picture last drawn. Mouse: left turns, middle or Shift+left shifts, wheel and right zooms.
-/// GUI thread only.
+/// paints the last picture. Mouse: left turns, middle or Shift+left shifts, wheel and right zoom. GUI thread
+/// only.
 class MapView final : public QWidget {
     Q_OBJECT
 public:
     explicit MapView(QWidget* parent = nullptr);
     ~MapView() override;
 
-    /// Shows @p map; scans already shown only move, new ones are added by a worker. The camera frames the map
+    /// Shows @p map. Scans already shown only move; a worker adds new ones. The camera frames the map
     /// whenever scans come or go, until the user moves it.
     void setMap(MapPtr map);
     /// Hides the scans whose entry is false; scans beyond the end are shown.
     void setVisible(std::vector<bool> scanIsVisible);
     using QWidget::setVisible;
 
-    /// The top look has a camera of its own; leaving it brings the other one back.
+    /// Applies @p settings. The top look has a camera of its own; leaving it restores the other camera.
     void setSettings(const MapViewSettings& settings);
-    /// The same, but a camera that follows no robot any more goes back to where it was left.
+    /// Applies @p settings; a camera that stops following a robot returns to where it was left.
     void recall(const MapViewSettings& settings);
     [[nodiscard]] const MapViewSettings& settings() const;
 
-    /// Looks from a preset side and frames the visible scans; in the top look always straight down.
+    /// Looks from a preset side and frames the visible scans. The top look always looks straight down.
     void setCamera(CameraPreset preset);
 
-    /// Shows robots where they are now: costs no drawing of points. The camera follows the selected one while
-    /// the settings say so.
+    /// Shows robots at their current poses, without drawing points again. The camera follows the selected one
+    /// when the settings ask for it.
     void setRobots(std::vector<RobotMark> robots);
-    /// Marks victims and other finds; @p chosen stands out.
+    /// Marks victims and other finds; highlights @p chosen.
     void setFinds(std::vector<VictimRow> finds, const std::optional<FindKey>& chosen);
-    /// Tints the floor that was searched and hatches what was missed; null: neither.
+    /// Tints searched floor and hatches missed floor; null: neither.
     void setFloorTint(FloorTintPtr tint);
-    /// The scan of this MapScan::id stands out; 0: none.
+    /// Highlights the scan of this MapScan::id; 0: none.
     void setHighlighted(std::uint64_t id);
-    /// Shows scans a second time, in one colour, where they might come to stand: by MapScan::id,
-    /// in the map's frame. Empty: none.
+    /// Shows scans a second time, in one colour, at poses they might get: by MapScan::id, in the map's frame.
+    /// Empty: none.
     void setGhosts(std::map<std::uint64_t, Pose> scansInMap);
-    /// The same for scans that the operator drags; while there are any, the others are not shown.
+    /// The same for scans that the operator drags. While there are any, those of setGhosts() are hidden.
     void setDragged(std::map<std::uint64_t, Pose> scansInMap);
-    /// Shows what came and what went in colours of their own, all else dimmed; null: neither.
+    /// Shows new and gone things in colours of their own and dims all else; null: neither.
     void setChanges(std::shared_ptr<const MapChanges> changes);
     /// Frames the scan of this MapScan::id.
     void showScan(std::uint64_t id);
-    /// Moves the camera, which follows nothing any more, to @p place of the map [m].
+    /// Moves the camera to @p place of the map [m] and stops following.
     void showPlace(const Eigen::Vector3d& place);
-    /// Nothing came to the map lately: it is greyed, robots and finds on it are not.
+    /// Greys the map, since it got no new data lately. Robots and finds keep their colours.
     void setStale(bool stale);
     /// Outlines an area on the floor (map frame [m]); empty: none.
     void setArea(std::vector<Eigen::Vector2d> area);
-    /// Two places of which somebody asks whether they are one, with what lies between; empty: none.
+    /// Shows two places that may be the same, and the distance between them; empty: none.
     void setSeam(const std::optional<Measurement>& seam);
-    /// Not while the camera follows a robot: there the map is for driving.
+    /// Draws these captions. They are hidden while the camera follows a robot, when the map is for driving.
     void setCaptions(std::vector<MapCaption> captions);
-    /// Draws these as lines; empty: none.
+    /// Draws these links as lines; empty: none.
     void setLinks(std::vector<MapLink> links);
-    /// Height of the floor that gestures draw on where no floor was scanned, map frame [m].
+    /// Sets the floor height for gestures where no floor was scanned, in the map's frame [m].
     void setGround(double height);
-    /// Says @p text over the map; empty: nothing.
+    /// Shows @p text over the map; empty: nothing.
     void setHint(const QString& text);
 
-    /// From now on the left button draws a pose of @p robot onto the floor: press is its place, a drag its
-    /// heading (poseDrawn). The right button ends it.
+    /// Starts drawing poses of @p robot onto the floor: a left press sets the place, a drag the heading
+    /// (poseDrawn). The right button ends it.
     void startPose(const RobotMark& robot);
-    /// From now on left clicks are corners of an area, a double click ends it (areaDrawn), the right button
-    /// takes a corner back.
+    /// Starts drawing an area: left clicks add corners, a double click completes it (areaDrawn), the right
+    /// button removes a corner.
     void startArea();
-    /// From now on the left button drags something over the floor (groundDragged), with Shift it turns it;
-    /// the right button ends it.
+    /// Starts dragging something over the floor with the left button (groundDragged); Shift turns it. The
+    /// right button ends it.
     void startGrab();
     void endGesture();
-    [[nodiscard]] bool drawing() const;  ///< a gesture is on
+    [[nodiscard]] bool drawing() const;  ///< whether a gesture is active
 
-    /// While on, left clicks pick the two ends of a measurement; Esc or off removes it.
+    /// While on, left clicks pick the two ends of a measurement. Esc or off removes it.
     void setMeasuring(bool on);
     [[nodiscard]] std::optional<Measurement> measurement() const;
 
-    /// The point drawn nearest to @p position (widget coordinates) within 8 pixels, frontmost first, in the
-    /// picture on screen.
+    /// Returns the point drawn nearest to @p position (widget coordinates) within 8 pixels, frontmost first,
+    /// in the picture on screen.
     [[nodiscard]] std::optional<PickedPoint> pick(const QPoint& position) const;
-    /// Where a map point is drawn now, in widget coordinates; nothing when behind the camera.
+    /// Returns where a map point is drawn now, in widget coordinates; empty when it is behind the camera.
     [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& pointInMap) const;
 
-    /// The picture in full detail with legend and scale, drawn now with everything set so far; waits for the
-    /// render thread. Null when nothing can be drawn.
+    /// Draws everything set so far in full detail, with legend and scale. Waits for the render thread. Null
+    /// when nothing can be drawn.
     [[nodiscard]] QImage picture();
     /// Whether the picture on screen shows everything set so far in full detail.
     [[nodiscard]] bool settled() const;
-    /// Whether points of some scan are on screen, however much came since.
+    /// Whether points of some scan are on screen, even if the picture is out of date.
     [[nodiscard]] bool showsScans() const;
 
 signals:
     void measured(const leitstand::Measurement& measurement);
-    /// A pose was drawn while one was asked for; drawing goes on until endGesture().
+    /// The operator drew a pose after startPose(); drawing goes on until endGesture().
     void poseDrawn(const leitstand::GroundPose& pose);
     void areaDrawn(const std::vector<Eigen::Vector2d>& area);
     void groundDragged(const leitstand::GroundDrag& drag);
     void gestureEnded();  ///< by the operator, without a result
-    /// A double click onto the floor while nothing is drawn.
+    /// A double click on the floor while no gesture is active.
     void groundActivated(const Eigen::Vector3d& place);
-    /// The operator moved the camera away from the robot that it followed.
+    /// The operator moved the camera away from the robot it followed.
     void followEnded();
     void hovered(const std::optional<leitstand::PickedPoint>& point);
-    /// The render thread could not start; nothing will be drawn. In the user's language.
+    /// The render thread could not start; nothing will be drawn. @p why: in the user's language.
     void failed(const QString& why);
     void drawn();  ///< the points were drawn again, coarsely or fully
     /// The picture on screen is complete.
     void becameSettled();
 
 protected:
-    bool event(QEvent* event) override;  ///< a robot under the pointer tells how sure its place is
+    bool event(QEvent* event) override;  ///< tooltip of a robot: how certain its position is
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;

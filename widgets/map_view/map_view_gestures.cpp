@@ -76,14 +76,14 @@ void MapView::State::describe() {
     QStringList lines = {hint, detailsOf(robots)};
     lines.removeAll(QString());
     const QString text = lines.join(QLatin1Char('\n'));
-    // Shares of certainty change all the time: who listens is told when the words do.
+    // Percentages change all the time: screen readers are notified only when the words change.
     static const QRegularExpression figures(QStringLiteral("\\d[\\d.,]*"));
     const auto words = [](QString told) { return told.remove(figures); };
     if (words(text) != words(view.accessibleDescription())) view.setAccessibleDescription(text);
 }
 
 const RobotMark* MapView::State::robotAt(const QPointF& position) const {
-    constexpr double Near = 24.0;  // of its middle, from floor to top [pixels]
+    constexpr double Near = 24.0;  // of the robot's middle, from floor to top [pixels]
     for (const RobotMark& robot : robots) {
         const auto floor = view.project(robot.baseInMap.translation());
         const auto top = view.project(robot.baseInMap * Eigen::Vector3d(0, 0, robot.height));
@@ -146,7 +146,7 @@ bool MapView::State::pressGesture(const QMouseEvent& event) {
         }
         return true;
     }
-    if (event.button() != Qt::LeftButton) return false;  // the middle one shifts the map meanwhile
+    if (event.button() != Qt::LeftButton) return false;  // the middle button still shifts the map
     if (tools.grabbing()) {
         const bool turns = event.modifiers().testFlag(Qt::ShiftModifier);
         if (const auto place = groundUnder(scenery.projection(), event.position(), ground))
@@ -169,7 +169,7 @@ bool MapView::State::moveGesture(const QMouseEvent& event) {
         if (drag) emit view.groundDragged(*drag);
         return true;
     }
-    // While a heading is drawn the level of the press counts: picked points would make it jump.
+    // While a heading is drawn, the ground's plane counts: picked points would make it jump.
     if (const auto place = event.buttons().testFlag(Qt::LeftButton)
                                ? groundUnder(scenery.projection(), event.position(), ground)
                                : groundAt(event.position())) {
@@ -184,7 +184,7 @@ bool MapView::State::releaseGesture(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return true;
     tools.letGo();
     if (const auto pose = tools.release()) {
-        drawn = true;  // the second press of a double click is no other wish
+        drawn = true;  // the second press of a double click is no new gesture
         emit view.poseDrawn(*pose);
     }
     view.update();

@@ -11,7 +11,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double KeyStep = 40.0;        ///< an arrow key pulls the map by this [px]
+constexpr double KeyStep = 40.0;        ///< distance that an arrow key pulls the map [px]
 constexpr double ZoomPerNotch = 1.2;    ///< of a mouse wheel, and per press of + or −
 constexpr double ZoomPerPixel = 1.005;  ///< of a drag
 
@@ -23,7 +23,7 @@ MapDrag dragFor(const QMouseEvent& event, MapLook look) {
     return shift ? MapDrag::Shift : MapDrag::Turn;
 }
 
-/// How an arrow key pulls the map [px].
+/// Returns the pull of an arrow key [px]; empty for other keys.
 std::optional<QPointF> pullOf(int key) {
     switch (key) {
         case Qt::Key_Left:
@@ -83,7 +83,7 @@ void MapView::mousePressEvent(QMouseEvent* event) {
     State& state = *m_state;
     state.drawn = false;
     if (state.drag == MapDrag::None && state.pressGesture(*event)) return;
-    if (state.drag != MapDrag::None) return;  // a second button does not change what the first one does
+    if (state.drag != MapDrag::None) return;  // a second button does not change the drag of the first
     state.drag = dragFor(*event, settings().look);
     state.pressed = state.cursor = event->position().toPoint();
     state.pressedDepth = state.depthAt(state.pressed);

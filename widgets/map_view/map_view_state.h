@@ -24,19 +24,19 @@ struct MapView::State {
     explicit State(MapView& mapView);
 
     [[nodiscard]] OverlayStyle style(Theme theme) const;
-    /// Grid, marks, measurement, legend, scale and axes of the picture on screen.
+    /// Paints grid, marks, measurement, legend, scale and axes over the picture on screen.
     void paintOverlays(QPainter& painter);
-    /// Depth of what is drawn at @p position, or else of the camera's focus [m].
+    /// Returns the depth of the point drawn at @p position, or else of the camera's focus [m].
     [[nodiscard]] double depthAt(const QPoint& position) const;
     void measureAt(const QPoint& position);
-    /// The floor under @p position: scanned floor there, else the ground's plane.
+    /// Returns the floor under @p position: scanned floor, else the ground's plane. In the map's frame [m].
     [[nodiscard]] std::optional<Eigen::Vector3d> groundAt(const QPointF& position) const;
-    /// The robot that is drawn at @p position; null: none.
+    /// Returns the robot drawn at @p position; null: none.
     [[nodiscard]] const RobotMark* robotAt(const QPointF& position) const;
-    void describe();  ///< to screen readers
+    void describe();  ///< updates the text for screen readers
     void showGhosts();
     void moveBy(MapDrag how, const QPointF& pull);
-    /// What gestures do with the mouse; false: nothing, the camera has it.
+    /// Handle mouse events of gestures. False: no gesture is active and the camera gets the event.
     bool pressGesture(const QMouseEvent& event);
     bool moveGesture(const QMouseEvent& event);
     bool releaseGesture(const QMouseEvent& event);
@@ -48,8 +48,8 @@ struct MapView::State {
 
     MapDrag drag = MapDrag::None;
     QPoint pressed, cursor;     ///< where the drag began, where the mouse is
-    double pressedDepth = 0.0;  ///< of what was drawn there [m]
-    bool dragged = false;       ///< farther than a click may wander
+    double pressedDepth = 0.0;  ///< of the point drawn there [m]
+    bool dragged = false;       ///< moved farther than a click allows
     QTimer hover;               ///< limits how often hovering picks
 
     std::vector<RobotMark> robots;
@@ -68,7 +68,7 @@ struct MapView::State {
 
     bool measuring = false;
     bool stale = false;  ///< the map is greyed
-    bool drawn = false;  ///< a pose, since the button went down
+    bool drawn = false;  ///< a pose was drawn since the button was pressed
     MapRuler ruler;
 };
 

@@ -31,7 +31,7 @@ public:
         axes << camera.right().transpose(), camera.up().transpose(), camera.forward().transpose();
         m_rotation = (axes * poseInMap.linear()).cast<float>();
         m_translation = (axes * (poseInMap.translation() - camera.eye())).cast<float>();
-        // Across = offset + slope * depth: one of them is nought, depending on the projection.
+        // Across = offset + slope * depth; one of the two is zero, depending on the projection.
         const double unit = projection.metresPerPixel(1.0);
         const Eigen::Vector2d middle(position.x() - projection.size().width() / 2.0,
                                      projection.size().height() / 2.0 - position.y());
@@ -40,7 +40,7 @@ public:
         m_middle = (unit * middle).cast<float>();
     }
 
-    /// Distance from the cursor [px], squared, and depth [m] of a point of the scan.
+    /// Computes the squared distance from the cursor [px^2] and the depth [m] of a point of the scan.
     void look(const Eigen::Vector3f& point, float& squaredPixels, float& depth) const {
         const Eigen::Vector3f seen = m_rotation * point + m_translation;
         depth = seen.z();
@@ -77,7 +77,7 @@ bool isDrawn(const SceneScan& scan, std::size_t point, const MapViewSettings& se
     return isShown((scan.poseInMap * inScan).z(), scan.points->labels[point], settings);
 }
 
-/// Takes note of point @p point of scan @p index where it is nearer than those found so far.
+/// Keeps point @p point of scan @p index in @p candidates if it is nearer than those found so far.
 void consider(const SceneContent& content, std::size_t index, std::size_t point, const CursorFrame& frame,
               Candidates& candidates) {
     constexpr auto Reach = static_cast<float>(Rings.back() * Rings.back());

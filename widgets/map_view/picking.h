@@ -10,8 +10,8 @@ class MapProjection;
 struct PickedPoint;
 struct SceneContent;
 
-/// The point of @p content drawn nearest to @p position: of the points whose dots lie under it the frontmost;
-/// if there is none, the frontmost of those within 4 pixels, then within 8.
+/// Returns the point of @p content drawn nearest to @p position. The frontmost point whose dot lies under it
+/// wins; else the frontmost within 4 pixels, then within 8. Empty: none.
 [[nodiscard]] std::optional<PickedPoint> pickPoint(const SceneContent& content,
                                                    const MapProjection& projection, const QPointF& position);
 

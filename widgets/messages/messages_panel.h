@@ -8,11 +8,11 @@ namespace leitstand {
 
 class MessageListModel;
 
-/// What the operator was told: a quiet list whose rows can be dismissed one by one or all at once.
+/// A list of messages to the operator. Rows can be dismissed one by one or all at once.
 class MessagesPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// Which keys it takes while it has the focus.
+    /// The keys that it handles while it has the focus.
     enum class Keys { CopyAndDelete, Copy };
 
     /// Shows @p messages, which must outlive it.

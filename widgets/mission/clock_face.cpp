@@ -16,7 +16,7 @@ constexpr int Gap = 6, Margin = 6, Height = 26;                   ///< [px]
 }  // namespace
 
 ClockFace::ClockFace(QWidget* parent) : QAbstractButton(parent) {
-    setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to driving
+    setFocusPolicy(Qt::TabFocus);  // a click never takes the focus: driving keeps the keys
     setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
     setAccessibleName(tr("Mission clock"));
 }
@@ -49,10 +49,10 @@ void ClockFace::paintEvent(QPaintEvent* /*event*/) {
     const QRect inner = rect().adjusted(Margin, 0, -Margin, 0);
     const QFont small = sized(font(), CaptionSize);
     const int caption = QFontMetrics(small).horizontalAdvance(m_text.caption);
-    // An hour and more are written smaller.
+    // Times of an hour and more get a smaller font.
     const QFont large = fitted(font(), m_text.value, inner.width() - caption - Gap, ValueSize, LeastValue);
     const QFontMetrics metrics(large);
-    // Both stand on one line.
+    // Both texts share a baseline.
     const int base = (height() + metrics.ascent() - metrics.descent()) / 2;
     const bool calm = m_text.tone == Tone::Normal;
     painter.setFont(small);

@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// The mission's clock in the top bar: what it counts, small, and the time, large. A click is for its menu.
-/// Its size never depends on what it shows.
+/// The mission clock in the top bar: a small caption and the time in large digits. A click opens its menu.
+/// Its size does not depend on its text.
 class ClockFace final : public QAbstractButton {
     Q_OBJECT
 public:

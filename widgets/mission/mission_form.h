@@ -13,15 +13,15 @@ class QSpinBox;
 
 namespace leitstand {
 
-/// What the report says of the mission, and what its score is counted by. Not modal: robots may be driving.
+/// Edits the mission's data for the report, and the rules of its score. Not modal: robots may be driving.
 class MissionForm final : public QDialog {
     Q_OBJECT
 public:
-    /// Names and titles of rules of scores.
+    /// Names and titles of score rules.
     using Profiles = std::vector<std::pair<QString, QString>>;
     MissionForm(const MissionInfoSample& info, const Profiles& profiles, QWidget* parent = nullptr);
 
-    /// As the form has it now.
+    /// Returns the current contents of the form.
     [[nodiscard]] MissionInfoSample info() const;
 
 signals:

@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// Whether the mission is recorded: a dot and a word, in the top bar. Its size never depends on them.
+/// Shows in the top bar whether the mission is recorded: a dot and a word. Its size does not depend on them.
 class RecordLight final : public QWidget {
     Q_OBJECT
 public:

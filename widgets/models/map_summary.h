@@ -13,12 +13,12 @@ struct MapSummary {
     QString result;  ///< "registered in 0.4 s · overlap 83 % · certain"; empty before the second scan
     Tone tone = Tone::Normal;  ///< of the result: Attention when a scan is not certain
     QString hint = {};         ///< what the result means
-    bool stale = false;        ///< nothing came to it lately: it is greyed
-    QString briefTitle = {};   ///< for where both have no room; empty: as the title
-    QString briefResult = {};  ///< likewise
+    bool stale = false;        ///< nothing was added lately: it is greyed
+    QString briefTitle = {};   ///< the title when there is no room for both; empty: the same
+    QString briefResult = {};  ///< the result when there is no room for both; empty: the same
 };
 
-/// Sums @p map up; overlap is the lowest of all scans, time the sum.
+/// Returns the summary of @p map: the lowest overlap of all scans and the sum of their times.
 [[nodiscard]] MapSummary summaryOf(const Map& map);
 
 }  // namespace leitstand

@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// What the operator was told, newest last.
+/// Messages to the operator, newest last.
 class MessageListModel final : public QAbstractListModel {
     Q_OBJECT
 public:
@@ -15,15 +15,15 @@ public:
 
     using QAbstractListModel::QAbstractListModel;
 
-    /// Adds a message with the present time of day. The same text is not repeated while it stands in the
-    /// list; beyond 500 the oldest go. Several lines become one, with dots between.
+    /// Adds a message with the present time of day. A text that is already in the list is not repeated;
+    /// beyond 500 the oldest are removed. Several lines become one, with dots between.
     void add(Severity severity, const QString& said);
-    /// Adds a warning; where the same text stands already, it goes to the end with the present time.
+    /// Adds a warning. A text that is already in the list moves to the end, with the present time.
     void tell(const QString& said);
-    /// Takes the message of @p row away.
+    /// Removes the message in @p row.
     void dismiss(int row);
     void clear();
-    /// How many errors stand in the list; the rest are warnings.
+    /// Returns the number of errors in the list; the rest are warnings.
     [[nodiscard]] int errorCount() const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

@@ -16,7 +16,7 @@ const QString NarrowBlank(QChar(0x202f));
 
 QString numberText(double value, int decimals) {
     const double smallest = 0.5 * std::pow(10.0, -decimals);
-    // What rounds to nothing has no sign.
+    // What rounds to zero has no sign.
     const double shown = std::abs(value) < smallest ? 0.0 : value;
     return QLocale().toString(shown, 'f', decimals).replace(QLatin1Char('-'), Minus);
 }

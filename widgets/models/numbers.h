@@ -14,7 +14,7 @@ namespace leitstand {
 [[nodiscard]] QString numberText(double value, int decimals);
 /// @p value with as many digits after the point as it needs, @p decimals at most: "10", "2.5".
 [[nodiscard]] QString figureText(double value, int decimals);
-/// What was said as a number, "0.40", with as many digits; anything else as it was said.
+/// Returns @p said, a number such as "0.40", with as many digits; any other text as it is.
 [[nodiscard]] QString saidFigureText(const std::string& said);
 /// A whole number, thousands grouped.
 [[nodiscard]] QString countText(std::size_t count);

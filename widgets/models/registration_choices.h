@@ -25,7 +25,7 @@ struct Choice {
 [[nodiscard]] std::vector<Choice<GuessSource>> guessChoices();  ///< without Poses, which need a file
 [[nodiscard]] std::vector<Choice<Reference>> referenceChoices();
 
-/// The value whose key is @p key; nothing for unknown keys.
+/// Returns the value whose key is @p key; empty for unknown keys.
 template <class T>
 [[nodiscard]] std::optional<T> valueOf(const std::vector<Choice<T>>& choices, const QString& key) {
     for (const Choice<T>& choice : choices) {
@@ -42,13 +42,13 @@ template <class T>
     return {};
 }
 
-/// Maximum distances as the operator writes them, "1.5, 0.5" [m]; nothing unless all are within 0.01 and 10 m
-/// and none is larger than the one before.
+/// Parses maximum distances as the operator writes them, "1.5, 0.5" [m]. Empty unless all are within 0.01 and
+/// 10 m and none is larger than the one before.
 [[nodiscard]] std::optional<std::vector<double>> parseSchedule(const QString& text);
-/// The way back.
+/// Returns the text that parseSchedule() reads.
 [[nodiscard]] QString scheduleText(const std::vector<double>& maxDistances);
 
-/// Whether both register alike.
+/// Whether both register in the same way.
 [[nodiscard]] bool sameSettings(const RegistrationSettings& a, const RegistrationSettings& b);
 
 }  // namespace leitstand

@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// The scans of a map, a row each, with a tick box for being shown. Ticks stay with their rows while the map
-/// grows or is registered again.
+/// The scans of a map, one row each, with a box that shows or hides it. Ticks stay with their rows while the
+/// map grows or is registered again.
 class ScanListModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -34,7 +34,7 @@ public:
     /// Shows @p map, which is not null.
     void setMap(MapPtr map);
     [[nodiscard]] const MapPtr& map() const { return m_map; }
-    /// Which scans are ticked, one entry a row.
+    /// Which scans are ticked, one entry per row.
     [[nodiscard]] const std::vector<bool>& visible() const { return m_visible; }
     /// Ticks or unticks all scans.
     void setAllVisible(bool visible);

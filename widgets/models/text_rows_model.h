@@ -10,8 +10,7 @@
 
 namespace leitstand {
 
-/// Rows that are read, not edited: texts in columns with headers, each row with one hint for all of its
-/// cells.
+/// Read-only rows: texts in columns with headers, each row with one hint for all of its cells.
 class TextRowsModel : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -26,11 +25,11 @@ protected:
     [[nodiscard]] virtual int rowsInAll() const = 0;
     [[nodiscard]] virtual QStringList headers() const = 0;
     [[nodiscard]] virtual QString cell(int row, int column) const = 0;  ///< both are within bounds
-    [[nodiscard]] virtual QString hint(int row) const = 0;  ///< also for who hears the row; may be empty
+    [[nodiscard]] virtual QString hint(int row) const = 0;  ///< also the accessible text; may be empty
     [[nodiscard]] virtual Tone tone(int row, int column) const;
 
-    /// @p mine become @p rows: where each of them is @p same as before, only their texts change and a choice
-    /// stays.
+    /// Replaces @p mine by @p rows. When each of them is the @p same as before, only their texts change and
+    /// the selection stays.
     template <class Row, class Same>
     void replace(std::vector<Row>& mine, const std::vector<Row>& rows, Same same) {
         if (rows == mine) return;

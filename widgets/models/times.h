@@ -7,11 +7,10 @@
 
 namespace leitstand {
 
-/// The time of day of @p moment, with seconds, as the default QLocale writes it: "20:11:54", "8:11:54 PM";
-/// with
-/// @p tenths "20:11:54.3", its decimal point the locale's.
+/// Returns the time of day of @p moment, with seconds, as the default QLocale writes it: "20:11:54", "8:11:54
+/// PM". With @p tenths it is "20:11:54.3", with the locale's decimal point.
 [[nodiscard]] QString timeOfDayText(const QTime& moment, bool tenths = false);
-/// A moment as a wall clock shows it in local time, by timeOfDayText().
+/// Returns a moment as a wall clock shows it in local time, by timeOfDayText().
 [[nodiscard]] QString wallText(Time at, bool tenths = false);
 
 }  // namespace leitstand

@@ -4,10 +4,10 @@
 
 namespace leitstand {
 
-/// How loud something is said; text or shape says the same, colour only repeats it.
+/// How loud something is shown. Text or shape shows the same; colour only repeats it.
 enum class Tone { Normal, Muted, Attention, Act };
 
-/// Item role under which models hand out a Tone, as int.
+/// Item role under which models return a Tone, as int.
 inline constexpr int ToneRole = Qt::UserRole + 1;
 
 }  // namespace leitstand

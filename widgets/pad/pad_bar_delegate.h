@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// Draws below a control how far it is pushed (PadTable::AmountRole), as a bar.
+/// Draws a bar below a control: how far it is pushed (PadTable::AmountRole).
 class PadBarDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:

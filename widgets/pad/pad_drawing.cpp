@@ -12,7 +12,7 @@ namespace {
 namespace axis = standard_axis;
 namespace button = standard_button;
 
-/// A spot of the drawing, in shares of its width.
+/// A spot of the drawing, in units of its width.
 struct Place {
     PadSpot spot;
     double x, y, radius;
@@ -60,7 +60,7 @@ QPainterPath body(const QRectF& box) {
     return path;
 }
 
-/// How things are drawn that do what @p callout says.
+/// Sets pen and brush for the control of @p callout.
 void setInk(QPainter& painter, const PadCallout& callout, const ThemeColours& colours, double width) {
     const bool bound = !callout.does.isEmpty();
     painter.setPen(QPen(callout.stop ? colours.stop : bound ? colours.text : colours.line, width));
@@ -82,7 +82,7 @@ void drawSpot(QPainter& painter, const QRectF& box, const PadCallout& callout, c
         painter.drawEllipse(middle, radius * 0.6, radius * 0.6);
         return;
     }
-    if (index == button::LeftStick && callout.spot.isButton) return;  // the stick itself
+    if (index == button::LeftStick && callout.spot.isButton) return;  // drawn as the stick itself
     if (index == button::RightStick && callout.spot.isButton) return;
     const bool wide =
         !callout.spot.isButton || index == button::LeftShoulder || index == button::RightShoulder;

@@ -13,10 +13,10 @@ namespace leitstand {
 namespace {
 
 constexpr int Margin = 16, Head = 56, Foot = 36;  ///< [px]
-constexpr int HelpHead = 84, HelpFoot = 58;       ///< while no pad is there [px]
+constexpr int HelpHead = 84, HelpFoot = 58;       ///< while no pad is connected [px]
 constexpr int LineHeight = 34;
 
-/// The callouts that say something, in the order of their spots from the top.
+/// Returns the callouts that have a text, in the order of their spots from the top.
 std::vector<PadCallout> bound(std::vector<PadCallout> all, const QRectF& drawing) {
     std::erase_if(all, [](const PadCallout& one) { return one.does.isEmpty(); });
     std::stable_sort(all.begin(), all.end(), [&](const PadCallout& one, const PadCallout& other) {
@@ -25,7 +25,7 @@ std::vector<PadCallout> bound(std::vector<PadCallout> all, const QRectF& drawing
     return all;
 }
 
-/// What a control is called, small, and below it what it does.
+/// Paints the name of a control, small, and below it what the control does.
 void paintCallout(QPainter& painter, const QRectF& box, const PadCallout& callout, Qt::Alignment side,
                   const ThemeColours& colours) {
     const QFont font = painter.font();
@@ -144,7 +144,7 @@ void PadLegend::paintStandard(QPainter& painter, const QRectF& room) const {
     const double column = drawing.left() - room.left() - 28;
     const auto left = bound(callouts.left, drawing), right = bound(callouts.right, drawing);
     drawPadBody(painter, drawing, colours);
-    // Lines lie below the controls, which stay legible.
+    // Lines go below the controls, which stay legible.
     paintSide(painter, {room.left(), room.top(), column, room.height()}, drawing, left, true, colours);
     paintSide(painter, {room.right() - column, room.top(), column, room.height()}, drawing, right, false,
               colours);

@@ -9,14 +9,14 @@
 
 namespace leitstand {
 
-/// A drawing of the gamepad with what each control does, over whatever is below; of an unknown joystick a
-/// list. Takes no keys and is gone with a click.
+/// An overlay with a drawing of the gamepad and what each control does; a list for an unknown joystick. Takes
+/// no keys; a click closes it.
 class PadLegend final : public QWidget {
     Q_OBJECT
 public:
     explicit PadLegend(QWidget* parent = nullptr);
 
-    /// @p name: of the pad; empty: none is plugged in.
+    /// @p name: of the pad; empty: none is connected.
     void setPad(const QString& name, const PadBindings& bindings);
     void setCommands(std::vector<PadCommandFace> commands);
     void setState(const PadState& state);

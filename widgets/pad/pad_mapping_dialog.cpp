@@ -204,7 +204,7 @@ void PadMappingDialog::readShape() {
 }
 
 bool PadMappingDialog::event(QEvent* event) {
-    // What is pushed for another window binds nothing.
+    // Input for another window must not bind anything.
     if (event->type() == QEvent::WindowDeactivate || event->type() == QEvent::Hide) m_table.capture(-1);
     return QWidget::event(event);
 }

@@ -23,8 +23,8 @@ struct PadChoice {
     QString name;
 };
 
-/// Chooses the gamepad that drives and what its controls do: a row for each thing, "push it now", dead zone
-/// and curve beside live bars. A window of its own beside the station's, never modal.
+/// Chooses the gamepad that drives and what its controls do. It has a row per action, "push it now", and dead
+/// zone and curve beside live bars. A separate window, never modal.
 class PadMappingDialog final : public QWidget {
     Q_OBJECT
 public:
@@ -32,7 +32,7 @@ public:
 
     void setPads(const std::vector<PadChoice>& pads, int chosen);
     void setCommands(std::vector<PadCommandFace> commands) { m_table.setCommands(std::move(commands)); }
-    /// Unless something is changed here and not saved yet.
+    /// Shows @p bindings, unless there are unsaved changes to the same layout.
     void setBindings(const PadBindings& bindings);
     void setState(const PadState& state);
 

@@ -27,7 +27,7 @@ void StickGauge::paintEvent(QPaintEvent* /*event*/) {
     const double half = width() / 2.0 - 2.0, middle = width() / 2.0, line = height() / 2.0;
     painter.fillRect(QRectF(middle - half, line - 3, 2 * half, 6), colours.field);
     painter.fillRect(QRectF(middle - m_zone * half, line - 6, 2 * m_zone * half, 12), colours.line);
-    // Left of the middle is plus, as the hand goes.
+    // Plus is left of the middle, as the hand moves.
     painter.fillRect(QRectF(middle, line - 3, -m_shaped * half, 6).normalized(), colours.select);
     painter.fillRect(QRectF(middle - m_raw * half - 1, line - 8, 2, 16), colours.text);
 }

@@ -6,12 +6,12 @@
 
 namespace leitstand {
 
-/// One stick of a gamepad as a bar: where the hand holds it (a tick), the dead zone (a shade) and what comes
-/// of it (the fill).
+/// Shows one stick of a gamepad as a bar: its deflection (tick), the dead zone (shade) and the resulting
+/// value (fill).
 class StickGauge final : public QWidget {
     Q_OBJECT
 public:
-    /// Between @p plus, drawn to the left, and its opposite.
+    /// Shows the axis from @p plus, drawn to the left, to its opposite.
     explicit StickGauge(PadAction plus, QWidget* parent = nullptr);
 
     void show(const PadBindings& bindings, const PadState& state);

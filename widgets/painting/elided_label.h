@@ -4,14 +4,14 @@
 
 namespace leitstand {
 
-/// Text that gives way: what does not fit into a line, or into so many small ones as it may have, ends in
-/// dots.
+/// A label that can shrink. Text that does not fit into one line, or into the allowed number of small lines,
+/// is elided.
 class ElidedLabel final : public QLabel {
     Q_OBJECT
 public:
     using QLabel::QLabel;
     [[nodiscard]] QSize minimumSizeHint() const override;
-    /// How many lines a text may take that is too long for one, where there is room.
+    /// Sets how many lines a text that is too long for one may take, if there is room.
     void setMostLines(int lines) { m_mostLines = lines; }
 
 protected:

@@ -17,7 +17,7 @@ QColor inkOf(QIcon::Mode mode, QIcon::State state) {
     return palette.color(state == QIcon::On ? QPalette::Highlight : QPalette::Text);
 }
 
-/// Paints a drawing whose black is replaced by the ink of the moment.
+/// Paints a drawing with its black replaced by the current colour.
 class InkEngine final : public QIconEngine {
 public:
     explicit InkEngine(QByteArray drawing) : m_drawing(std::move(drawing)) {}

@@ -5,8 +5,8 @@
 
 namespace leitstand {
 
-/// The icon resources/icons/@p name.svg, drawn crisp at every scale in the application's text colour, in its
-/// highlight colour while checked, muted while disabled; follows the theme.
+/// Returns the icon resources/icons/@p name.svg, crisp at every scale. It has the application's text colour,
+/// the highlight colour while checked, and is muted while disabled. It follows the theme.
 [[nodiscard]] QIcon themedIcon(const QString& name);
 
 }  // namespace leitstand

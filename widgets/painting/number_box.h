@@ -4,12 +4,13 @@
 
 namespace leitstand {
 
-/// A spin box that shows negative numbers with a real minus sign and reads both signs. Letters are no
-/// numbers: they stay the window's keys while it has the focus.
+/// A spin box that shows negative numbers with a real minus sign and reads both signs. Letters remain the
+/// window's shortcuts while it has the focus.
 class NumberBox final : public QDoubleSpinBox {
     Q_OBJECT
 public:
-    /// For values from @p low to @p high with @p decimals digits, steps of @p step and @p unit behind.
+    /// Takes values from @p low to @p high with @p decimals digits, in steps of @p step, with @p unit as
+    /// suffix.
     NumberBox(double low, double high, double step, int decimals, const QString& unit,
               QWidget* parent = nullptr);
 

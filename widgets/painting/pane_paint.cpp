@@ -33,7 +33,7 @@ void paintPaneHead(QPainter& painter, const QRect& pane, const PaneHead& head, c
     const QString title =
         head.face.letter.isEmpty() ? head.title : head.face.letter + QStringLiteral(" · ") + head.title;
     const auto room = [&] { return line.width() - metrics.horizontalAdvance(right) - Margin; };
-    // That nothing came yet is said in the middle, too (paintLoss()).
+    // paintLoss() also reports in the middle that nothing has arrived yet.
     if (!head.vacant && freshness == Freshness::Never && metrics.horizontalAdvance(title) > room())
         right = QStringLiteral("–") + note;
     painter.setPen(toneColour(toneOf(freshness), colours));

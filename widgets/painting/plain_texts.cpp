@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto Name = "leitstandPlainTexts";
 
-/// Labels are polished before they are laid out for the first time; tooltips are labels, too.
+/// Makes labels plain when Qt polishes them, before their first layout. Tooltips are labels, too.
 class PlainTexts final : public QObject {
 public:
     explicit PlainTexts(QObject* parent) : QObject(parent) { setObjectName(QLatin1String(Name)); }

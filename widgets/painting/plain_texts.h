@@ -4,13 +4,14 @@
 
 namespace leitstand {
 
-/// From now on every label and tooltip of the application shows text as it is. Qt takes what looks like HTML
-/// for rich text otherwise, and names that robots, people and files bring along would draw, hide, or load
-/// pictures. A label that is meant to be rich says so (QLabel::setTextFormat), and escapes what it quotes.
-/// Each window calls it; later calls do nothing. Needs a QApplication.
+/// Makes every label and tooltip of the application show plain text. Otherwise Qt treats text that looks like
+/// HTML as rich text. Names from robots, people and files could then draw, hide, or load pictures. A rich
+/// label sets QLabel::setTextFormat and escapes quoted text. Each window calls this; later calls do nothing.
+/// Needs a QApplication.
 void keepTextsPlain();
 
-/// @p text for a tooltip, broken where a line gets longer than @p letters: plain ones are not broken by Qt.
+/// Returns @p text for a tooltip, with lines of at most @p letters where it can break: Qt does not wrap plain
+/// tooltips.
 [[nodiscard]] QString inLines(const QString& text, int letters = 90);
 
 }  // namespace leitstand

@@ -8,11 +8,11 @@ class QProgressBar;
 
 namespace leitstand {
 
-/// What is being worked on, how far it is, and a button that ends it; hidden while there is no work.
+/// Shows the current work, its progress, and a button that cancels it. Hidden while there is no work.
 class ProgressStrip final : public QWidget {
     Q_OBJECT
 public:
-    /// @p cancel is what the button triggers.
+    /// @p cancel: triggered by the button.
     explicit ProgressStrip(QAction& cancel, QWidget* parent = nullptr);
 
     /// Shows that @p text is done to @p fraction, 0 to 1.

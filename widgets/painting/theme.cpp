@@ -9,7 +9,7 @@
 #include <QStyleFactory>
 
 static void registerResources() {
-    // Resources in a static library are registered by hand, outside of any namespace.
+    // Resources in a static library must be registered by hand, outside any namespace.
     Q_INIT_RESOURCE(leitstand);
 }
 

@@ -27,7 +27,7 @@ QLabel* caption(const QString& text, QWidget* parent) {
     return label;
 }
 
-/// Puts @p texts into @p box unless they are there already; what is chosen stays chosen.
+/// Fills @p box with @p texts if they changed; the choice is kept.
 void fill(QComboBox& box, const std::vector<std::pair<QString, QString>>& texts) {
     bool same = box.count() == static_cast<int>(texts.size());
     for (int i = 0; same && i < box.count(); ++i)

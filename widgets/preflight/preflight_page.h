@@ -18,28 +18,29 @@ class QTimer;
 
 namespace leitstand {
 
-/// What is in order before a mission and what is not, robot by robot; brake tests; adding robots. Says what
-/// the operator wants by its signals.
+/// Shows the checks before a mission, robot by robot, brake tests, and robots that can be added. Emits the
+/// operator's requests.
 class PreflightPage final : public QWidget {
     Q_OBJECT
 public:
     explicit PreflightPage(QWidget* parent = nullptr);
 
-    /// @p faces: of all robots, in their order; @p strangers: robots that may be added.
+    /// @p faces: of all robots, in their order. @p strangers: names of robots that can be added.
     void show(std::vector<PreflightCheck> checks, const std::vector<RobotFace>& faces,
               const QStringList& strangers);
     using QWidget::show;
-    /// How the brake test of the chosen robot stands; @p refused: it may only be driven nevertheless.
+    /// Shows the state of the chosen robot's brake test. @p refused: it failed, so driving needs the
+    /// override. @p overridden: the override is on.
     void showBrake(const QString& text, bool refused, bool overridden);
-    void complain(const QString& text);        ///< why a robot cannot be added
-    [[nodiscard]] QString brakeRobot() const;  ///< chosen; its name
+    void complain(const QString& text);        ///< shows why a robot cannot be added
+    [[nodiscard]] QString brakeRobot() const;  ///< name of the robot chosen for the brake test
     [[nodiscard]] const PreflightList& list() const { return m_list; }
 
 signals:
     void checkAgainWanted();
-    void tonesWanted();  ///< to be heard, both of them
+    void tonesWanted();  ///< the operator wants to hear both alarm tones
     void brakeBegun(const QString& robot);
-    void brakeHeld(const QString& robot);  ///< twenty times a second while the button is down
+    void brakeHeld(const QString& robot);  ///< emitted at 20 Hz while the button is held
     void brakeEnded(const QString& robot);
     void overrideWanted(const QString& robot, bool on);
     void strangerWanted(const QString& robot);
@@ -62,7 +63,7 @@ private:
     QPushButton *m_test, *m_add;
     QCheckBox* m_override;
     QTimer* m_rhythm;
-    QString m_tested;  ///< robot whose test runs
+    QString m_tested;  ///< robot whose test is running
 };
 
 }  // namespace leitstand

@@ -17,21 +17,21 @@ namespace leitstand {
 
 class NumberBox;
 
-/// The map of a mission beside that which other settings make of its scans: the settings, the figures, and
-/// which of the two is shown.
+/// Compares the map of a mission with the map that other registration settings give. Holds the settings, the
+/// figures, and the choice of the map shown.
 class ComparePanel final : public QWidget {
     Q_OBJECT
 public:
     explicit ComparePanel(QWidget* parent = nullptr);
 
-    /// What is set; where the distances cannot be read, their last readable value.
+    /// Returns the settings; invalid distances keep their last valid value.
     [[nodiscard]] RegistrationSettings settings() const;
     void setSettings(const RegistrationSettings& settings);
     void setComparing(bool on);
-    /// How far it is, 0 to 1.
+    /// Shows the progress of the comparison, 0 to 1.
     void showProgress(double fraction);
     void showResult(const MapComparison& comparison);
-    void choose(ComparedMap which);  ///< which map is said to be shown
+    void choose(ComparedMap which);  ///< marks the map that is shown
     [[nodiscard]] bool comparing() const { return m_comparing; }
 
     [[nodiscard]] QSize sizeHint() const override { return {420, 420}; }
@@ -39,7 +39,7 @@ public:
 signals:
     void wanted(const leitstand::RegistrationSettings& settings);
     void cancelled();
-    void mapChosen(leitstand::ComparedMap which);  ///< of the newest result, by the operator
+    void mapChosen(leitstand::ComparedMap which);  ///< the operator chose a map of the newest result
 
 private:
     void addSettings(QFormLayout& form);

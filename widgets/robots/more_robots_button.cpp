@@ -45,7 +45,7 @@ void MoreRobotsButton::paintEvent(QPaintEvent* /*event*/) {
     painter.setBrush(underMouse() && isEnabled() ? colours.hover : colours.window);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     const double middle = 0.5 * height(), upper = 0.5 * middle + 1.0, lower = 1.5 * middle - 1.0;
-    // The arrow points to where the robots are.
+    // The arrow points towards the hidden robots.
     const bool before = m_end == End::Before;
     const double tip = before ? Side + 1.0 : width() - Side - 1.0, back = before ? ArrowWidth : -ArrowWidth;
     painter.setPen(

@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Scrolls the bar of robots to one side and tells of those that are hidden there: how many, the worst of
-/// their links, and the stop that is to be looked at first.
+/// Scrolls the robot bar to one side and shows what is hidden there: the number of robots, their worst link,
+/// and their most urgent stop.
 class MoreRobotsButton final : public QAbstractButton {
     Q_OBJECT
 public:

@@ -26,7 +26,7 @@ bool holdsBy(const QKeyEvent& event) {
 }  // namespace
 
 ReleaseHandle::ReleaseHandle(QWidget* parent) : QWidget(parent) {
-    setFocusPolicy(Qt::TabFocus);  // or it could be given no place in the order of Tab
+    setFocusPolicy(Qt::TabFocus);  // needed for setTabOrder()
 }
 
 void ReleaseHandle::show(const StopLine& line) {
@@ -69,7 +69,7 @@ void ReleaseHandle::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
     painter.setPen(Qt::NoPen);
-    // What has to be acted on is a surface, to be seen from afar.
+    // A stop to act on gets a filled surface, visible from afar.
     const bool loud = m_line.tone == Tone::Act;
     const QColor ink = loud ? colours.window : toneColour(m_line.tone, colours);
     const QColor paper = loud ? colours.act : m_line.releasable ? colours.hover : colours.strip;

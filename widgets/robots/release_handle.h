@@ -8,9 +8,9 @@
 
 namespace leitstand {
 
-/// How far the stop of one robot came; held for a second, by pointer or by Space or Return, it asks to let
-/// the robot go. Letting go, losing the focus and leaving it with the pointer break it off. While nothing can
-/// be released, clicks go to what is below it.
+/// Shows the progress of one robot's stop. Held for a second, by pointer, Space or Return, it requests the
+/// release. Letting go, losing the focus or leaving it with the pointer cancels the hold. While nothing can
+/// be released, clicks go to the widget below.
 class ReleaseHandle final : public QWidget {
     Q_OBJECT
 public:
@@ -19,11 +19,11 @@ public:
     void show(const StopLine& line);
     using QWidget::show;
     [[nodiscard]] bool isHeld() const { return m_hold.isHeld(); }
-    /// In @p font: the width at which the shortest words of each state are whole, in the window's language.
+    /// Returns the width that fits the shortest text of each state in @p font, in the window's language [px].
     [[nodiscard]] static int foldedWidth(const QFont& font);
 
 signals:
-    void held(const QString& robot);  ///< for a full second
+    void held(const QString& robot);  ///< it was held for a full second
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -39,7 +39,7 @@ protected:
 private:
     void begin();
     void end();
-    [[nodiscard]] QStringList texts() const;  ///< what it may show, the longest first
+    [[nodiscard]] QStringList texts() const;  ///< the texts it can show, longest first
 
     StopLine m_line;
     HoldToAct m_hold;

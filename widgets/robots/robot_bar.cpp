@@ -17,10 +17,10 @@ namespace leitstand {
 namespace {
 
 constexpr int Space = 4;                      ///< between robots [px]
-constexpr int Comfortable = 160, Most = 270;  ///< widths of a robot that has room [px]
-constexpr int Least = 3;                      ///< robots that are in sight at least
+constexpr int Comfortable = 160, Most = 270;  ///< widths of a robot when there is room [px]
+constexpr int Least = 3;                      ///< least number of visible robots
 
-/// Of @p count things as wide as @p each in a row [px].
+/// Returns the width of a row of @p count items, each @p each wide [px].
 int rowWidth(int count, int each) {
     return std::max(0, count * (each + Space) - Space);
 }
@@ -52,7 +52,7 @@ void RobotBar::addButton() {
     connect(button, &RobotChipButton::releaseRequested, this, &RobotBar::releaseRequested);
     button->installEventFilter(this);
     button->handle().installEventFilter(this);
-    // Tab goes from each robot to the button that releases it, and then to the next.
+    // Tab goes from each robot to its release handle, then to the next robot.
     setTabOrder(m_buttons.empty() ? static_cast<QWidget*>(m_before) : &m_buttons.back()->handle(), button);
     setTabOrder(button, &button->handle());
     setTabOrder(&button->handle(), m_after);
@@ -139,7 +139,8 @@ void RobotBar::place() {
         }
     };
     put(row.shown, edge);
-    // Buttons out of sight stay shown, in their order: their keys go on working, Tab and arrows come to them.
+    // Buttons out of sight stay visible to Qt, in their order: their shortcuts work, and Tab and arrows reach
+    // them.
     put(row.before, -static_cast<int>(row.before.size()) * (wide + Space));
     put(row.after, width() + Space);
 }

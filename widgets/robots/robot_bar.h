@@ -14,29 +14,29 @@ namespace leitstand {
 class MoreRobotsButton;
 class RobotChipButton;
 
-/// All robots in the bar on top, each a button of the same width: letter, link, battery and mode, and how far
-/// its stop is; the selected one is framed. A click or its number key selects, its lower half releases it
-/// when it is held. Where there is little room buttons fold to letters, then they scroll: the selected one
-/// stays in sight, and the buttons at the ends tell what is hidden. What robots do moves nothing.
+/// The bar of all robots at the top. Each robot is a button of the same width: letter, link, battery, mode,
+/// and progress of its stop. The selected one is framed. A click or its number key selects a robot; holding
+/// the lower half releases it. With little room, buttons fold to letters, then the bar scrolls. The selected
+/// one stays visible, and buttons at the ends show what is hidden. Changes of robot states move no button.
 class RobotBar final : public QWidget {
     Q_OBJECT
 public:
     explicit RobotBar(QWidget* parent = nullptr);
 
-    /// One chip and one stop per robot, always in the same order; without @p stops none is stopped. @p
-    /// selected: RobotFace::name.
+    /// Shows one chip and one stop per robot, always in the same order. Without @p stops, no robot is
+    /// stopped. @p selected: RobotFace::name.
     void show(const std::vector<RobotChip>& chips, const std::vector<StopLine>& stops,
               const QString& selected);
     using QWidget::show;
 
-    /// How wide it is where robots show all that matters, and where they are folded; at least 160 px a robot
-    /// and a few of them.
+    /// The width at which robots show all important details, at least 160 px each; and the width of a few
+    /// folded robots.
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
-    void robotSelected(const QString& robot);     ///< its name, as the operator chose
-    void releaseRequested(const QString& robot);  ///< its name; was held for a second
+    void robotSelected(const QString& robot);     ///< RobotFace::name; chosen by the operator
+    void releaseRequested(const QString& robot);  ///< RobotFace::name; its handle was held for a second
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -49,16 +49,16 @@ private:
     void scroll(int robots);
     void place();
     [[nodiscard]] int folded() const;
-    [[nodiscard]] int capacity() const;  ///< how many robots have room
+    [[nodiscard]] int capacity() const;  ///< number of robots that fit
 
     QButtonGroup* m_group;
     MoreRobotsButton *m_before, *m_after;
     std::vector<RobotChipButton*> m_buttons;
     std::vector<RobotChip> m_chips;  ///< as shown
     std::vector<StopLine> m_stops;
-    int m_selected = -1;  ///< place of the selected one; -1: none is
-    int m_first = 0;      ///< where the row begins that is scrolled
-    int m_turned = 0;     ///< by the wheel, not a whole step yet [1/8 degree]
+    int m_selected = -1;  ///< place of the selected robot; -1: none
+    int m_first = 0;      ///< first robot of the scrolled row
+    int m_turned = 0;     ///< wheel rotation below a whole step [1/8 degree]
 };
 
 }  // namespace leitstand

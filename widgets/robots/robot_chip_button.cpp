@@ -17,7 +17,7 @@ constexpr int Edge = 3;                          ///< of the robot's colour, on 
 constexpr double LinkLeft = 7.0, Between = 4.0;  ///< before the sign of the link, between parts [px]
 constexpr int LetterSize = 14, LeastText = 10;   ///< of fonts [px]
 
-/// Paints the first of @p texts that fits into @p room, rather a shorter one than one in smaller letters.
+/// Paints the first of @p texts that fits into @p room. Prefers a shorter text over a smaller font.
 void paintWhatFits(QPainter& painter, const QRectF& room, const QStringList& texts) {
     for (int size = TextSize; size >= LeastText; --size) {
         painter.setFont(sized(painter.font(), size));

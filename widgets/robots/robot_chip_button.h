@@ -10,13 +10,13 @@ namespace leitstand {
 
 class ReleaseHandle;
 
-/// The button of one robot in the bar, in two lines: its link, letter, name and figures above, what it does
-/// below. While a stop holds it, the lower line is the handle that releases it. Where the button is narrow,
-/// words give way before figures, down to the letter; its size never depends on what it shows.
+/// The button of one robot in the bar. The upper line shows link, letter, name and figures, the lower line
+/// its mode. While a stop holds the robot, the lower line is the release handle. A narrow button drops words
+/// before figures, down to the letter. Its size does not depend on its contents.
 class RobotChipButton final : public QAbstractButton {
     Q_OBJECT
 public:
-    /// @p key: written into its tooltip; empty: none.
+    /// @p key: shown in the tooltip; empty: none.
     explicit RobotChipButton(const QString& key, QWidget* parent = nullptr);
 
     void show(const RobotChip& chip, const StopLine& stop = {});
@@ -24,14 +24,14 @@ public:
     [[nodiscard]] const RobotChip& chip() const { return m_chip; }
     [[nodiscard]] ReleaseHandle& handle() const { return *m_handle; }
 
-    /// In @p font: the width that has room for the letter and for how far a stop is, in the window's
-    /// language.
+    /// Returns the width that fits the letter and the state of a stop in @p font, in the window's language
+    /// [px].
     [[nodiscard]] static int foldedWidth(const QFont& font);
     [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
     [[nodiscard]] QSize minimumSizeHint() const override { return {foldedWidth(font()), robot_bar::Height}; }
 
 signals:
-    void releaseRequested(const QString& robot);  ///< its name; the handle was held for a second
+    void releaseRequested(const QString& robot);  ///< RobotFace::name; its handle was held for a second
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -9,11 +9,11 @@
 
 namespace leitstand {
 
-/// The sign of a link. Circle: connected; square: degraded; cross: lost; ring: not heard yet.
+/// Paints the sign of a link. Circle: connected; square: degraded; cross: lost; ring: never seen.
 void paintLinkSign(QPainter& painter, const QRectF& box, LinkState link, const ThemeColours& colours);
 
-/// The sign of a stop in @p ink, on @p paper. Empty square: sent; octagon: nobody answers; triangle: the
-/// robot moves, or may; square: it stands; arrow: it is released.
+/// Paints the sign of a stop in @p ink, on @p paper. Empty square: sent; octagon: no answer; triangle: the
+/// robot moves or may move; square: it stands; arrow: it is being released.
 void paintStopSign(QPainter& painter, const QRectF& box, const StopLine& stop, const QColor& ink,
                    const QColor& paper);
 

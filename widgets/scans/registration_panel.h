@@ -14,16 +14,16 @@ namespace leitstand {
 
 class NumberBox;
 
-/// Edits all that decides how scans are registered.
+/// Edits the registration settings.
 class RegistrationPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// @p again and @p before are what its buttons trigger: registering again, and showing the start poses.
+    /// @p again, @p before: triggered by its buttons; they register again and show the start poses.
     RegistrationPanel(QAction& again, QAction& before, QWidget* parent = nullptr);
 
     /// Shows @p settings.
     void setSettings(const RegistrationSettings& settings);
-    /// What is set; where a text cannot be read, its last readable value.
+    /// Returns the settings; invalid texts keep their last valid value.
     [[nodiscard]] const RegistrationSettings& settings() const { return m_settings; }
 
 signals:
@@ -39,7 +39,7 @@ private:
     void showWhatApplies();
 
     RegistrationSettings m_settings;
-    bool m_showing = false;  ///< while fields are filled, their signals are not the operator's
+    bool m_showing = false;  ///< fields are being filled: their signals do not come from the operator
     QComboBox* m_minimizer;
     QComboBox* m_search;
     NumberBox* m_epsilon;

@@ -8,7 +8,7 @@ namespace leitstand {
 
 struct MapScan;
 
-/// Captions and values of one scan, a line each.
+/// Shows captions and values of one scan, one line each.
 class ScanDetailsView final : public QWidget {
     Q_OBJECT
 public:

@@ -9,7 +9,7 @@ namespace leitstand {
 class ScanListModel;
 class ScanDetailsView;
 
-/// The scans of the map with their tick boxes and figures, and all there is to say about the current one.
+/// Lists the scans of the map with tick boxes and figures, and the details of the current one.
 class ScansPanel final : public QWidget {
     Q_OBJECT
 public:

@@ -15,7 +15,7 @@ class QVBoxLayout;
 
 namespace leitstand {
 
-/// What the mission would bring now: the sum, what each find adds, what would bring more.
+/// Shows the estimated score of the mission: the sum, the points of each find, and what would add more.
 class ScorePane final : public QWidget {
     Q_OBJECT
 public:
@@ -23,7 +23,7 @@ public:
 
     void show(const ScoreText& text);
     using QWidget::show;
-    /// Buttons for these commands, below the estimate.
+    /// Adds a button below the estimate for each of @p commands.
     void setCommands(const std::vector<QAction*>& commands);
 
     [[nodiscard]] QSize sizeHint() const override { return {280, 240}; }

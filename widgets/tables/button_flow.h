@@ -6,13 +6,13 @@
 
 namespace leitstand {
 
-/// Widgets side by side, each as wide as it wants to be; what does not fit goes on in the next line.
+/// A layout that puts widgets side by side at their size hints and wraps them into lines.
 class ButtonFlow final : public QLayout {
 public:
     ButtonFlow();
     ~ButtonFlow() override;
 
-    void addItem(QLayoutItem* item) override;  ///< takes @p item
+    void addItem(QLayoutItem* item) override;  ///< takes ownership of @p item
     [[nodiscard]] int count() const override { return static_cast<int>(m_items.size()); }
     [[nodiscard]] QLayoutItem* itemAt(int index) const override;
     QLayoutItem* takeAt(int index) override;
@@ -24,7 +24,7 @@ public:
     void setGeometry(const QRect& area) override;
 
 private:
-    /// The height that lines within @p area need; places the items when @p place.
+    /// Returns the height that the lines need within @p area [px]; places the items when @p place.
     int lay(const QRect& area, bool place) const;
 
     std::vector<QLayoutItem*> m_items;

@@ -4,7 +4,7 @@ class QTableView;
 
 namespace leitstand {
 
-/// Chooses @p row of @p table, which was filled anew; below 0: none.
+/// Chooses @p row of @p table after a model reset; below 0: none.
 void chooseRow(QTableView& table, int row);
 
 }  // namespace leitstand

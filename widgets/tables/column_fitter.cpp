@@ -12,7 +12,7 @@ namespace leitstand {
 ColumnFitter::ColumnFitter(QTableView& table, std::vector<int> givingWay, int stretched)
     : QObject(&table), m_table(table), m_givingWay(std::move(givingWay)), m_stretched(stretched) {
     table.viewport()->installEventFilter(this);
-    // By what is in sight: a list of a thousand scans is measured with each new one.
+    // Only visible rows are measured: a list of a thousand scans is measured again with each new scan.
     constexpr int RowsInSight = 0;
     table.horizontalHeader()->setResizeContentsPrecision(RowsInSight);
     const QAbstractItemModel* model = table.model();
@@ -28,7 +28,7 @@ bool ColumnFitter::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
 }
 
-/// What nobody sees is measured when it is shown: hidden tables take all their rows for seen.
+/// A hidden table is fitted when it is shown: it would treat all rows as visible.
 void ColumnFitter::change() {
     m_changed = true;
     if (m_table.isVisible()) fit();
@@ -51,7 +51,7 @@ void ColumnFitter::fit() {
         m_table.setColumnHidden(column, true);
         needed -= widths[static_cast<std::size_t>(column)];
     }
-    // Where the one that takes what is left gave way itself, the last one does.
+    // If the stretched column is hidden itself, the last visible one is stretched.
     int stretched = m_stretched;
     for (int column = 0; m_table.isColumnHidden(m_stretched) && column < header->count(); ++column) {
         if (!m_table.isColumnHidden(column)) stretched = column;

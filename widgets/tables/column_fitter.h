@@ -8,13 +8,13 @@ class QTableView;
 
 namespace leitstand {
 
-/// Keeps a table free of clipped numbers: columns are as wide as their contents, and when the table is too
-/// narrow for all of them some are hidden, in a stated order.
+/// Keeps a table free of clipped numbers. Columns are as wide as their contents; if the table is too narrow,
+/// some are hidden in a given order.
 class ColumnFitter final : public QObject {
     Q_OBJECT
 public:
-    /// Fits @p table, which has a model, from now on; columns of @p givingWay go first to last, all others
-    /// stay. The column @p stretched takes what width is left.
+    /// Fits @p table, which must have a model. Columns of @p givingWay are hidden first to last; all others
+    /// stay. The column @p stretched takes the remaining width.
     ColumnFitter(QTableView& table, std::vector<int> givingWay, int stretched);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -26,7 +26,7 @@ private:
     QTableView& m_table;
     std::vector<int> m_givingWay;
     int m_stretched;
-    bool m_changed = false;  ///< since it was fitted
+    bool m_changed = false;  ///< contents changed since the last fit
 };
 
 }  // namespace leitstand

@@ -11,7 +11,7 @@ class QFormLayout;
 
 namespace leitstand {
 
-/// A combo box that offers @p choices, each with its hint.
+/// Returns a combo box that offers @p choices, each with its hint.
 template <class T>
 QComboBox* choiceBox(const std::vector<Choice<T>>& choices, QWidget* parent) {
     auto* box = new QComboBox(parent);
@@ -27,26 +27,26 @@ QComboBox* choiceBox(const std::vector<Choice<T>>& choices, QWidget* parent) {
     return box;
 }
 
-/// The value chosen in a choiceBox of T.
+/// Returns the value chosen in a choiceBox of T.
 template <class T>
 [[nodiscard]] T chosen(const QComboBox& box) {
     return static_cast<T>(box.currentData().toInt());
 }
 
-/// Chooses @p value, where it is on offer.
+/// Chooses @p value, if it is offered.
 template <class T>
 void choose(QComboBox& box, T value) {
     if (const int index = box.findData(static_cast<int>(value)); index >= 0) box.setCurrentIndex(index);
 }
 
-/// Adds a line with a caption, whose mnemonic leads to @p field, and @p hint as its tool tip (none: the
-/// field's own).
+/// Adds a line with a caption, whose mnemonic focuses @p field. @p hint: tooltip; empty keeps the field's
+/// own.
 void addField(QFormLayout& form, const QString& caption, QWidget* field, const QString& hint = {});
 
-/// @p field with @p unit behind it, which a caption may have no room for.
+/// Returns @p field followed by @p unit.
 [[nodiscard]] QWidget* withUnit(QWidget* field, const QString& unit);
 
-/// Lets the wheel scroll the panel rather than change @p field, unless the field has the focus.
+/// Lets the wheel scroll the panel instead of changing @p field, unless the field has the focus.
 void keepFromWheel(QWidget& field);
 
 }  // namespace leitstand

@@ -4,9 +4,9 @@ class QTableView;
 
 namespace leitstand {
 
-/// What all tables of panes have in common: whole rows are chosen, one at a time; neither grid nor row
-/// headers; Tab goes on to the next field; cells in the tone of their model. Columns have fixed widths, which
-/// a ColumnFitter or the caller sets; rows are @p rowHeight tall [px] and their texts do not wrap.
+/// Sets what all tables of panes have in common. Whole rows are chosen, one at a time, without grid and row
+/// headers. Tab goes to the next field; cells have the tone of their model. A ColumnFitter or the caller sets
+/// the column widths. Rows are @p rowHeight tall [px] and do not wrap.
 void dressTable(QTableView& table, int rowHeight = 24);
 
 }  // namespace leitstand

@@ -22,7 +22,7 @@ void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelInd
     option->textElideMode = Qt::ElideRight;
     const auto tone = static_cast<Tone>(index.data(ToneRole).toInt());
     if (tone == Tone::Normal) return;
-    // Style sheets give the widget's palette their own colours, so the application's is asked.
+    // Style sheets set their own colours in the widget's palette, so the application's is used.
     const QColor ink = QGuiApplication::palette().color(tone == Tone::Muted ? QPalette::PlaceholderText
                                                                             : QPalette::BrightText);
     for (const auto role : {QPalette::Text, QPalette::WindowText, QPalette::HighlightedText}) {

@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// Draws items in the colour of their ToneRole: muted, plain or attention; with some air around.
+/// Draws items in the colour of their ToneRole (muted, plain or attention), with some padding.
 class ToneDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:

@@ -26,12 +26,12 @@ void paintMark(QPainter& painter, const TimelineGlyph& glyph, const QPointF& mid
     const bool find = glyph.shape == MarkShape::Disc || glyph.shape == MarkShape::Drop;
     const QColor ink = find && !discarded ? colours.select : toneColour(glyph.tone, colours);
     const QRectF box(middle.x() - Half, middle.y() - Half, 2 * Half, 2 * Half);
-    painter.setPen(QPen(colours.strip, 1.5));  // parts marks that overlap
+    painter.setPen(QPen(colours.strip, 1.5));  // separates marks that overlap
     painter.setBrush(ink);
     switch (glyph.shape) {
         case MarkShape::Disc: {
             painter.setFont(sized(font, 11, true));
-            // Wider for a name that has more than a digit, so that it is whole within.
+            // Wider for a name of more than one digit, so that it fits.
             const double text = QFontMetricsF(painter.font()).horizontalAdvance(glyph.letter);
             const double wider = std::max(2.0, text / 2 + 4.0 - Half);
             const QRectF disc = box.adjusted(-wider, -2, wider, 2);
@@ -40,7 +40,7 @@ void paintMark(QPainter& painter, const TimelineGlyph& glyph, const QPointF& mid
             painter.drawText(disc, Qt::AlignCenter, glyph.letter);
             break;
         }
-        case MarkShape::Drop: {  // points down to its moment, hollow: nobody has said yet that it is one
+        case MarkShape::Drop: {  // points down to its moment; hollow, since it is not confirmed yet
             QPainterPath drop(middle + QPointF(0, Half + 4));
             drop.quadTo(middle + QPointF(-Half - 3, 0), middle + QPointF(-Half + 1, -Half + 1));
             drop.quadTo(middle + QPointF(0, -Half - 5), middle + QPointF(Half - 1, -Half + 1));

@@ -8,7 +8,7 @@
 
 namespace leitstand {
 
-/// Paints @p glyph's shape with its middle at @p middle; some 14 px wide.
+/// Paints the shape of @p glyph centred at @p middle, about 14 px wide.
 void paintMark(QPainter& painter, const TimelineGlyph& glyph, const QPointF& middle, const QFont& font);
 
 }  // namespace leitstand

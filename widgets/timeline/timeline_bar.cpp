@@ -18,12 +18,12 @@
 namespace leitstand {
 namespace {
 
-constexpr double Side = 14.0;                         ///< left and right of the track [px]
+constexpr double Side = 14.0;                         ///< margin left and right of the track [px]
 constexpr double FindsAt = 13.0, OthersAt = 34.0;     ///< middles of the lanes [px]
 constexpr double LaneEnd = 23.5;                      ///< between them [px]
 constexpr double TrackTop = 49.0, TrackHeight = 8.0;  ///< [px]
 constexpr double LabelsTop = 60.0;
-constexpr double Reach = 8.0;         ///< of a click on a mark [px]
+constexpr double Reach = 8.0;         ///< how far a click may miss a mark [px]
 constexpr double TickSpacing = 84.0;  ///< [px]
 constexpr int LabelSize = 11;
 
@@ -107,7 +107,7 @@ void TimelineBar::paintTicks(QPainter& painter) const {
 }
 
 void TimelineBar::paintGlyphs(QPainter& painter) const {
-    // What matters most is painted last; finds have a lane of their own, where alarms do not bury them.
+    // The most important is painted last. Finds have a lane of their own, where alarms do not hide them.
     for (const Tone tone : {Tone::Muted, Tone::Normal, Tone::Attention, Tone::Act}) {
         for (const TimelineGlyph& glyph : m_glyphs) {
             if (isFind(glyph) || glyph.tone != tone) continue;

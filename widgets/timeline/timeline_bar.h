@@ -10,9 +10,9 @@
 
 namespace leitstand {
 
-/// A mission's time from left to right: finds and candidates, below them all other marks, each kind of a
-/// shape of its own, gaps in the recording hatched, and the moment that is shown. The mouse takes it along;
-/// the arrows step by one second, with Shift by ten; Home and End go to the ends.
+/// Shows a mission's time from left to right. Finds and candidates are on top, all other marks below, each
+/// kind with its own shape. Gaps in the recording are hatched. The mouse drags the current moment. Arrows
+/// step by one second, with Shift by ten; Home and End go to the ends.
 class TimelineBar final : public QWidget {
     Q_OBJECT
 public:
@@ -20,20 +20,20 @@ public:
 
     void setMission(const TimelineAxis& axis, std::vector<TimelineGlyph> glyphs);
     void setPosition(Time at);
-    /// How far the mission was read through, while it is; 1: it is. @p doing: what is done in words; empty:
-    /// it is read through.
+    /// Shows the progress of reading the mission; 1: done. @p doing: the current work in words; empty: the
+    /// default text.
     void setOpening(double fraction, const QString& doing = {});
 
-    /// Where @p at is painted [px].
+    /// Returns where @p at is painted [px].
     [[nodiscard]] double pixelOf(Time at) const;
-    /// The glyph that is at @p point; null: none.
+    /// Returns the glyph at @p point; null: none.
     [[nodiscard]] const TimelineGlyph* glyphAt(const QPointF& point) const;
     static constexpr int Height = 80;  ///< [px]
     [[nodiscard]] QSize sizeHint() const override { return {640, Height}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, Height}; }
 
 signals:
-    void sought(leitstand::Time at);  ///< a moment was pointed at
+    void sought(leitstand::Time at);  ///< the operator chose a moment
     void stepped(double seconds);     ///< negative: back
 
 protected:

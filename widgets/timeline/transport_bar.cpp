@@ -34,7 +34,7 @@ void TransportBar::addCommand(QAction& action) {
     auto* button = new QToolButton(this);
     button->setDefaultAction(&action);
     button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the timeline
+    button->setFocusPolicy(Qt::TabFocus);  // a click never takes the focus: the timeline keeps the keys
     button->setToolButtonStyle(action.icon().isNull() ? Qt::ToolButtonTextOnly : Qt::ToolButtonIconOnly);
     m_buttons->addWidget(button);
 }

@@ -11,16 +11,16 @@ class QLabel;
 
 namespace leitstand {
 
-/// What moves a review: its commands as buttons in a row, and where and how fast it is.
+/// Controls a review: its commands as buttons in a row, its current moment and its speed.
 class TransportBar final : public QWidget {
     Q_OBJECT
 public:
     explicit TransportBar(QWidget* parent = nullptr);
 
-    /// Puts @p action's button at the end of the row.
+    /// Adds a button for @p action at the end of the row.
     void addCommand(QAction& action);
     void addGap();
-    /// Where it is on @p axis, and its rate: of mission's time to real time.
+    /// Shows the moment @p at on @p axis. @p rate: mission time over real time.
     void show(const TimelineAxis& axis, Time at, double rate);
     using QWidget::show;
 

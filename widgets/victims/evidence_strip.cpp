@@ -13,7 +13,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double EvidenceGap = 6.0, EvidenceRim = 8.0;  ///< between pictures; left and right of them [px]
+constexpr double EvidenceGap = 6.0, EvidenceRim = 8.0;  ///< between pictures; left and right of all [px]
 
 }  // namespace
 

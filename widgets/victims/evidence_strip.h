@@ -8,19 +8,19 @@
 
 namespace leitstand {
 
-/// A picture that shows a find, and what it is: "kurt3d, left, 12:04:31".
+/// A picture of a find and its caption: "kurt3d, left, 12:04:31".
 struct EvidenceImage {
     QImage image;
     QString caption;
 };
 
-/// The pictures of a find, side by side, as large as they fit. Captions are tooltips.
+/// Shows the pictures of a find side by side, as large as they fit. Captions are tooltips.
 class EvidenceStrip final : public QWidget {
     Q_OBJECT
 public:
     explicit EvidenceStrip(QWidget* parent = nullptr);
 
-    /// @p awaited: there are pictures, which are read yet.
+    /// @p awaited: pictures exist and are still being read.
     void show(std::vector<EvidenceImage> images, bool awaited = false);
     using QWidget::show;
     [[nodiscard]] int count() const { return static_cast<int>(m_images.size()); }
@@ -33,7 +33,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// Where each picture is painted.
+    /// Returns where each picture is painted.
     [[nodiscard]] std::vector<QRectF> places() const;
 
     std::vector<EvidenceImage> m_images;

@@ -9,7 +9,7 @@
 namespace leitstand {
 namespace {
 
-constexpr int Margins = 8;  ///< that a line keeps around its text, besides its style's [px]
+constexpr int Margins = 8;  ///< around the text of a QLineEdit, besides its style's [px]
 
 }  // namespace
 

@@ -5,14 +5,13 @@
 
 namespace leitstand {
 
-/// A line of text that says in grey what one may write into it: as many of its words as it is wide, none
-/// of them cut.
+/// A line edit whose grey placeholder suggests words: as many as fit, none of them cut.
 class HintLine final : public QLineEdit {
     Q_OBJECT
 public:
     using QLineEdit::QLineEdit;
 
-    /// @p more: whether other words than @p words are meant too.
+    /// @p more: words other than @p words are possible, too.
     void setHints(const QStringList& words, bool more);
 
 protected:

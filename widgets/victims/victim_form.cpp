@@ -29,7 +29,7 @@ void setText(QLineEdit& line, const QString& text) {
 
 void setChoice(QComboBox& box, const QString& word) {
     const int index = box.findData(word);
-    if (index < 0 && !word.isEmpty()) box.addItem(word, word);  // of another program
+    if (index < 0 && !word.isEmpty()) box.addItem(word, word);  // a word from another program
     box.setCurrentIndex(box.findData(word));
 }
 
@@ -61,7 +61,7 @@ VictimForm::VictimForm(QWidget* parent)
     rows->setContentsMargins(0, 4, 0, 0);
     rows->setSpacing(4);
     addHead(*rows);
-    // A low pane scrolls, and follows the focus.
+    // A low pane scrolls and follows the focus.
     m_grid = new QWidget;
     auto* area = new QScrollArea(this);
     area->setWidget(m_grid);
@@ -101,7 +101,7 @@ void VictimForm::addHead(QVBoxLayout& rows) {
     done->setObjectName(QStringLiteral("formDone"));
     done->setText(tr("Done"));
     done->setToolTip(tr("Closes the form; what was filled in is kept already"));
-    done->setFocusPolicy(Qt::TabFocus);  // a click leaves what is typed to the form
+    done->setFocusPolicy(Qt::TabFocus);  // a click keeps the focus in the field being typed in
     connect(done, &QToolButton::clicked, this, &VictimForm::done);
     head->addWidget(m_title, 1);
     head->addWidget(done);
@@ -141,7 +141,7 @@ void VictimForm::addSigns(QGridLayout& grid) {
     }
 }
 
-/// Two fields a row, so that a sheet need not be high.
+/// Adds the other fields, two per row to keep the form low.
 void VictimForm::addRest(QGridLayout& grid) {
     const auto pair = [&](const QString& one, QWidget* first, const QString& two, QWidget* second) {
         const int row = grid.rowCount();
@@ -186,11 +186,11 @@ void VictimForm::setEnabledParts(bool on) {
 
 void VictimForm::show(const std::optional<VictimSample>& find) {
     const bool same = m_find && find && m_find->kind == find->kind && m_find->number == find->number;
-    if (same && m_edited && find->stamp == *m_edited) return;  // from before the edit
-    // What is being typed is the old one's: it is told before another one is shown.
+    if (same && m_edited && find->stamp == *m_edited) return;  // older than the edit
+    // Typed text belongs to the old find: it is applied before another one is shown.
     if (!same && focusWidget() != nullptr && isAncestorOf(focusWidget())) focusWidget()->clearFocus();
     m_edited.reset();
-    m_showing = true;  // what is set here is no wish
+    m_showing = true;  // values set here are no edits
     m_find = find;
     m_title->setText(find ? tr("%1 · %2").arg(QString::fromStdString(nameOf(find->kind, find->number)),
                                               kindText(find->kind))
@@ -213,13 +213,13 @@ void VictimForm::show(const std::optional<VictimSample>& find) {
     m_showing = false;
 }
 
-// A field that goes while it has the focus says that it was edited, when this is no form any more.
+// A field that is destroyed with the focus emits editingFinished, when this is no longer a VictimForm.
 VictimForm::~VictimForm() {
     for (QWidget* field : m_fields) field->disconnect(this);
 }
 
 void VictimForm::hideEvent(QHideEvent* event) {
-    // Words of other programs may be longer than the form's: nobody edited those.
+    // Text from other programs may exceed the form's limit: unedited text stays.
     const auto* const typed = qobject_cast<const QLineEdit*>(focusWidget());
     if (typed != nullptr && typed->isModified()) read();
     QWidget::hideEvent(event);
@@ -285,7 +285,7 @@ bool VictimForm::changeLine(QLineEdit& field, int step) {
         if (&field == sign.value) return changeValue(sign, step);
         if (&field == sign.text) words = sign.field.words;
     }
-    words.prepend(QString());  // nothing is said
+    words.prepend(QString());  // the empty choice
     const auto at = words.indexOf(field.text().trimmed());
     if (at < 0 || words.size() == 1) return false;
     field.setText(words[(at + step + words.size()) % words.size()]);

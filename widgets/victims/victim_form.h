@@ -19,39 +19,39 @@ namespace leitstand {
 class EvidenceStrip;
 struct EvidenceImage;
 
-/// The form of one victim or other find: signs of life, situation, tag, area, text. What is changed is told
-/// at once; there is no button to forget. By keyboard: Tab and arrows; by pad: nextField(), change().
+/// The form of one victim or other find: signs of life, situation, tag, area, text. Changes are emitted at
+/// once, without a button to confirm them. Keyboard: Tab and arrows; pad: nextField(), change().
 class VictimForm final : public QWidget {
     Q_OBJECT
 public:
     explicit VictimForm(QWidget* parent = nullptr);
     ~VictimForm() override;
 
-    /// Shows @p find as it is now; what is being typed stays. Empty: none is chosen.
+    /// Shows the current state of @p find; text being typed stays. Empty: none is chosen.
     void show(const std::optional<VictimSample>& find);
     using QWidget::show;
 
-    /// The next (or, negative, previous) field gets the focus.
+    /// Focuses the next field, or the previous one when @p step is negative.
     void nextField(int step);
-    /// What its tag may be: change() goes through them.
+    /// Sets the tags that change() steps through.
     void setTags(const QStringList& tags) { m_tags = tags; }
-    /// The field that has the focus gets its next (previous) choice, word or value; false: it has none, or
-    /// what was typed there would be lost.
+    /// Sets the focused field to its next (previous) choice, word or value. False: it has none, or typed text
+    /// would be lost.
     bool change(int step);
 
-    /// The pictures that show the find; @p awaited: there are some, which are read yet.
+    /// Sets the pictures of the find. @p awaited: pictures exist and are still being read.
     void setPictures(std::vector<EvidenceImage> pictures, bool awaited = false);
 
     [[nodiscard]] QSize sizeHint() const override;
-    /// So wide that no field is cut, whatever its language.
+    /// Wide enough that no field is cut, in any language.
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     void edited(const leitstand::VictimSample& find);
-    void done();  ///< the operator has filled in what there was
+    void done();  ///< the operator closed the form
 
 protected:
-    void hideEvent(QHideEvent* event) override;  ///< what was being typed counts, also when a window closes
+    void hideEvent(QHideEvent* event) override;  ///< applies typed text, also when a window closes
 
 private:
     struct Sign {
@@ -67,21 +67,21 @@ private:
     [[nodiscard]] QLabel* label(const QString& text, QWidget* field);
     void read();
     void setEnabledParts(bool on);
-    /// @p hints: what one may write into it; @p more: and much else.
+    /// @p hints: suggested words; @p more: other words are possible, too.
     [[nodiscard]] QLineEdit* line(const QString& name, const QStringList& hints, bool more = false);
 
     std::optional<VictimSample> m_find;
     std::optional<Time>
-        m_edited;  ///< stamp of the entry that an edit was based on, until there is a newer one
+        m_edited;  ///< stamp of the entry that an edit is based on, until a newer one is shown
     bool m_showing = false;
     QLabel* m_title;
     EvidenceStrip* m_pictures;
-    QWidget* m_grid = nullptr;  ///< with all fields
+    QWidget* m_grid = nullptr;  ///< holds all fields
     std::vector<Sign> m_signs;
     QStringList m_tags;
     QComboBox *m_situation, *m_area;
     QLineEdit *m_tag, *m_text;
-    std::vector<QWidget*> m_fields;  ///< in the order of Tab
+    std::vector<QWidget*> m_fields;  ///< in tab order
 };
 
 }  // namespace leitstand

@@ -14,9 +14,9 @@ class QTableView;
 
 namespace leitstand {
 
-/// Victims, other finds and candidates, with the commands that a window offers for them: where robots drive,
-/// what is known of each, how far and where from the robot; in a review, when they were found, and what was
-/// discarded.
+/// Lists victims, other finds and candidates, with the window's commands for them. Live, it shows what is
+/// known of each, and its distance and direction from the robot. In a review, it shows when each was found,
+/// and what was discarded.
 class VictimsPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -25,11 +25,11 @@ public:
 
     void show(const std::vector<VictimRow>& rows);
     using QWidget::show;
-    /// Buttons for these commands, too, below the list.
+    /// Adds a button below the list for each of @p commands.
     void addCommands(const std::vector<QAction*>& commands);
-    /// The row that is chosen; empty: none.
+    /// Returns the chosen row; empty: none.
     [[nodiscard]] std::optional<VictimRow> chosen() const;
-    bool choose(const FindKey& find);  ///< false: it is not in the list
+    bool choose(const FindKey& find);  ///< false: not in the list
 
     [[nodiscard]] QSize sizeHint() const override { return {360, 180}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {198, 90}; }

@@ -23,8 +23,8 @@ struct DrawingTexts {
 
 constexpr std::size_t Strengths = 6;
 
-/// How visible something of @p age [s] is: fresh (Strengths) within a turn of the scanner, faint but never
-/// gone (1) later; 0: it was never looked at.
+/// Returns the visibility of something of @p age [s]. Strengths: fresh, within a turn of the scanner. It
+/// fades to 1, never to 0, which means never seen.
 std::size_t strengthOf(double age) {
     constexpr double Fresh = 2.5, Old = 10.0;
     if (!std::isfinite(age)) return 0;
@@ -37,13 +37,13 @@ double alphaOf(std::size_t strength) {
     return strength == 0 ? 0.0 : Least + (1.0 - Least) * static_cast<double>(strength - 1) / (Strengths - 1);
 }
 
-/// Goes on with @p path where it ends at @p from.
+/// Adds a line to @p path; continues it if it ends at @p from.
 void addLine(QPainterPath& path, const QPointF& from, const QPointF& to) {
     if (path.isEmpty() || path.currentPosition() != from) path.moveTo(from);
     path.lineTo(to);
 }
 
-/// Whether two outer points @p apart sectors are one wall rather than a near and a far one.
+/// Whether two outer points, @p apart sectors apart, belong to one wall instead of a near and a far one.
 bool isOneWall(const Eigen::Vector2d& a, const Eigen::Vector2d& b, std::size_t apart) {
     return (a - b).norm() < static_cast<double>(apart) * (0.25 + 0.12 * std::min(a.norm(), b.norm()));
 }
@@ -87,7 +87,7 @@ void VirtualScanDrawing::rings(const QRectF& area, double range, const QRectF& t
         m_painter.setBrush(Qt::NoBrush);
         m_painter.drawEllipse(m_origin, radius, radius);
         const QString text = DrawingTexts::tr("%1 m").arg(numberText(i * step, step < 1.0 ? 1 : 0));
-        // to the upper right, off the way ahead
+        // to the upper right, clear of the path ahead
         const QPointF at = m_origin + radius * QPointF(std::sin(0.6), -std::cos(0.6));
         const QRectF box(at.x() - 20, at.y() - 0.5 * metrics.height(), 40, metrics.height());
         if (!area.contains(box) || box.intersects(taken)) continue;
@@ -97,7 +97,7 @@ void VirtualScanDrawing::rings(const QRectF& area, double range, const QRectF& t
 }
 
 void VirtualScanDrawing::freeSpace(const VirtualScanView& view) const {
-    // A wedge per sector, as long as it was looked into; wedges of one strength at once.
+    // One wedge per sector, as long as its free space; wedges of one strength are painted together.
     const double half = std::numbers::pi / static_cast<double>(view.sectors.size());
     std::array<QPainterPath, Strengths + 1> wedges;
     for (QPainterPath& path : wedges) path.setFillRule(Qt::WindingFill);
@@ -125,14 +125,14 @@ void VirtualScanDrawing::walls(const VirtualScanView& view) const {
     for (std::size_t i = 0; i < count; ++i) {
         const VirtualSector& a = view.sectors[i];
         if (!a.outer) continue;
-        // Seen at a flat angle, a wall leaves sectors out.
+        // A wall seen at a flat angle skips sectors.
         std::size_t apart = 1;
         while (apart < 3 && !view.sectors[(i + apart) % count].outer) ++apart;
         const VirtualSector& b = view.sectors[(i + apart) % count];
         const std::size_t strength = strengthOf(std::max(a.age, std::isfinite(b.age) ? b.age : 0.0));
         const QPointF from = pixelOf(*a.outer);
         const bool oneWall = b.outer && isOneWall(*a.outer, *b.outer, apart);
-        // What stands alone is a dot; what joins two walls is an edge, nothing that was seen.
+        // A single point is a dot. A line between two walls is an edge: nothing was seen there.
         addLine(seen[strength], from, oneWall ? pixelOf(*b.outer) : from + QPointF(1.5, 0.0));
         if (b.outer && !oneWall) addLine(edges[strength], from, pixelOf(*b.outer));
     }
@@ -156,7 +156,7 @@ void VirtualScanDrawing::obstacles(const VirtualScanView& view) const {
         if (!standsBeforeWall(view, *a.inner) || !standsBeforeWall(view, *b.inner)) continue;
         addLine(lines[strengthOf(std::max(a.age, b.age))], pixelOf(*a.inner), pixelOf(*b.inner));
     }
-    // There may be thousands of points: one for each few pixels, the freshest.
+    // There may be thousands of points: only the freshest per few pixels is drawn.
     std::unordered_map<std::int64_t, std::size_t> dots;
     const QRectF area = m_painter.clipBoundingRect();
     for (const VirtualObstacle& one : view.obstacles) {
@@ -221,7 +221,7 @@ void VirtualScanDrawing::robot(const std::vector<Eigen::Vector2d>& footprint, co
     m_painter.setPen(QPen(ink(m_colours.text), 1.5));
     m_painter.setBrush(ink(m_colours.strip));
     m_painter.drawPolygon(outline);
-    // An arrow says where its front is, also when the body is small on screen.
+    // An arrow marks its front, even when the body is small on screen.
     const double length = std::max((body.front + body.back) * m_scale, 12.0) / m_scale;
     const double middle = 0.5 * (body.front - body.back);
     QPolygonF arrow;
@@ -237,7 +237,7 @@ QRectF VirtualScanDrawing::nearestBox(const Proximity& nearest, const QRectF& ar
     const QFontMetricsF metrics(nearestFont(m_painter));
     const QPointF at = pixelOf(*nearest.where);
     QRectF box(0, 0, metrics.horizontalAdvance(nearestText(nearest)) + 8.0, metrics.height() + 2.0);
-    // Beside the point, away from the robot, and always within sight.
+    // Beside the point, away from the robot, and always visible.
     box.moveCenter(at);
     box.moveLeft(at.x() >= m_origin.x() ? at.x() + 10.0 : at.x() - 10.0 - box.width());
     box.moveLeft(std::clamp(box.left(), area.left(), area.right() - box.width()));

@@ -13,22 +13,23 @@
 
 namespace leitstand {
 
-/// Draws what is around a robot, in base_link with x up.
+/// Draws the surroundings of a robot in base_link, with x up.
 class VirtualScanDrawing {
 public:
-    /// @p origin: where base_link is [px]; @p scale [px/m]; @p grey: without any colour.
+    /// @p origin: of base_link [px]; @p scale [px/m]; @p grey: draws without colour.
     VirtualScanDrawing(QPainter& painter, const ThemeColours& colours, const QPointF& origin, double scale,
                        bool grey);
 
-    /// With their metres, but none in @p taken.
+    /// Draws range rings with their radii as text, but no text in @p taken.
     void rings(const QRectF& area, double range, const QRectF& taken) const;
-    /// @p withLaser: what plane lasers measured, too, below the contours, which are of it where it is all.
+    /// @p withLaser: also draws the points of planar lasers, below the contours. Without other scanners, the
+    /// contours come from these points.
     void surroundings(const VirtualScanView& view, bool withLaser) const;
     void path(const PredictedPath& path) const;
     void robot(const std::vector<Eigen::Vector2d>& footprint, const BodyBox& body) const;
-    void nearest(const Proximity& nearest, const QRectF& area) const;  ///< its distance in figures
+    void nearest(const Proximity& nearest, const QRectF& area) const;  ///< with its distance as text
 
-    [[nodiscard]] QRectF nearestBox(const Proximity& nearest, const QRectF& area) const;  ///< of its figures
+    [[nodiscard]] QRectF nearestBox(const Proximity& nearest, const QRectF& area) const;  ///< of that text
     [[nodiscard]] QPointF pixelOf(const Eigen::Vector2d& point) const;
 
 private:

@@ -14,9 +14,9 @@ namespace leitstand {
 namespace {
 
 constexpr double Lookahead = 3.0;  ///< of the predicted path [s]
-constexpr double OriginAt = 0.66;  ///< of the height below the head: more is seen ahead than behind
-constexpr double ZoomStep = 1.15;  ///< of a notch of the wheel
-constexpr double AgeStep = 0.1;    ///< an age that is written grows by so much before it is written anew [s]
+constexpr double OriginAt = 0.66;  ///< share of the height below the head: more is seen ahead than behind
+constexpr double ZoomStep = 1.15;  ///< per notch of the wheel
+constexpr double AgeStep = 0.1;    ///< change of the age that repaints its text [s]
 
 QRectF areaOf(const QWidget& pane) {
     return QRectF(pane.rect()).adjusted(6, paneHeadHeight(pane.font()), -4, -4);
@@ -39,7 +39,7 @@ void VirtualScanPane::setRobot(const RobotFace& face, const std::vector<Eigen::V
     m_body = boxAround(footprint);
     m_view.reset();
     m_head.age = {};
-    setAccessibleDescription(ageText(m_head.age));  // no more of the robot before
+    setAccessibleDescription(ageText(m_head.age));  // replaces that of the previous robot
     setAccessibleName(QStringLiteral("%1 · %2").arg(face.letter, m_head.title));
     update();
 }

@@ -11,7 +11,7 @@ OffscreenFonts::OffscreenFonts() {
     static char name[] = "leitstandctl";
     static char* arguments[] = {name, nullptr};
     m_application = std::make_unique<QGuiApplication>(count, arguments);
-    QLocale::setDefault(QLocale::c());  // what this program writes is English on every computer
+    QLocale::setDefault(QLocale::c());  // output is English on every computer
 }
 
 OffscreenFonts::~OffscreenFonts() = default;

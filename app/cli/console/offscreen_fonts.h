@@ -6,7 +6,8 @@ class QGuiApplication;
 
 namespace leitstand::cli {
 
-/// What Qt needs to lay text out, without a display: one while it lives, in the main thread.
+/// Holds the QGuiApplication that Qt needs to lay out text without a display. One at a time, in the main
+/// thread.
 class OffscreenFonts {
 public:
     OffscreenFonts();

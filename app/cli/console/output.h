@@ -9,11 +9,11 @@
 
 namespace leitstand::cli {
 
-/// Prints @p text on stdout: all that leitstandctl says goes through here, so that no name that others chose
-/// reaches a terminal as it is (core/base/printable.h). Lines stay lines; a name of others is made
-/// printable() before it stands in one.
+/// Prints @p text on stdout. All output of leitstandctl goes through here, so that no name chosen by others
+/// reaches a terminal raw (core/base/printable.h). Line ends stay: pass such a name through printable()
+/// before putting it into a line.
 void print(std::string_view text);
-/// The same with arguments.
+/// Prints @p text with @p arguments, also on stdout.
 template <class... Arguments>
 void print(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
     print(std::string_view(fmt::format(text, std::forward<Arguments>(arguments)...)));
@@ -22,9 +22,9 @@ void print(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
 /// Prints "leitstandctl: TEXT" on stderr, as one line.
 void printError(std::string_view text);
 
-/// @p json as it is printed, with a line end. What is no UTF-8 in it becomes U+FFFD.
+/// Returns @p json as printJson() prints it, with a line end. Bytes that are no UTF-8 become U+FFFD.
 [[nodiscard]] std::string jsonText(const nlohmann::ordered_json& json);
-/// Prints jsonText().
+/// Prints jsonText() on stdout.
 void printJson(const nlohmann::ordered_json& json);
 
 }  // namespace leitstand::cli

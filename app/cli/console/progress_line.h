@@ -4,7 +4,7 @@
 
 namespace leitstand::cli {
 
-/// One line on stderr that tells how far the work is; silent where stderr is no terminal.
+/// One line on stderr that shows the progress of the work. Silent when stderr is no terminal.
 class ProgressLine {
 public:
     ProgressLine();
@@ -12,9 +12,9 @@ public:
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// Shows @p what and how much of it is done, 0 to 1; at most ten times a second.
+    /// Shows @p what and the @p fraction of it that is done, 0 to 1. Updates at most ten times a second.
     void show(const std::string& what, double fraction);
-    /// Shows @p what alone, where nobody knows how much there is to do.
+    /// Shows @p what alone, when the amount of work is unknown.
     void show(const std::string& what);
     /// Wipes the line, so that something else can be printed.
     void clear();

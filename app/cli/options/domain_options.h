@@ -8,7 +8,8 @@ class App;
 
 namespace leitstand::cli {
 
-/// The options of every command that takes part in a domain, which fill @p settings.
+/// Adds the options of every command that takes part in a domain to @p command. They write into @p settings,
+/// which must outlive it.
 void addDomainOptions(CLI::App& command, DomainSettings& settings);
 
 }  // namespace leitstand::cli

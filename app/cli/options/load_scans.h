@@ -10,10 +10,10 @@
 
 namespace leitstand::cli {
 
-/// Prints "leitstandctl: TEXT" on stderr.
+/// Clears @p line and prints "leitstandctl: TEXT" on stderr.
 void complain(ProgressLine& line, const std::string& text);
 
-/// A scan that could be read, and its place among all that the sources name.
+/// A scan that could be read, with its position among all scans and files that the sources name.
 struct LoadedScan {
     ScanPtr scan;
     std::size_t position = 0;
@@ -26,8 +26,8 @@ struct LoadedScans {
     int broken = 0;            ///< those that could not be read
 };
 
-/// Reads all that can be read of @p sources (uos folders, cloud files, missions), until @p stop; complains
-/// about the rest. An error names a source that is nothing of this.
+/// Reads what can be read of @p sources (uos folders, cloud files, missions) until @p stop is requested.
+/// Reports the rest with complain(). The error names a source that is none of these.
 [[nodiscard]] Result<LoadedScans> loadScans(const std::vector<std::filesystem::path>& sources,
                                             const std::stop_token& stop, ProgressLine& line);
 

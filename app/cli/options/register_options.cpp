@@ -12,7 +12,7 @@
 namespace leitstand::cli {
 namespace {
 
-/// A finite number in [@p low, @p high]; CLI::Range alone lets "nan" through.
+/// Accepts a finite number in [@p low, @p high]. CLI::Range alone also accepts "nan".
 CLI::Validator number(double low, double high, const std::string& what) {
     return {[=](std::string& text) -> std::string {
                 double value = 0.0;

@@ -13,7 +13,7 @@ class App;
 
 namespace leitstand::cli {
 
-/// What the user said to `register`.
+/// Arguments of `register`.
 struct RegisterOptions {
     std::vector<std::filesystem::path> sources;
     RegistrationSettings settings;
@@ -22,14 +22,15 @@ struct RegisterOptions {
     std::filesystem::path posesFile;  ///< empty: not written
     std::string mapFile;              ///< empty: not written; a trailing / asks for a folder of uos scans
     bool closeLoops = false;
-    std::filesystem::path byHand;  ///< links that somebody gives, empty: none
+    std::filesystem::path byHand;  ///< file of links given by hand; empty: none
     bool json = false;
 };
 
 /// Declares the options of design section 6 on @p command; they write into @p options, which must outlive it.
 void declareRegisterOptions(CLI::App& command, RegisterOptions& options);
 
-/// The settings with everything resolved that the command line only names, such as the file of --guess.
+/// Returns the settings of @p options, with ranges set and the file of --guess read. Error when it cannot be
+/// read.
 [[nodiscard]] Result<RegistrationSettings> resolvedSettings(const RegisterOptions& options);
 
 }  // namespace leitstand::cli

@@ -11,11 +11,11 @@
 namespace leitstand {
 namespace {
 
-/// Calls @p write with the value behind each @p begin up to @p end; what it returns takes its place where it
-/// is as long.
+/// Calls @p write with the value between each @p begin and the next @p end. The result replaces the value
+/// when it is equally long.
 void forEachValue(QByteArray& bytes, const char* begin, char end,
                   const std::function<QByteArray(const QByteArray&)>& write) {
-    constexpr qsizetype Longest = 200;  // farther away it is no end, but chance in a picture's bytes
+    constexpr qsizetype Longest = 200;  // farther away it is a chance match in a picture's bytes
     const QByteArray mark(begin);
     for (qsizetype at = bytes.indexOf(mark); at >= 0; at = bytes.indexOf(mark, at + mark.size())) {
         const qsizetype first = at + mark.size(), last = bytes.indexOf(end, first);
@@ -31,7 +31,7 @@ QByteArray signedOffset(const QDateTime& local, const char* hours, const char* m
            hours + QByteArray::number(offset % 60).rightJustified(2, '0') + minutes;
 }
 
-/// @p moment in the form of @p old: "20261121201154Z", "20261121201154+01'00'".
+/// Returns @p moment in the form of @p old: "20261121201154Z", "20261121201154+01'00'".
 QByteArray pdfDate(const QDateTime& moment, const QByteArray& old) {
     constexpr qsizetype Digits = 14;
     const bool utc = old.size() == Digits + 1 && old.endsWith('Z');
@@ -41,7 +41,7 @@ QByteArray pdfDate(const QDateTime& moment, const QByteArray& old) {
     return old.size() > Digits ? text + signedOffset(shown, "'", "'") : text;
 }
 
-/// Likewise: "2026-11-21T20:11:54", then "Z", "+01:00" or nothing.
+/// Returns @p moment in the form of @p old: "2026-11-21T20:11:54", then "Z", "+01:00" or nothing.
 QByteArray xmpDate(const QDateTime& moment, const QByteArray& old) {
     constexpr qsizetype Digits = 19;
     const bool utc = old.size() == Digits + 1 && old.endsWith('Z');
@@ -56,8 +56,8 @@ bool isHex(char letter) {
            (letter >= 'A' && letter <= 'F');
 }
 
-/// @p old with its hexadecimal digits from @p digits; as it is where it has other letters than those and @p
-/// more.
+/// Returns @p old with its hexadecimal digits replaced by @p digits, repeated as needed. Unchanged when it
+/// contains characters other than those and @p more.
 QByteArray withDigits(QByteArray old, const QByteArray& digits, const QByteArray& more) {
     const bool known =
         std::all_of(old.begin(), old.end(), [&](char c) { return isHex(c) || more.contains(c); });

@@ -6,9 +6,9 @@
 
 namespace leitstand {
 
-/// The PDF @p bytes with @p created as its dates (of its info and its XMP), and with identities (/ID, XMP's
-/// uuid) that are a hash of its content: equal contents make equal bytes. Nothing becomes longer or shorter,
-/// so that its table of objects stays true; a date or identity in a form that is not known is left as it is.
+/// Returns the PDF @p bytes with @p created as its dates (in its info and its XMP). Its identities (/ID,
+/// XMP's uuid) become a hash of its content, so equal contents give equal bytes. The length of each value
+/// stays, so the table of objects stays valid. A date or identity of an unknown form stays as it is.
 [[nodiscard]] QByteArray withIdentity(QByteArray bytes, Time created);
 
 }  // namespace leitstand

@@ -25,10 +25,10 @@
 namespace leitstand {
 namespace {
 
-constexpr double Dots = 96.0;           ///< of the pages' layout, an inch
-constexpr int Resolution = 300;         ///< of the file, an inch
+constexpr double Dots = 96.0;           ///< of the page layout, per inch
+constexpr int Resolution = 300;         ///< of the file, per inch
 constexpr double Gap = 10.0;            ///< between text and pictures [dots]
-constexpr double LeastPicture = 260.0;  ///< height of a picture's room [dots]
+constexpr double LeastPicture = 260.0;  ///< height of the room for a picture [dots]
 constexpr double CurveHeight = 190.0;   ///< [dots]
 
 struct PdfText {
@@ -44,7 +44,7 @@ QImage imageOf(const Picture& picture) {
         .copy();
 }
 
-/// The map about a find, with the way to it.
+/// Returns the map around a find, with the way to it.
 QImage wayImage(const FindPages& pages) {
     QImage image = imageOf(pages.way.picture);
     if (image.isNull() || pages.wayPixels.size() < 2) return image;
@@ -63,17 +63,17 @@ QImage wayImage(const FindPages& pages) {
     return image;
 }
 
-/// Lays pages out one after the other; lengths are dots of 1/96 inch.
+/// Lays out pages one after the other. Lengths are dots of 1/96 inch.
 class Pages {
 public:
     Pages(QPdfWriter& writer, const ReportContent& content)
         : m_writer(writer), m_painter(&writer), m_footer(QString::fromStdString(content.name)) {
         m_painter.scale(Resolution / Dots, Resolution / Dots);
         m_size = QSizeF(writer.width(), writer.height()) * (Dots / Resolution);
-        m_size.setHeight(m_size.height() - 24.0);  // the footer's
+        m_size.setHeight(m_size.height() - 24.0);  // for the footer
         m_font = QFont(QStringLiteral("DejaVu Sans"));
         m_font.setPixelSize(12);
-        // Qt joins no letters that are spaced: whoever searches for "confirmed" finds it.
+        // Qt makes no ligatures of spaced letters, so a search for "confirmed" finds it.
         m_font.setLetterSpacing(QFont::AbsoluteSpacing, 0.02);
         begin();
     }
@@ -86,14 +86,14 @@ public:
         begin();
     }
 
-    /// The next page, unless most of this one is free.
+    /// Begins the next page unless most of this one is free.
     void nextPageUnlessFree() {
-        constexpr double Most = 0.4;  // of it is used
+        constexpr double Most = 0.4;  // used share of the page
         if (m_below > Most * m_size.height()) nextPage();
     }
 
-    /// A section: on the next page where what is left of this one does not hold it with @p below more [dots];
-    /// over as many pages as it takes when no page does.
+    /// Draws a section. Begins the next page when the rest of this one does not hold it and @p below more
+    /// [dots]. A section longer than a page continues on further pages.
     void text(const QString& html, const std::vector<std::pair<QString, QImage>>& pictures = {},
               double below = 0.0) {
         QTextDocument document;
@@ -119,7 +119,8 @@ public:
         }
     }
 
-    /// What @p paint draws, as wide as the page and @p high [dots].
+    /// Calls @p paint with a room as wide as the page and @p high [dots], on the next page when it does not
+    /// fit.
     void drawing(double high, const std::function<void(QPainter&, const QRectF&)>& paint) {
         if (m_below > 0.0 && m_below + Gap + high > m_size.height()) nextPage();
         m_painter.setFont(m_font);
@@ -127,8 +128,9 @@ public:
         m_below += Gap + high;
     }
 
-    /// A picture as large as there is room for, with what @p over draws into its place and so far @p below it
-    /// [dots]; on the next page where that is little.
+    /// Draws @p image as large as fits, leaves @p below [dots] free under it and adds @p caption. Before the
+    /// caption, @p over draws into the place of the image and below it. Begins the next page when there is
+    /// little room.
     void picture(const QImage& image, const QString& caption, double below = 0.0,
                  const std::function<void(QPainter&, const QRectF&)>& over = {}) {
         if (image.isNull()) return;
@@ -164,7 +166,7 @@ private:
         m_painter.translate(0.0, m_below - top);
         const QRectF part(0.0, top, m_size.width(), height);
         m_painter.setClipRect(part);
-        // Black on paper, however dark the window is.
+        // Text is black on paper even when the window is dark.
         QAbstractTextDocumentLayout::PaintContext context;
         context.clip = part;
         context.palette.setColor(QPalette::Text, Qt::black);
@@ -178,7 +180,7 @@ private:
     QString m_footer;
     QSizeF m_size;
     QFont m_font;
-    double m_below = 0.0;  ///< of what stands on the page
+    double m_below = 0.0;  ///< lower end of what is on the page [dots]
     int m_page = 1;
 };
 
@@ -220,7 +222,7 @@ void layOut(Pages& pages, const ReportContent& content) {
 Result<std::string> pdfOf(const ReportContent& content) {
     if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) == nullptr)
         return Error{"the PDF cannot be laid out: fonts need a QGuiApplication"};
-    // Qt writes fonts in the order of a hash: equal contents are to make equal bytes.
+    // Qt writes fonts in hash order. A fixed seed makes equal bytes of equal contents.
     const struct SteadyHashes {
         SteadyHashes() { QHashSeed::setDeterministicGlobalSeed(); }
         ~SteadyHashes() { QHashSeed::resetRandomGlobalSeed(); }

@@ -7,9 +7,10 @@
 
 namespace leitstand {
 
-/// Lays @p content out as a PDF (A4) and gives its bytes: mission, maps with numbered finds, a block for each
-/// find with its evidence and the way to it. A QGuiApplication must exist (the offscreen platform will do);
-/// any thread. Equal contents make equal pages; the creation time is in the file's properties.
+/// Lays out @p content as a PDF (A4) and returns its bytes. It contains the mission, maps with numbered
+/// finds, and a block for each find with its evidence and the way to it. Error without a QGuiApplication (the
+/// offscreen platform will do). Any thread. Equal contents make equal pages; the creation time is in the
+/// file's properties.
 [[nodiscard]] Result<std::string> pdfOf(const ReportContent& content);
 
 }  // namespace leitstand

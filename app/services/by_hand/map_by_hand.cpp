@@ -71,7 +71,7 @@ bool MapByHand::decided() const {
 
 Result<void> MapByHand::close() {
     if (!m_mission || !m_mapping || m_hears == nullptr) return {};
-    // What is said comes back, and may be followed by more.
+    // What the mapping publishes comes back as events, and may be followed by more.
     std::uint64_t before = 0;
     Result<void> written = m_mission->flush();
     do {

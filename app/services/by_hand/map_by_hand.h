@@ -15,13 +15,15 @@ namespace leitstand {
 
 class LiveMission;
 
-/// The map of a mission that has ended, on which somebody decides as on a live one: moves parts of it,
-/// answers where it meets itself, accepts, rejects and registers scans again. A session of the mission has
-/// what was decided; what was recorded stays as it is, and each decision can be taken back. Any thread.
+/// The map of a mission that has ended, on which an operator decides as on a live one. The operator moves
+/// parts of it, answers where it meets itself, and accepts, rejects and registers scans again. A session of
+/// the mission records the decisions. What was recorded before stays as it is, and each decision can be taken
+/// back. Any thread.
 class MapByHand {
 public:
-    /// Opens the mission @p folder. @p station: who decides; its name begins with @ref MapByHandStation.
-    /// Errors name the folder: it is no mission of ours, has no map, or cannot be written.
+    /// Opens the mission @p folder. @p station is the name of who decides; it begins with
+    /// @ref MapByHandStation. Errors name the folder: it is no mission of ours, has no map, or cannot be
+    /// written.
     [[nodiscard]] static Result<std::unique_ptr<MapByHand>> open(const std::filesystem::path& folder,
                                                                  const std::string& station,
                                                                  const std::string& version,
@@ -34,11 +36,11 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const { return m_robots; }
     [[nodiscard]] MissionStatePtr state() const;
-    /// Whether anything was decided here by now.
+    /// Whether anything has been decided here.
     [[nodiscard]] bool decided() const;
 
-    /// Waits until the map is where the decisions want it and the log has all of that, and ends. Errors: the
-    /// log cannot be written.
+    /// Waits until the map follows the decisions and the log holds all of that, then ends. Error when the log
+    /// cannot be written.
     Result<void> close();
 
 private:
@@ -46,10 +48,10 @@ private:
 
     const std::filesystem::path m_folder;
     const std::vector<RobotDescription> m_robots;
-    std::atomic<StationMapping*> m_hears = nullptr;  ///< what is logged
+    std::atomic<StationMapping*> m_hears = nullptr;  ///< receives what is logged
     std::unique_ptr<LiveMission> m_mission;
-    std::unique_ptr<StationMapping> m_mapping;  ///< last: it says what it does in the mission
-    std::uint64_t m_before = 0;                 ///< sequence of what was there
+    std::unique_ptr<StationMapping> m_mapping;  ///< last: it logs into the mission
+    std::uint64_t m_before = 0;                 ///< sequence number of the mission when it was opened
 };
 
 }  // namespace leitstand

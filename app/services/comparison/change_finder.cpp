@@ -26,7 +26,7 @@ void ChangeFinder::want(MapPtr map) {
     {
         const std::lock_guard lock(m_mutex);
         if (map == m_asked) return;
-        // What is found of a map that grows stands meanwhile; of another one it is wrong.
+        // Changes of a growing map stay valid meanwhile; those of another map are wrong.
         if (!map || !m_asked || map->scans.size() < m_asked->scans.size()) {
             m_changes = nullptr;
             m_atWork.request_stop();
@@ -44,7 +44,7 @@ MapChangesPtr ChangeFinder::changes() const {
 }
 
 void ChangeFinder::run(const std::stop_token& stop) {
-    constexpr int Rest = 4;  // times as long as it took
+    constexpr int Rest = 4;  // in multiples of the time that the search took
     while (true) {
         MapPtr map;
         std::stop_token another;
@@ -67,7 +67,7 @@ void ChangeFinder::run(const std::stop_token& stop) {
             found = std::make_shared<const MapChanges>(
                 changesOf(countingScans(*map), {}, {.report = {}, .stop = another}));
         } catch (const std::bad_alloc&) {
-            // Nobody is told of changes; there may be memory again for a later map.
+            // Changes are not reported; there may be memory again for a later map.
         }
         std::unique_lock lock(m_mutex);
         if (another.stop_requested()) continue;

@@ -15,11 +15,11 @@ namespace leitstand {
 
 using MapChangesPtr = std::shared_ptr<const MapChanges>;
 
-/// The scans of @p map that count, for changesOf().
+/// Returns the scans of @p map that count, for changesOf().
 [[nodiscard]] std::vector<ReportScan> countingScans(const Map& map);
 
-/// Finds what changed in a map since the missions before, on a thread of its own, which takes at most a fifth
-/// of a core for a map that grows. Any thread.
+/// Finds what changed in a map since earlier missions, on its own thread. Uses at most a fifth of a core for
+/// a growing map. Any thread.
 class ChangeFinder {
 public:
     ChangeFinder();
@@ -27,9 +27,10 @@ public:
     ChangeFinder(const ChangeFinder&) = delete;
     ChangeFinder& operator=(const ChangeFinder&) = delete;
 
-    /// Only the newest map counts; the one that was wanted last costs nothing. Null: none.
+    /// Requests the changes of @p map. Only the newest map counts; requesting it again costs nothing. Null:
+    /// no map.
     void want(MapPtr map);
-    /// Of the newest map that is done, which the one that is wanted goes on from; null where there is none.
+    /// Changes of the newest finished map, while the requested map continues it; null when there are none.
     [[nodiscard]] MapChangesPtr changes() const;
 
 private:
@@ -38,10 +39,10 @@ private:
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
     MapPtr m_asked;                  ///< newest
-    std::optional<MapPtr> m_wanted;  ///< and not begun
+    std::optional<MapPtr> m_wanted;  ///< not begun yet
     MapChangesPtr m_changes;
-    std::stop_source m_atWork;  ///< asked to stop once another map is wanted
-    bool m_another = false;     ///< which is no continuation: nobody rests then
+    std::stop_source m_atWork;  ///< stop is requested once another map is wanted
+    bool m_another = false;     ///< the wanted map continues no earlier one: ends the rest
     std::jthread m_thread;      ///< last: joined first
 };
 

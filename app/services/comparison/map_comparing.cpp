@@ -126,7 +126,7 @@ Result<MapComparisonPtr> keptComparison(const std::filesystem::path& folder, con
         one.end = found->second.end;
         one.sensorInBase = found->second.sensorInBase;
     }
-    sumUp(whole);  // paths are of each robot
+    sumUp(whole);  // paths are per robot
     return std::make_shared<const MapComparison>(std::move(whole));
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view Root = "/truth/", Leaf = "/ground_truth";
 constexpr std::string_view Odometry = "nav_msgs/msg/Odometry", Sightings = "leitstand_msgs/msg/Sightings";
 
-/// The robot that @p pose on @p topic is of; empty: nobody knows.
+/// Returns the robot that @p pose on @p topic belongs to; empty: unknown.
 std::string robotOf(const std::string& topic, const OdometrySample& pose) {
     const auto slash = pose.childFrame.find('/');
     if (slash != std::string::npos && slash > 0) return pose.childFrame.substr(0, slash);
@@ -47,7 +47,7 @@ RecordedTruth readTruth(BagReader& bag, const Progress& progress) {
             const Time at = pose->header.stamp == Time{} ? raw.received : pose->header.stamp;
             truth.robots[robot].push_back({at, pose->baseInOdom});
         } else if (const auto* all = std::get_if<SightingSample>(&*sample)) {
-            truth.victims.clear();  // always all of them
+            truth.victims.clear();  // a sample always holds all of them
             for (const Sighting& one : all->sightings) {
                 if (one.position.allFinite()) truth.victims.push_back(one.position);
             }

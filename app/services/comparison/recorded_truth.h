@@ -13,15 +13,15 @@ namespace leitstand {
 
 class BagReader;
 
-/// What a mission holds of the truth, where somebody recorded it beside what the robots said.
+/// Ground truth that somebody recorded in a mission beside the robots' own data.
 struct RecordedTruth {
     std::map<std::string, std::vector<StampedPose>> robots;  ///< base_link in the world, by name, by time
     std::vector<Eigen::Vector3d> victims;                    ///< in the world [m]
 };
 
-/// Reads `/truth/ARENA/...` of simulated robots (docs/simulation.md): odometry of kinds of robots, told apart
-/// by its child frame, and victims; and `/NAME/ground_truth` (nav_msgs/Odometry) of others. What makes no
-/// sense is left out. Cancelled: what was read so far.
+/// Reads `/truth/ARENA/...` of simulated robots (docs/simulation.md): victims, and odometry per kind of
+/// robot, whose child frame names the robot. Reads `/NAME/ground_truth` (nav_msgs/Odometry) of other robots.
+/// Leaves out what makes no sense. When cancelled, returns what was read so far.
 [[nodiscard]] RecordedTruth readTruth(BagReader& bag, const Progress& progress = {});
 
 }  // namespace leitstand

@@ -13,10 +13,10 @@
 namespace leitstand {
 namespace {
 
-/// Of what is made.
+/// What a result was made from.
 struct Made {
     std::vector<ScanPose> poses;
-    std::size_t views = 0;  ///< that were seen by then
+    std::size_t views = 0;  ///< seen by then
     std::size_t steps = 0;  ///< of the trails
 };
 
@@ -31,7 +31,7 @@ bool alike(const Made& one, const Made& other) {
 
 }  // namespace
 
-/// What the thread knows.
+/// State of the thread.
 struct CoverageReplay::Work {
     Work(const std::filesystem::path& mission, const ReviewIndex& index, const std::stop_token& stop) {
         for (const auto& [id, sample] : index.keyScans) {
@@ -45,7 +45,7 @@ struct CoverageReplay::Work {
         std::sort(seen.begin(), seen.end());
     }
 
-    /// What was searched by @p moment; empty: as before.
+    /// Returns what was searched by @p moment; empty: nothing changed.
     std::optional<SearchedFloorPtr> at(const CoverageMoment& moment) {
         const std::vector<Eigen::Vector3d> trails = trailsOf(*moment.places);
         const auto views = std::upper_bound(seen.begin(), seen.end(), moment.now) - seen.begin();
@@ -58,7 +58,7 @@ struct CoverageReplay::Work {
     }
 
     SearchBook book;
-    std::vector<Time> seen;  ///< each view, rising
+    std::vector<Time> seen;  ///< time of each view, ascending
     std::optional<Made> made;
 };
 
@@ -97,7 +97,7 @@ void CoverageReplay::run(const std::stop_token& stop) {
         if (!made) continue;
         std::unique_lock lock(m_mutex);
         m_searched = std::move(*made);
-        // While a mission is played each moment is another.
+        // While a mission is played, each moment differs from the last.
         m_came.wait_for(lock, stop, 2 * (std::chrono::steady_clock::now() - begin), [] { return false; });
     }
 }

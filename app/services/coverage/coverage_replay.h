@@ -13,16 +13,16 @@
 
 namespace leitstand {
 
-/// A moment of a recorded mission that somebody wants to know of what was searched by then.
+/// A moment of a recorded mission for which the searched floor is wanted.
 struct CoverageMoment {
     Time now{};               ///< station's clock
-    MissionStatePtr mission;  ///< then
-    RobotsInMapPtr places;    ///< then, with the trails
+    MissionStatePtr mission;  ///< at that moment
+    RobotsInMapPtr places;    ///< at that moment, with the trails
     ReviewIndexPtr index;     ///< of the whole mission
 };
 
-/// What was searched by a moment of a recorded mission, on a thread of its own that reads the mission once
-/// when it is asked first. Any thread.
+/// Computes what was searched by a moment of a recorded mission, on its own thread. Reads the mission once,
+/// on the first request. Any thread.
 class CoverageReplay {
 public:
     explicit CoverageReplay(std::filesystem::path mission);
@@ -30,10 +30,10 @@ public:
     CoverageReplay(const CoverageReplay&) = delete;
     CoverageReplay& operator=(const CoverageReplay&) = delete;
 
-    /// Only the newest moment counts; one at which all was as at the one before costs nothing. None of its
-    /// pointers is null.
+    /// Requests what was searched by @p moment. Only the newest moment counts; a moment with the same state
+    /// as the last one costs nothing. None of its pointers is null.
     void want(CoverageMoment moment);
-    /// As of the newest moment that is done; null before the first, and where there is no map.
+    /// What was searched by the newest finished moment; null before the first, and when there is no map.
     [[nodiscard]] SearchedFloorPtr searched() const;
 
 private:

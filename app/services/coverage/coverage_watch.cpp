@@ -14,17 +14,17 @@
 namespace leitstand {
 namespace {
 
-constexpr std::size_t MostPictures = 30'000;  ///< that wait, without what they show
-constexpr int Rarely = 20;                    ///< times as long as it took the last time
+constexpr std::size_t MostPictures = 30'000;  ///< that wait, without their content
+constexpr int Rarely = 20;                    ///< times the duration of the last computation
 constexpr std::chrono::milliseconds LongestSilence(500);
-constexpr std::chrono::seconds Longest(30);  ///< between two makings, on whatever computer
-constexpr double Moved = 0.1;                ///< a robot that did so may reach more [m]
+constexpr std::chrono::seconds Longest(30);  ///< between two computations, on any computer
+constexpr double Moved = 0.1;                ///< a robot that moved this far may reach more [m]
 
 bool isPicture(const Event& event) {
     return std::holds_alternative<PictureSample>(event.sample);
 }
 
-/// Whether the scans lie as they did, as far as a grid of decimetres can tell.
+/// Whether the scans lie where they did, as far as a grid of decimetres resolves it.
 bool alike(const std::vector<ScanPose>& before, const std::vector<ScanPose>& now) {
     return std::equal(before.begin(), before.end(), now.begin(), now.end(), [](const auto& a, const auto& b) {
         return a.scan == b.scan && a.trust == b.trust && distanceBetween(a.scanInMap, b.scanInMap) < 0.02 &&
@@ -34,11 +34,11 @@ bool alike(const std::vector<ScanPose>& before, const std::vector<ScanPose>& now
 
 }  // namespace
 
-/// What the thread knows.
+/// State of the thread.
 struct CoverageWatch::Work {
     using Clock = std::chrono::steady_clock;
 
-    /// @p earlier: key scans of earlier sessions, of which the thinned ones are kept.
+    /// @p earlier: key scans of earlier sessions; only thinned copies of them are kept.
     Work(const CoverageWatchSetup& given, const std::vector<KeyScanSample>& earlier,
          const std::stop_token& stop)
         : setup(given), search(given.robots) {
@@ -74,8 +74,7 @@ struct CoverageWatch::Work {
                 continue;
             }
             search.correct(one.robot, {one.stamp, one.baseInMap, one.certainty, one.certain, one.how});
-            // What can be reached, is so from where robots are: they are placed after their first scan is
-            // known.
+            // Reach starts from where robots are, and they are placed after their first scan is known.
             const auto before = stood.find(one.robot);
             if (before != stood.end() && (before->second - one.baseInMap.translation()).norm() < Moved)
                 continue;
@@ -84,7 +83,7 @@ struct CoverageWatch::Work {
         }
     }
 
-    /// What was searched, where it is time to make it anew.
+    /// Returns what was searched when a new computation is due, else null.
     SearchedFloorPtr due() {
         const auto begin = Clock::now();
         if (begin < next || book.scans() == 0) return nullptr;
@@ -94,7 +93,7 @@ struct CoverageWatch::Work {
             return nullptr;
         }
         const std::vector<Eigen::Vector3d> trail = trailsOf(places ? *places : RobotsInMap());
-        if (trail.empty()) {  // what can be reached is not known before
+        if (trail.empty()) {  // reach is unknown before
             next = begin + Every;
             return nullptr;
         }
@@ -134,10 +133,10 @@ SearchedFloorPtr CoverageWatch::searched() const {
     return m_searched;
 }
 
-/// Of a camera that says more pictures than are looked at.
+/// Whether a picture of its camera was taken shortly before: cameras send more pictures than are looked at.
 bool CoverageWatch::isTooSoon(const Event& picture) {
     Time& last = m_taken[{picture.robot, picture.sensor}];
-    // Not the whole of it: the network makes gaps uneven.
+    // Only half of it: the network makes gaps uneven.
     if (picture.received >= last && picture.received - last < ViewFinder::Every / 2) return true;
     last = picture.received;
     return false;
@@ -153,8 +152,7 @@ void CoverageWatch::onEvent(const Event& event) {
             m_waiting.push_back(event);
             if (picture) {
                 ++m_pictures;
-                std::get<PictureSample>(m_waiting.back().sample)
-                    .content = {};  // only when it was taken counts
+                std::get<PictureSample>(m_waiting.back().sample).content = {};  // only its time counts
             }
             return m_came.notify_all();
         }

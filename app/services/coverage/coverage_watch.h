@@ -32,13 +32,13 @@ struct CoverageWatchSetup {
     /// What cameras looked at in earlier sessions; called on the watch's thread, returns soon when it is
     /// asked to stop. May be empty.
     std::function<std::vector<SearchView>(const std::stop_token&)> earlierViews = {};
-    /// Told once, in words, when something cannot be counted; on any of the threads. May be empty.
+    /// Reports once, in words, when something cannot be counted; on any of the threads. May be empty.
     std::function<void(const std::string&)> tell = {};
 };
 
-/// Keeps what was searched while a mission runs, on a thread of its own: made anew when something changed, at
-/// most every two seconds, and more rarely where that takes long. Any thread. Where it cannot
-/// keep up for minutes, or cameras looked from too many places, views are left out and the operator is told.
+/// Keeps what was searched while a mission runs, on its own thread. Computes it again after a change, at most
+/// every two seconds, and less often where that takes long. Leaves out views and notifies the operator when
+/// it cannot keep up for minutes, or cameras looked from too many places. Any thread.
 class CoverageWatch : public EventSink {
 public:
     static constexpr std::chrono::seconds Every{2};
@@ -47,8 +47,8 @@ public:
     ~CoverageWatch() override;
 
     void onEvent(const Event& event) override;  ///< all events of the mission, in order
-    void close() override;                      ///< what waits is left
-    /// What was searched, as made last; null until there is a map.
+    void close() override;                      ///< drops waiting events
+    /// What was searched, as computed last; null until there is a map.
     [[nodiscard]] SearchedFloorPtr searched() const;
 
 private:
@@ -61,7 +61,7 @@ private:
     std::condition_variable_any m_came;
     std::deque<Event> m_waiting;
     std::map<std::pair<std::string, std::string>, Time> m_taken;  ///< newest picture, by robot and sensor
-    std::size_t m_pictures = 0;                                   ///< that wait
+    std::size_t m_pictures = 0;                                   ///< waiting pictures
     bool m_toldOfPictures = false;
     SearchedFloorPtr m_searched;
     std::jthread m_thread;  ///< last: joined first

@@ -18,7 +18,7 @@ namespace leitstand {
 
 namespace {
 
-/// A search in a log, where the events themselves tell what was taken back.
+/// A search in a log, whose events hold what was taken back.
 class LoggedSearch {
 public:
     explicit LoggedSearch(const std::vector<RobotDescription>& robots) : m_search(robots) {}
@@ -40,7 +40,7 @@ private:
     Fold m_decisions;  ///< on scans
 };
 
-/// Whether streams of @p role tell where a camera was, or how it sees.
+/// Whether streams of @p role describe where a camera was, or how it sees.
 bool tellsOfViews(StreamRole role) {
     constexpr std::array Roles = {StreamRole::Odometry, StreamRole::Imu, StreamRole::Transforms,
                                   StreamRole::StaticTransforms, StreamRole::CameraInfo};
@@ -79,7 +79,7 @@ LoggedViews loggedViews(BagReader& bag, EventDecoder& decoder, const Progress& p
 LoggedViews loggedViews(const std::filesystem::path& folder, const Progress& progress) {
     const auto bag = BagReader::open(folder);
     if (!bag) return {};
-    std::vector<std::string> ignored;  // who opens the mission says so
+    std::vector<std::string> ignored;  // reported by whoever opens the mission
     EventDecoder decoder(robotsOf(folder, **bag, ignored));
     return loggedViews(**bag, decoder, progress);
 }

@@ -13,14 +13,14 @@ namespace leitstand {
 
 /// Where the cameras of a recorded mission looked from.
 struct LoggedViews {
-    std::vector<SearchView> views;  ///< hung on the mission's key scans; those that hardly differ are one
+    std::vector<SearchView> views;  ///< attached to the mission's key scans; nearly equal views are one
     std::size_t leftOut = 0;        ///< as of SearchBook
 };
 
-/// Follows the log with all that was decided and taken back. Cancelled: what was found so far.
+/// Finds views in the log, with all decisions and undos. When cancelled, returns what was found so far.
 [[nodiscard]] LoggedViews loggedViews(BagReader& bag, EventDecoder& decoder, const Progress& progress = {});
 
-/// Likewise of the mission @p folder with the robots that it keeps; none where it cannot be read.
+/// Finds views in the mission @p folder with the robots that it keeps; none when it cannot be read.
 [[nodiscard]] LoggedViews loggedViews(const std::filesystem::path& folder, const Progress& progress = {});
 
 }  // namespace leitstand

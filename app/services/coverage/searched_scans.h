@@ -10,7 +10,7 @@ namespace leitstand {
 
 /// A key scan as SearchBook takes it.
 [[nodiscard]] ReportScan scanOf(const KeyScanSample& sample);
-/// base_link where @p robots were and are, in the map [m].
+/// Returns where base_link of @p robots was and is, in the map [m].
 [[nodiscard]] std::vector<Eigen::Vector3d> trailsOf(const RobotsInMap& robots);
 
 }  // namespace leitstand

@@ -10,7 +10,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::size_t MostWaiting = 60;
-constexpr std::chrono::milliseconds LongestWait(500);  ///< of a picture for odometry
+constexpr std::chrono::milliseconds LongestWait(500);  ///< that a picture waits for odometry
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void ViewFinder::look(const Waiting& picture) {
     }
     camera.before = inOdom;
     camera.beforeAt = picture.stamp;
-    // What is seen from a place that is in doubt may be somewhere else.
+    // A view from a doubtful place may show somewhere else.
     if (blurred || !place->baseInMap || !place->certain) return;
     m_found.push_back({picture.kind, *place->baseInMap * place->sensorInBase, *camera.field});
 }

@@ -14,30 +14,30 @@
 
 namespace leitstand {
 
-/// Somewhere that a robot's camera looked from.
+/// A place that a robot's camera looked from.
 struct FoundView {
     SearchSensor sensor = SearchSensor::Camera;
     Pose opticalInMap = Pose::Identity();
     SearchField field;
 };
 
-/// Tells where the cameras of one robot looked from, picture by picture. The caller tells where the robot is.
-/// Without thread; one at a time.
+/// Finds where the cameras of one robot looked from, picture by picture. The caller reports where the robot
+/// is. Has no thread; one call at a time.
 class ViewFinder {
 public:
-    static constexpr std::chrono::milliseconds Every{200};  ///< of a camera; what comes between tells no more
+    static constexpr std::chrono::milliseconds Every{200};  ///< per camera; pictures in between add nothing
     static constexpr double Fastest = 0.9;  ///< a camera that turns faster shows nothing [rad/s]
 
     explicit ViewFinder(const RobotDescription& robot);
     ViewFinder(const ViewFinder&) = delete;
     ViewFinder& operator=(const ViewFinder&) = delete;
 
-    /// Odometry, inertial unit, transforms, camera infos and pictures of this robot; others are passed by.
+    /// Takes odometry, inertial unit, transforms, camera infos and pictures of this robot; ignores others.
     void onEvent(const Event& event);
-    /// Where the robot was; until the first nothing can be placed.
+    /// Sets where the robot was; nothing can be placed before the first call.
     void correct(const MapFix& fix) { m_places.correct(fix); }
-    void lose() { m_places.lose(); }  ///< nobody knows where the robot is
-    /// What was seen since the last call.
+    void lose() { m_places.lose(); }  ///< the robot's place is unknown
+    /// Views found since the last call.
     [[nodiscard]] std::vector<FoundView> found();
 
 private:
@@ -49,8 +49,8 @@ private:
     };
     struct Camera {
         std::optional<SearchField> field;
-        Time taken{};                ///< newest picture, robot's clock
-        std::optional<Pose> before;  ///< optical frame in the odometry's
+        Time taken{};                ///< time of the newest picture, robot's clock
+        std::optional<Pose> before;  ///< optical frame in the odometry frame, at the last picture
         Time beforeAt{};
     };
     void look(Time now);

@@ -13,28 +13,28 @@
 
 namespace leitstand {
 
-/// Follows where the cameras of all robots look from, and hangs every view on a key scan. All that it knows
-/// of the map is in events too, so it does on a log what it does live. Without thread; one at a time.
+/// Follows where the cameras of all robots look from, and attaches each view to a key scan. All that it knows
+/// of the map is also in events, so it works on a log as it does live. Has no thread; one call at a time.
 class ViewSearch {
 public:
     explicit ViewSearch(const std::vector<RobotDescription>& robots);
 
-    /// Whether a search wants to know of @p event at all.
+    /// Whether a search uses @p event at all.
     [[nodiscard]] static bool wants(const Event& event);
-    /// All events of a mission, in order.
+    /// Takes all events of a mission, in order.
     void onEvent(const Event& event);
-    /// Where key scans are: of earlier sessions, or after an undo.
+    /// Sets where key scans are: those of earlier sessions, or all after an undo.
     void follow(std::span<const ScanPose> poses);
-    /// Where @p robot was, by every scan that fits: live, more than the key scans tell.
+    /// Sets where @p robot was, from every scan that fits: live, this is more than key scans show.
     void correct(const std::string& robot, const MapFix& fix);
-    void lose(const std::string& robot);  ///< it is not in the map any more
-    /// Views that came since the last call.
+    void lose(const std::string& robot);  ///< it is no longer in the map
+    /// Views found since the last call.
     [[nodiscard]] std::vector<SearchView> found();
 
 private:
     void correct(std::span<const PlaceOfRobot> fixes);
 
-    std::map<std::string, ViewFinder> m_finders;  ///< fixed
+    std::map<std::string, ViewFinder> m_finders;  ///< the set is fixed
     KeyScanPlaces m_scans;
     std::vector<SearchView> m_found;
 };

@@ -31,7 +31,7 @@ struct Heard {
 class Listening {
 public:
     explicit Listening(Node& node) : m_node(node) {}
-    /// Looks who is there, and listens to what is new.
+    /// Looks up who is there, and subscribes to new topics.
     void look();
     [[nodiscard]] std::vector<ProbedTopic> topics();
 

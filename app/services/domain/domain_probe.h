@@ -12,29 +12,29 @@
 
 namespace leitstand {
 
-/// A topic as it was heard.
+/// A topic as the probe received it.
 struct ProbedTopic {
     SeenTopic topic;
     int writers = 0, readers = 0;
     double rate = 0.0;  ///< samples a second
     double bytesPerSecond = 0.0;
     std::uint64_t lost = 0;  ///< by the writers' numbers
-    std::string hosts;       ///< who writes it (or reads it, when nobody does)
+    std::string hosts;       ///< hosts that publish it (or subscribe to it, when nobody publishes)
 };
 
-/// What a domain holds.
+/// What a domain contains.
 struct ProbeReport {
     std::vector<ProbedTopic> topics;  ///< by name
-    std::vector<RobotGuess> robots;   ///< what they are good for
+    std::vector<RobotGuess> robots;   ///< guessed from the topics
     std::vector<std::string>
         warnings;          ///< about this computer, refused participants, packets that were dropped
-    double seconds = 0.0;  ///< listened
+    double seconds = 0.0;  ///< time spent listening [s]
 };
 
-/// Listens to a domain and tells what is there and what it is good for; says nothing to anybody.
+/// Listens to a domain and reports what is there and what it is good for; publishes nothing.
 class DomainProbe {
 public:
-    /// Joins the domain, which is left when the probe goes.
+    /// Joins the domain and leaves it when the probe is destroyed.
     [[nodiscard]] static Result<std::unique_ptr<DomainProbe>> open(const DomainSettings& settings);
     ~DomainProbe();
     DomainProbe(const DomainProbe&) = delete;

@@ -11,7 +11,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds Rhythm(250);
-/// After joining anew all is announced anew: a fault stands meanwhile, and ends when the robot is heard or
+/// After a rejoin all is announced again. A fault stands meanwhile, and ends when the robot is received or
 /// gone.
 constexpr std::chrono::seconds Gone(10);
 
@@ -29,7 +29,7 @@ Announced announcedIn(const DomainHearing& domain) {
     return announced;
 }
 
-/// What to do where joining again does not help.
+/// Advice for when joining again does not help.
 std::string adviceOn(HearingFault::Kind kind) {
     if (kind == HearingFault::Kind::Partial)
         return translate("leitstand::Hearing", "{}: {}; is the sensor switched on?");

@@ -14,7 +14,7 @@
 
 namespace leitstand {
 
-/// What a watch asks and whom it tells; all are called on its own thread.
+/// What a watch queries and whom it notifies; all are called on its own thread.
 struct HearingWatchSetup {
     std::vector<RobotDescription> robots;
     std::function<LinkState(const std::string& robot)> link;
@@ -23,8 +23,8 @@ struct HearingWatchSetup {
     std::function<void(const std::string&)> tell;       ///< for the operator, in words
 };
 
-/// Watches whether what robots announce is heard, and lets the node join its domain anew where it is not. Any
-/// thread.
+/// Watches whether the topics that robots announce are received, and makes the node join its domain again
+/// where they are not. Any thread.
 class HearingWatch {
 public:
     /// @p node outlives it.
@@ -33,7 +33,7 @@ public:
     HearingWatch(const HearingWatch&) = delete;
     HearingWatch& operator=(const HearingWatch&) = delete;
 
-    /// What is not heard of @p robot although it is announced; empty where that is not so.
+    /// What @p robot announces but the node does not receive; empty: no fault.
     [[nodiscard]] std::optional<HearingFault> fault(const std::string& robot) const;
 
 private:
@@ -43,8 +43,8 @@ private:
 
     Node& m_node;
     const HearingWatchSetup m_setup;
-    std::map<std::string, RejoinPlan> m_plans;  ///< by robot; of the own thread
-    mutable std::mutex m_mutex;                 ///< of the faults
+    std::map<std::string, RejoinPlan> m_plans;  ///< by robot; of its own thread
+    mutable std::mutex m_mutex;                 ///< guards the faults
     struct Standing {
         HearingFault fault;
         SteadyTime newest;

@@ -22,7 +22,7 @@ std::string_view leafOf(std::string_view name) {
     return name.substr(name.rfind('/') + 1);
 }
 
-/// First part of a name of several: "/kurt3d/odom" -> "kurt3d"; empty for "/odom".
+/// First part of a name with several: "/kurt3d/odom" -> "kurt3d"; empty for "/odom".
 std::string namespaceOf(std::string_view name) {
     if (name.empty() || name.front() != '/') return {};
     const auto end = name.find('/', 1);
@@ -40,7 +40,7 @@ bool hasPart(std::string_view name, std::span<const std::string_view> words) {
     return false;
 }
 
-/// Whether @p topic, whose type @p row has, is what the row says.
+/// Whether @p topic, whose type @p row has, matches the row by name, words or type.
 bool isToldBy(const StreamFacts& row, const SeenTopic& topic) {
     const std::string_view leaf = leafOf(topic.name);
     switch (row.toldBy) {
@@ -54,8 +54,8 @@ bool isToldBy(const StreamFacts& row, const SeenTopic& topic) {
     return row.words.empty() || topic.type == row.types.front() || hasPart(topic.name, row.words);
 }
 
-/// The role that the table of streams tells for @p topic, of commands or of what robots say. What a name
-/// tells goes before what a type does.
+/// Returns the role of @p topic in the table of streams, among commands or among what robots publish. A match
+/// by name goes before a match by type.
 std::optional<StreamRole> roleInTable(const SeenTopic& topic, bool commands) {
     const StreamFacts* found = nullptr;
     for (const StreamFacts& row : streamTable()) {
@@ -74,7 +74,7 @@ std::string sensorOf(const std::string& name, const std::string& robot) {
     return first.empty() ? std::string("camera") : first;
 }
 
-/// Whether topics of this name tell that their namespace is a robot's.
+/// Whether topics of this name mark their namespace as a robot's.
 bool tellsARobot(std::string_view leaf) {
     const auto table = streamTable();
     return std::any_of(table.begin(), table.end(),
@@ -108,7 +108,7 @@ void addTopic(RobotGuess& guess, const SeenTopic& topic) {
                                  .hardwareId = {}};
         const bool picture = streamFacts(*verdict.role).ofCamera;
         if (picture) stream.sensor = sensorOf(topic.name, guess.robot.name);
-        // DDS does not tell how deep a history is.
+        // DDS does not announce the depth of a history.
         stream.qos.depth = defaultStream(stream.role, guess.robot.name, stream.sensor).qos.depth;
         const bool again =
             !picture && *verdict.role != StreamRole::Points && guess.robot.stream(*verdict.role) != nullptr;
@@ -134,7 +134,7 @@ RobotGuess named(const std::string& name, bool prefixed, std::set<std::string>& 
     return guess;
 }
 
-/// Whether @p robot says on a topic of its own what all say on @p topic.
+/// Whether @p robot has its own topic for what all publish on @p topic.
 bool hasOwn(const std::string& robot, const std::string& topic, const std::vector<SeenTopic>& topics) {
     return std::any_of(topics.begin(), topics.end(),
                        [own = "/" + robot + topic](const SeenTopic& one) { return one.name == own; });
@@ -206,8 +206,8 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
             addTopic(guesses.at(rest), topic);
         } else if (topic.name == "/tf" || topic.name == "/tf_static" || topic.name == "/diagnostics") {
             for (auto& [name, guess] : guesses) {
-                // Of a tree that all share, a robot has the frames with its name; where it has a tree of its
-                // own, that.
+                // Of a tree that all share, a robot has the frames with its name. A robot with its own tree
+                // uses that instead.
                 const bool tree = topic.name != "/diagnostics";
                 if (tree && hasOwn(name, topic.name, topics)) continue;
                 if (tree) guess.robot.tfPrefix = TfPrefix::Frame;
@@ -218,7 +218,7 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
     std::vector<RobotGuess> result;
     for (auto& [name, guess] : guesses) {
         for (StreamDescription& stream : guess.robot.streams) {
-            // Robots with names share it with others that are here, or will be.
+            // Named robots share it with others that are here, or will be.
             if (prefixed && stream.topic == "/diagnostics") stream.hardwareId = name;
         }
         if (!guess.topics.empty()) result.push_back(std::move(guess));

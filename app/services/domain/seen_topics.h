@@ -8,13 +8,14 @@
 
 namespace leitstand {
 
-/// Why DDS keeps the samples of @p endpoint from us, in words; empty when it does not.
+/// Returns why DDS keeps the samples of @p endpoint from us, in words; empty when it does not.
 [[nodiscard]] std::string obstacleOf(const RemoteEndpoint& endpoint);
 
-/// Takes @p endpoint into what is known of its topic; @p isNew: nothing is. True when it is told anew by it.
+/// Adds @p endpoint to what is known of its topic; @p isNew: nothing is known yet. True when @p topic was set
+/// from it.
 bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint);
 
-/// The topics of @p endpoints, each once: as it is offered where somebody writes it, else as it is asked for.
+/// Returns the topics of @p endpoints, each once: as offered where somebody writes it, else as requested.
 [[nodiscard]] std::vector<SeenTopic> seenTopics(const std::vector<RemoteEndpoint>& endpoints);
 
 }  // namespace leitstand

@@ -7,10 +7,10 @@
 
 namespace leitstand {
 
-/// A topic of the stations that means something in every log.
+/// A topic of the stations that has the same meaning in every log.
 struct StationType {
     std::string_view topic, type;
-    bool shared = false;  ///< said by MissionSharing, and taken from others
+    bool shared = false;  ///< published by MissionSharing and accepted from other stations
 };
 inline constexpr std::array<StationType, 13> StationTypes = {{
     {station_topic::Grants, "leitstand_msgs/msg/Grant"},

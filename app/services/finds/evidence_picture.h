@@ -20,8 +20,8 @@ struct EvidencePicture {
     Picture picture;                     ///< Rgb8 or Grey8
 };
 
-/// @p event, which @p sample is of, as people look at it: thermal pictures of @p robots in colours, with
-/// their hottest place in words.
+/// Converts @p event, whose sample is @p sample, for people to look at. Thermal pictures of @p robots become
+/// coloured, with their hottest temperature. Error when it cannot be decoded or printed.
 [[nodiscard]] Result<EvidencePicture> evidencePicture(const PictureSample& sample, const Event& event,
                                                       const std::vector<RobotDescription>& robots);
 

@@ -11,20 +11,20 @@
 
 namespace leitstand {
 
-/// The pictures that a find's evidence names, read.
+/// The pictures named by a find's evidence, after reading.
 struct ReadEvidence {
     std::vector<EvidencePicture> pictures;
-    bool written = true;  ///< false: the log has not all of them yet
+    bool written = true;  ///< false: the log does not have all of them yet
 };
 
-/// Reads pictures of finds out of a mission's log, which may be recorded meanwhile, on a thread of its own.
+/// Reads pictures of finds from a mission's log, which may still be recording, on its own thread.
 class EvidenceReader {
 public:
     using Answer = std::function<void(const VictimSample& find, const ReadEvidence& read)>;
 
     /// @p answer is called on the reader's thread.
     EvidenceReader(std::filesystem::path mission, Answer answer);
-    /// Reads the pictures of @p find; those of one that was asked for before are not wanted any more.
+    /// Reads the pictures of @p find; cancels any earlier request.
     void want(const VictimSample& find);
 
 private:
@@ -34,7 +34,7 @@ private:
     std::jthread m_thread;  ///< last: joined first
 };
 
-/// The first four pictures of @p find in the log @p mission; what cannot be read is left out.
+/// Reads the first four pictures of @p find from the log @p mission; leaves out what cannot be read.
 [[nodiscard]] ReadEvidence readEvidence(const std::filesystem::path& mission, const VictimSample& find);
 
 }  // namespace leitstand

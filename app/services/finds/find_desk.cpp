@@ -15,8 +15,8 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds LongestSearch{2};  // for where a find is
-constexpr double Nearby = 1.0;           // what nothing tells the range of lies so far ahead of the robot [m]
+constexpr std::chrono::seconds LongestSearch{2};  // for the place of a find
+constexpr double Nearby = 1.0;           // a find without a range is placed this far ahead of the robot [m]
 constexpr double NearbyDeviation = 1.0;  // [m]
 
 }  // namespace
@@ -42,7 +42,7 @@ void FindDesk::freeze(const std::string& name, VictimSample::Kind kind, const st
     const RobotDescription* const found = robot(name);
     if (found == nullptr) return;
     const Time pressed = m_setup.now();
-    // What robots say while the worker is busy has nothing to do with what the operator saw.
+    // What robots send while the worker is busy has nothing to do with what the operator saw.
     submitFiling([this, found, kind, looksThrough, at, pressed,
                   recent = m_recent.of(name, pressed, at ? at->sequence : 0)] {
         ChosenEvidence chosen = chooseEvidence(*found, recent, kind, looksThrough, at);
@@ -84,7 +84,7 @@ void FindDesk::submitFiling(std::function<void()> filing) {
 void FindDesk::locate(ChosenEvidence chosen, VictimSample::Kind kind) {
     std::optional<PlacedFind> placed;
     if (chosen.picture) {
-        // Who is asked may end before it answers.
+        // The callee may end before it answers.
         const auto promise = std::make_shared<std::promise<std::optional<PlacedFind>>>();
         auto answer = promise->get_future();
         m_setup.locate(chosen,
@@ -105,7 +105,7 @@ void FindDesk::locate(ChosenEvidence chosen, VictimSample::Kind kind) {
                           robot(frozen.robot)->title));
         return;
     }
-    // Better roughly than not at all: the operator moves it.
+    // A rough place is better than none: the operator moves it.
     frozen.deviation = NearbyDeviation;
     const Eigen::Vector3d ahead = *baseInMap * Eigen::Vector3d(Nearby, 0.0, 0.0);
     hang(frozen, *state, scanBeside(*state, frozen.robot, ahead), ahead);
@@ -142,9 +142,9 @@ void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
     const auto robot = state->robots.find(frozen.robot);
     if (robot != state->robots.end() && robot->second->mode)
         frozen.autonomous = robot->second->mode->sample.autonomous;
-    // As it drove when the operator pressed, not when its place was worked out.
+    // Its mode when the operator pressed, not when the place was computed.
     frozen.autonomous = m_modes.autonomousAt(frozen.robot, frozen.found).value_or(frozen.autonomous);
-    // What the station believes to be there is the same thing.
+    // Candidates of the station that are there are the same thing.
     const auto candidates = candidatesNear(*state, kind, frozen.positionInMap);
     for (const CandidateSample& one : candidates) addCues(frozen, one);
     const VictimSample sample = filed(*state, kind, frozen, m_setup.station, m_setup.now());
@@ -286,7 +286,8 @@ Result<void> FindDesk::confirmNewest() {
     if (isFiling()) {
         m_queue.submit(
             [this](const std::stop_token&) {
-                // Where nothing came of it, which was told, nothing older is confirmed in its place.
+                // When the last filing had no result, which was reported, nothing older is confirmed in its
+                // place.
                 const auto key = filedLast() ? unconfirmed() : std::nullopt;
                 if (!key) return;
                 if (const auto done = confirm(*key); !done) m_setup.tell(done.error().text);

@@ -19,14 +19,14 @@
 
 namespace leitstand {
 
-/// Where something that a picture shows is.
+/// The place of something that a picture shows.
 struct PlacedFind {
-    std::uint64_t scan = 0;                           ///< key scan it hangs on; 0: none
+    std::uint64_t scan = 0;                           ///< key scan it is attached to; 0: none
     Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
     double deviation = Unknown;                       ///< [m]
 };
 
-/// What a FindDesk works with. All may be called on any thread.
+/// The functions that a FindDesk uses. All may be called on any thread.
 struct FindDeskSetup {
     using Located = std::function<void(const std::optional<PlacedFind>&)>;
     std::vector<RobotDescription> robots = {};
@@ -35,12 +35,12 @@ struct FindDeskSetup {
     std::function<Result<void>(const VictimSample&)> say = {};
     std::function<Result<void>(const CandidateSample&)> sayCandidate = {};
     std::function<Result<void>(const UndoSample&)> undo = {};
-    /// Asks where what @p chosen shows is; answers once, on whatever thread. Empty: nowhere.
+    /// Requests the place of what @p chosen shows; answers once, on any thread. Empty answer: no place.
     std::function<void(const ChosenEvidence& chosen, Located answer)> locate = {};
     using Shown = std::function<void(const std::vector<bool>&)>;
-    /// Asks which of @p pictures show the place @p inMap [m]; answers once, on whatever thread.
+    /// Requests which of @p pictures show the place @p inMap [m]; answers once, on any thread.
     std::function<void(std::vector<Event> pictures, const Eigen::Vector3d& inMap, Shown answer)> shows = {};
-    /// Where a robot is in the map now; empty: nobody knows.
+    /// Pose of a robot in the map now; empty: unknown.
     std::function<std::optional<Pose>(const std::string& robot)> robotInMap = {};
     std::function<void(const std::string&)> tell = {};  ///< for the operator, in words
     std::function<Time()> now = {};                     ///< station's clock
@@ -57,53 +57,53 @@ public:
         m_recent.onEvent(event);
         m_modes.onEvent(event);
     }
-    void finish();  ///< waits until all that was frozen is filed
+    void finish();  ///< waits until everything frozen is filed
 
-    /// Freezes what @p robot saw in the last seconds as a find of @p kind: at @p at in a picture, else, for a
-    /// victim, at the hot spot, else where the camera @p looksThrough looks. A find that is there already is
-    /// joined.
+    /// Freezes what @p robot saw in the last seconds as a find of @p kind. Its place is at @p at in a
+    /// picture; else, for a victim, at the hot spot; else where the camera @p looksThrough looks. Evidence
+    /// joins a find that is already there.
     void freeze(const std::string& robot, VictimSample::Kind kind, const std::string& looksThrough,
                 const std::optional<PicturePoint>& at = std::nullopt);
-    /// The same at a place on the map [m] that the operator pointed to.
+    /// Freezes the same at a place on the map [m] that the operator pointed at.
     void freezeAt(const std::string& robot, VictimSample::Kind kind, const Eigen::Vector3d& placeInMap);
-    /// What was frozen last; empty: nothing yet.
+    /// The find that was frozen last; empty: none yet.
     [[nodiscard]] std::optional<FindKey> newest() const;
-    /// What was frozen last and nobody has confirmed or discarded since.
+    /// The find that was frozen last, if nobody has confirmed or discarded it since.
     [[nodiscard]] std::optional<FindKey> unconfirmed();
-    [[nodiscard]] bool isFiling() const;  ///< something is frozen whose place is still searched
-    /// The second press: confirms what is unconfirmed(), or what is being filed as soon as it is.
+    [[nodiscard]] bool isFiling() const;  ///< something is frozen and its place is still being searched
+    /// The second press: confirms unconfirmed(), or what is being filed as soon as it is filed.
     Result<void> confirmNewest();
-    [[nodiscard]] std::uint64_t filings() const;  ///< how often something was filed: rises with newest()
+    [[nodiscard]] std::uint64_t filings() const;  ///< number of filings; rises with newest()
 
-    /// Files @p candidate with its cues and with what its robots see there now, as soon as that is looked
-    /// through.
+    /// Files @p candidate with its cues and what its robots see there now, once their pictures are searched.
     Result<void> fileCandidate(std::uint32_t candidate);
-    /// @p candidate is none: it stays off the list, also when it is seen again.
+    /// Rejects @p candidate: it stays off the list, also when it is seen again.
     Result<void> dismiss(std::uint32_t candidate);
     Result<void> confirm(const FindKey& find);
     Result<void> discard(const FindKey& find);
     Result<void> merge(const FindKey& find, std::uint32_t into);
     Result<void> move(const FindKey& find, const Eigen::Vector3d& floorInMap);
-    /// The form of @p form's find as the operator filled it in: signs, situation, tag, area, text. All else
-    /// of the find stays as it is.
+    /// Sets the form of @p form's find as the operator filled it in: signs, situation, tag, area, text. All
+    /// else of the find stays as it is.
     Result<void> edit(const VictimSample& form);
-    /// Takes back this station's newest entry on a find or a candidate; an error when there is none.
+    /// Takes back this station's newest entry on a find or a candidate; error when there is none.
     Result<void> undo();
 
 private:
-    /// The mission with all that was said here, which may still be on its way into it; with m_filing held.
+    /// The mission with all that was published here, which may not have reached it yet; with m_filing held.
     [[nodiscard]] MissionStatePtr known();
-    Result<void> keep(const VictimSample& sample);    ///< says it; likewise
-    void submitFiling(std::function<void()> filing);  ///< for the worker; it isFiling() until then
+    Result<void> keep(const VictimSample& sample);    ///< publishes it; with m_filing held
+    void submitFiling(std::function<void()> filing);  ///< for the worker; isFiling() is true until then
     [[nodiscard]] bool filedLast() const;
     void file(FrozenEvidence frozen, VictimSample::Kind kind);
     void locate(ChosenEvidence chosen, VictimSample::Kind kind);
     void file(const CandidateSample& candidate, const FrozenEvidence& seen);
-    /// What @p recent of @p robot shows of @p inMap [m]; empty: it looks elsewhere, or said nothing of late.
+    /// What @p recent of @p robot shows of @p inMap [m]; empty: it looks elsewhere, or sent nothing recently.
     [[nodiscard]] std::optional<FrozenEvidence> look(const RobotDescription& robot,
                                                      const RobotEvidence& recent,
                                                      const Eigen::Vector3d& inMap, Time pressed) const;
-    /// Says @p sample, tells the operator, and that @p candidates are filed by it; with m_filing held.
+    /// Publishes @p sample, notifies the operator, and marks @p candidates as filed by it; with m_filing
+    /// held.
     Result<void> enter(const VictimSample& sample, bool joined,
                        const std::vector<CandidateSample>& candidates);
     [[nodiscard]] const RobotDescription* robot(const std::string& name) const;
@@ -113,12 +113,12 @@ private:
     RecentEvidence m_recent;
     ModeBook m_modes;
     mutable std::mutex m_mutex;
-    std::mutex m_filing;  ///< entries are made one after the other
+    std::mutex m_filing;  ///< entries are made one after another
     std::optional<FindKey> m_newest;
     std::uint64_t m_filings = 0;
-    int m_awaited = 0;                 ///< filings that the worker has not done yet
-    bool m_filedLast = false;          ///< something came of the last that it did
-    std::vector<VictimSample> m_said;  ///< that the mission may not have yet; under m_filing
+    int m_awaited = 0;                 ///< filings that the worker has not finished
+    bool m_filedLast = false;          ///< the last filing that it finished had a result
+    std::vector<VictimSample> m_said;  ///< may not have reached the mission yet; under m_filing
     JobQueue m_queue;
     std::jthread m_thread;  ///< last: joined first
 };

@@ -60,7 +60,7 @@ Sharpest sharpestOf(const std::vector<Event>& pictures) {
     return best;
 }
 
-/// The picture that @p at points into; none: it is gone already or cannot be read.
+/// Returns the picture that @p at points into; none: it is gone already or cannot be read.
 Sharpest pointedOf(const std::vector<Event>& pictures, const PicturePoint& at) {
     for (auto event = pictures.rbegin(); event != pictures.rend(); ++event) {
         const auto* sample = std::get_if<PictureSample>(&event->sample);
@@ -97,8 +97,8 @@ Hottest hottestOf(const std::vector<Event>& pictures, const CameraInfoSample& ca
     return found;
 }
 
-/// The body in the thermal picture that was @p pointed into, the nearest to @p share of it where there are
-/// several: a hand that is cooler than the head beside it.
+/// Returns the body in the thermal picture @p pointed that is nearest to @p share of it. The operator may
+/// mean a hand that is cooler than the head beside it.
 Hottest pointedBodyOf(const Sharpest& pointed, const Eigen::Vector2d& share, const CameraInfoSample& camera,
                       const ThermalScale& scale) {
     Hottest found{pointed.event, pointed.width, pointed.height, std::nullopt};
@@ -131,7 +131,7 @@ void chooseGas(const std::vector<Event>& gas, FrozenEvidence& frozen) {
         if (sample->ppm > kept.second) kept = {&event, sample->ppm};
     }
     if (newest - least >= GasRise) frozen.co2 = newest;
-    if (last == nullptr && !gas.empty()) last = &gas.back();  // of another gas, or broken: it tells so
+    if (last == nullptr && !gas.empty()) last = &gas.back();  // of another gas, or broken: it shows so
     for (const auto& [step, kept] : trace) {
         if (kept.first != last) frozen.evidence.push_back(evidenceOf("gas", *kept.first));
     }
@@ -173,7 +173,7 @@ ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence
         const Sharpest best = pointed.event != nullptr ? pointed : sharpestOf(pictures);
         if (best.event == nullptr) continue;
         chosen.frozen.evidence.push_back(evidenceOf("picture", *best.event));
-        // A pixel of a picture that is gone says nothing about another one.
+        // A pixel of a picture that is gone means nothing in another one.
         if (!at || pointed.event != nullptr) aim(sensor, *best.event, best.width, best.height);
     }
     for (const auto& [sensor, pictures] : recent.thermal) {
@@ -191,7 +191,7 @@ ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence
             aim(sensor, *hottest.event, hottest.width, hottest.height);
         if (!hottest.blob) continue;
         chosen.frozen.heat = hottest.blob->peak;
-        // A sign or a code beside a body is where the operator looks, not where it is warm.
+        // For a sign or a code beside a body, the operator's aim counts, not the warmth.
         if (at || kind != VictimSample::Kind::Victim || camera == recent.cameras.end()) continue;
         atHotSpot = true;
         lookThrough(chosen, *hottest.event, hottest.width, hottest.height, hottest.blob->centre,

@@ -21,33 +21,38 @@ struct PicturePoint {
     std::uint64_t sequence = 0;                         ///< of the picture's event; 0: the newest
 };
 
-/// The evidence that shows a find, chosen from what a robot said.
+/// The evidence that shows a find, chosen from what a robot sent.
 struct ChosenEvidence {
-    /// Everything but where the find is.
+    /// Everything except the place of the find.
     FrozenEvidence frozen;
-    /// Picture and pixel through which it is looked for; no picture: there is none of a calibrated camera.
+    /// Picture and pixel that its place is searched through; empty: there is no picture of a calibrated
+    /// camera.
     std::optional<Event> picture;
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< [px]
     int width = 0, height = 0;                        ///< of that picture [px]
-    double halfAngle = 0.0;                           ///< of what is meant, as seen [rad]
+    double halfAngle = 0.0;                           ///< angular radius of what is meant, as seen [rad]
 };
 
-/// @p event as evidence of @p kind, as VictimEvidence has them.
+/// Returns @p event as evidence of @p kind, in the form of VictimEvidence.
 [[nodiscard]] VictimEvidence evidenceOf(const char* kind, const Event& event);
 /// Whether @p evidence is a picture.
 [[nodiscard]] bool isPictureEvidence(const VictimEvidence& evidence);
 
-/// The pictures of @p recent, also thermal ones, that are evidence of @p frozen and came since @p since.
+/// Returns the pictures of @p recent, also thermal ones, that are evidence of @p frozen and came since
+/// @p since.
 [[nodiscard]] std::vector<Event> picturesOf(const FrozenEvidence& frozen, const RobotEvidence& recent,
                                             Time since);
-/// @p frozen with no pictures but @p shown; heat only where a thermal one is among them.
+/// Returns @p frozen with no pictures but @p shown; heat stays only if a thermal one is among them.
 [[nodiscard]] FrozenEvidence withPictures(FrozenEvidence frozen, const std::vector<Event>& shown);
 
-/// Chooses of what @p robot said: of each camera the sharpest picture, of thermal cameras the newest with a
-/// body, the CO2 of the last minute (of each second the highest, and the newest), newest scan, odometry and
-/// sightings. The place is looked for through @p at where it is told (that picture is the one kept of its
-/// camera: the robot may have moved since), else, where @p kind is a victim, through the hot spot, else
-/// through the middle of the camera @p looksThrough. Takes some tens of milliseconds.
+/// Chooses evidence from what @p robot sent:
+/// - of each camera the sharpest picture,
+/// - of thermal cameras the newest with a body,
+/// - the CO2 of the last minute (the highest of each second, and the newest),
+/// - the newest scan, odometry and sightings.
+/// The place is searched through @p at if it is given. That picture is then kept of its camera, as the robot
+/// may have moved since. Else it is searched through the hot spot if @p kind is a victim, else through the
+/// middle of the camera @p looksThrough. Takes some tens of milliseconds.
 [[nodiscard]] ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
                                             VictimSample::Kind kind, const std::string& looksThrough,
                                             const std::optional<PicturePoint>& at);

@@ -10,20 +10,20 @@
 
 namespace leitstand {
 
-/// Remembers which robot drove itself when: whether a find counts as autonomous is decided when it is seen,
-/// not when its place is worked out. Any thread.
+/// Records when robots drove themselves. Whether a find counts as autonomous is decided when it is seen, not
+/// when its place is computed. Any thread.
 class ModeBook {
 public:
-    void onEvent(const Event& event);  ///< modes; others are passed by
-    /// Whether @p robot drove itself at @p moment (station's clock); empty: nobody said.
+    void onEvent(const Event& event);  ///< takes modes; ignores others
+    /// Whether @p robot drove itself at @p moment (station's clock); empty: unknown.
     [[nodiscard]] std::optional<bool> autonomousAt(const std::string& robot, Time moment) const;
 
 private:
-    using Modes = std::map<Time, bool>;  ///< from when on it drives itself, or does not
+    using Modes = std::map<Time, bool>;  ///< since when it drives itself, or does not
     [[nodiscard]] static std::optional<bool> at(const Modes& modes, Time moment);
 
     mutable std::mutex m_mutex;
-    std::map<std::string, Modes> m_modes;  ///< by robot; changes alone
+    std::map<std::string, Modes> m_modes;  ///< by robot; changes only
 };
 
 }  // namespace leitstand

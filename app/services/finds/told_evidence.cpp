@@ -11,7 +11,7 @@
 namespace leitstand {
 namespace {
 
-/// Clocks that agree are the rule, and pictures of two minutes are many.
+/// Clocks usually agree, and two minutes hold many pictures.
 constexpr std::chrono::seconds ClocksAgree{2}, ClocksDiffer{60};
 
 bool hasStamp(const Event& event, Time stamp) {
@@ -43,7 +43,7 @@ std::uint64_t sequenceInLog(BagReader& bag, EventDecoder& decoder, const VictimE
     if (evidence.sequence != 0) return evidence.sequence;
     if (evidence.stamp == Time() || !decoder.knows(evidence.topic)) return 0;
     for (const auto reach : {ClocksAgree, ClocksDiffer}) {
-        // The robot's clock, and that of the station which filed it.
+        // By the robot's clock, and by that of the station that filed it.
         for (const Time about : {evidence.stamp, find.found}) {
             if (const auto there = receivedAbout(bag, decoder, evidence, about, reach)) return there;
         }

@@ -15,9 +15,9 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::seconds GasPause{60};  ///< after which another trace begins
-constexpr std::chrono::seconds Beyond{2};     ///< of its way, a robot is taken to have stood still
+constexpr std::chrono::seconds Beyond{2};     ///< a robot stands still this long before and after its path
 
-/// When @p header's sample of @p event was taken, by the station's clock.
+/// Returns when the sample of @p event with @p header was taken, by the station's clock.
 Time takenAt(const Event& event, const SampleHeader& header, const ReportSource& source) {
     if (header.stamp == Time{}) return event.received;
     const auto& robots = source.input().state.robots;
@@ -26,7 +26,7 @@ Time takenAt(const Event& event, const SampleHeader& header, const ReportSource&
     return header.stamp - robot->second->clockOffset->sample.ahead;
 }
 
-/// Where @p robot was at @p time of the station's clock, by its way.
+/// Returns where @p robot was at @p time of the station's clock, along its path.
 std::optional<Pose> baseInMap(const ReportModel& model, const std::string& robot, Time time) {
     for (const ReportRobot& one : model.robots) {
         const auto& way = one.path.poses;
@@ -66,7 +66,7 @@ std::vector<Eigen::Vector3d> placed(const std::vector<Eigen::Vector3f>& points, 
     return moved;
 }
 
-/// The key scan of @p robot during whose sweep, by the robot's clock, @p stamp was; null: none.
+/// Returns the key scan of @p robot whose sweep contains @p stamp, by the robot's clock; null: none.
 const ReportScan* keyScanAt(const ReportSource& source, const std::string& robot, Time stamp) {
     for (const ReportScan& scan : source.input().scans) {
         const Time start = scan.scan->start == Time{} ? scan.scan->end : scan.scan->start;
@@ -76,7 +76,7 @@ const ReportScan* keyScanAt(const ReportSource& source, const std::string& robot
     return nullptr;
 }
 
-/// Whether where the robot stood was frozen with @p find.
+/// Whether the robot's pose was frozen with @p find.
 bool hasPose(const ReportFind& find) {
     const auto& all = find.sample.evidence;
     return std::any_of(all.begin(), all.end(), [](const auto& one) { return one.kind == "odometry"; });
@@ -95,7 +95,7 @@ void addScan(FindPages& pages, const Event& event, const SampleHeader& header,
              ReportSource& source) {
     FrozenScan made{.robot = event.robot, .at = event.received, .keyScan = 0, .points = 0, .picture = {}};
     if (const ReportScan* scan = keyScanAt(source, event.robot, header.stamp)) {
-        addKeyScan(made, *scan, marks);  // it is whole, and follows the corrections of the map
+        addKeyScan(made, *scan, marks);  // it is complete, and follows the corrections of the map
     } else {
         made.points = placed(points, Pose::Identity()).size();
         const auto base = baseInMap(model, event.robot, takenAt(event, header, source));

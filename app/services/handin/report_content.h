@@ -18,37 +18,37 @@
 
 namespace leitstand {
 
-/// CO2 that a robot measured up to the moment at which a find was frozen.
+/// CO2 that a robot measured until a find was frozen.
 struct GasTrace {
     struct Reading {
         Time at{};         ///< station's clock
         double ppm = 0.0;  ///< parts per million by volume
     };
     std::string robot;
-    std::vector<Reading> readings;  ///< by time, at least one; older missions have no more
+    std::vector<Reading> readings;  ///< by time, at least one; older missions have only one
 };
 
 /// A scan that was frozen.
 struct FrozenScan {
     std::string robot;
     Time at{};                  ///< station's clock
-    std::uint64_t keyScan = 0;  ///< that it became; 0: none
+    std::uint64_t keyScan = 0;  ///< the key scan that it became; 0: none
     std::size_t points = 0;     ///< echoes in it
-    MapPicture picture;         ///< seen from above, about the find; empty where nobody knows its place
+    MapPicture picture;         ///< seen from above, about the find; empty when its place is unknown
 };
 
 /// Where a robot stood when a find was frozen.
 struct FrozenPose {
     std::string robot;
     Time at{};                  ///< station's clock
-    std::optional<Pose> inMap;  ///< of its base; empty: nobody knows
+    std::optional<Pose> inMap;  ///< of its base; empty: unknown
     Pose inOdom = Pose::Identity();
 };
 
-/// What a report shows of a find besides its form.
+/// What a report shows of a find in addition to its form.
 struct FindPages {
     std::vector<EvidencePicture> pictures;
-    int morePictures = 0;  ///< that were frozen too, and are in the mission alone
+    int morePictures = 0;  ///< frozen too, but only in the mission
     std::vector<GasTrace> gas;
     std::vector<FrozenScan> scans;
     std::vector<FrozenPose> poses;
@@ -73,7 +73,7 @@ struct ReportContent {
     std::vector<std::string> warnings;         ///< what is missing or could not be read
     std::optional<ScoreProfile> profile = {};  ///< rules of the score; empty: there are none
     ScoreResult score;                         ///< by that profile
-    MapChanges changes = {};                   ///< where the map is put together from several missions
+    MapChanges changes = {};                   ///< when the map is made from several missions
 };
 
 }  // namespace leitstand

@@ -28,8 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double OdometryApart = 0.01;         ///< nearer poses tell nothing new [m]
-constexpr double OdometryTurned = degrees(3);  ///< likewise [rad]
+constexpr double OdometryApart = 0.01;         ///< nearer poses add nothing new [m]
+constexpr double OdometryTurned = degrees(3);  ///< poses that turned less add nothing new [rad]
 
 std::string nameOf(const fs::path& folder) {
     const fs::path whole = fs::absolute(folder).lexically_normal();
@@ -71,7 +71,7 @@ Result<ReportSource> ReportSource::open(const fs::path& folder, const Progress& 
             fill(translate("leitstand::ReportText", "{} samples of {} make no sense, the last one: {}"),
                  errors.count, topic, errors.last));
     }
-    std::vector<std::string> told;  // registration tells of damage too
+    std::vector<std::string> told;  // registration reports damage too
     for (std::string& warning : source.m_warnings) {
         std::string named = namedWithin(std::move(warning), folder);
         if (std::find(told.begin(), told.end(), named) == told.end()) told.push_back(std::move(named));
@@ -105,7 +105,7 @@ void ReportSource::readKeyScans(const fs::path& folder, const Progress& progress
         std::vector<PlacedBody> others;
         if (bodies != m_input.state.bodies->end())
             others = placed(bodies->second, state->second.pose.scanInMap);
-        // How parts that have not met lie to the area nobody knows.
+        // Nobody knows how parts that have not met lie relative to the area.
         const bool met = parts.at(sample.id) == 0;
         if (!met) ++aside;
         scan = insideCrop(scan, met ? crop : MapCrop{}, state->second.pose.scanInMap, others);

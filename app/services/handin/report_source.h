@@ -19,10 +19,10 @@ class EventDecoder;
 /// A mission opened for a report.
 class ReportSource {
 public:
-    /// Opens the mission @p folder (or one of its files) and reads its state, key scans and ways. A bag of
-    /// others has no key scans: its clouds are registered, a choice of them every 0.3 m or 10 degrees, by
-    /// odometry where there is any. An error only when nothing at all can be read; what is missing is told by
-    /// warnings(). Cancelled: what was read so far.
+    /// Opens the mission @p folder (or one of its files) and reads its state, key scans and paths. A bag of
+    /// others has no key scans. A choice of its clouds is then registered, one every 0.3 m or 10 degrees, by
+    /// odometry where there is any. Error only when nothing at all can be read; warnings() lists what is
+    /// missing. When cancelled, holds what was read so far.
     [[nodiscard]] static Result<ReportSource> open(const std::filesystem::path& folder,
                                                    const Progress& progress = {});
     ~ReportSource();
@@ -31,16 +31,16 @@ public:
 
     [[nodiscard]] const ReportInput& input() const { return m_input; }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
-    /// Whether they say why there is no map.
+    /// Whether warnings() contain why there is no map.
     [[nodiscard]] bool toldOfMap() const { return m_toldOfMap; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const;
 
-    /// The event of @p sequence, decoded; an error when it is not there or makes no sense.
+    /// Returns the decoded event of @p sequence; error when it is not there or makes no sense.
     [[nodiscard]] Result<Event> event(std::uint64_t sequence);
-    /// The event that is @p evidence of @p find, by sequenceInLog().
+    /// Returns the event that is @p evidence of @p find, by sequenceInLog().
     [[nodiscard]] Result<Event> event(const VictimEvidence& evidence, const VictimSample& find);
-    /// Pose of the sensor that took the cloud or the ranges @p event in its robot's base then: by the
-    /// transforms that came about that time, else by the robot's file. Empty for other events.
+    /// Returns the pose of the sensor that took the cloud or the ranges @p event in its robot's base at that
+    /// time. Uses the transforms received about that time, else the robot's file. Empty for other events.
     [[nodiscard]] std::optional<Pose> sensorInBase(const Event& event);
 
 private:
@@ -56,7 +56,7 @@ private:
     ReportInput m_input;
     std::vector<std::string> m_warnings;
     bool m_toldOfMap = false;
-    bool m_hasKeyScans = false;  ///< some station mapped it, whatever became of its scans
+    bool m_hasKeyScans = false;  ///< some station mapped it, even if none of its scans remain
 };
 
 }  // namespace leitstand

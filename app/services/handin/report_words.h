@@ -7,11 +7,11 @@
 
 namespace leitstand {
 
-/// "2026-11-21" by the computer's time zone.
+/// "2026-11-21" in the computer's time zone.
 [[nodiscard]] std::string dateText(Time time);
-/// "20:11:54", likewise.
+/// "20:11:54" in the computer's time zone.
 [[nodiscard]] std::string clockText(Time time);
-/// "12:05", minutes and seconds; hours before them where there are any.
+/// "12:05", minutes and seconds; preceded by hours if there are any.
 [[nodiscard]] std::string spanText(std::chrono::nanoseconds span);
 
 }  // namespace leitstand

@@ -12,8 +12,8 @@ namespace leitstand {
 namespace {
 
 constexpr int Side = 560;                       ///< of the picture [px]
-constexpr double LeastHalf = 2.5;               ///< of the area that is shown [m]
-constexpr double MostHalf = 6.0;                ///< likewise; a robot farther off is not in it [m]
+constexpr double LeastHalf = 2.5;               ///< half the shown area's side, at least [m]
+constexpr double MostHalf = 6.0;                ///< at most; a robot farther off is not in it [m]
 constexpr double Lowest = -0.2, Highest = 1.8;  ///< of the colours, above the robot's base [m]
 constexpr Rgb Paper{255, 255, 255}, Line{225, 225, 225}, Bar{0, 0, 0};
 constexpr Rgb FindColour{0xD5, 0x5E, 0x00}, RobotColour{0, 0, 0};

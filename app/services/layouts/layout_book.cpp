@@ -64,7 +64,7 @@ std::vector<WindowLayout> LayoutBook::all(std::vector<std::string>& errors) cons
         auto layout = find(name);
         if (!layout) {
             errors.push_back(layout.error().text);
-            // A damaged file of the user's does not take the program's away.
+            // A damaged file of the user does not remove the program's layout.
             layout = readLayout(fileOf(m_shipped, name));
         }
         if (layout) layouts.push_back(std::move(layout).value());

@@ -9,22 +9,24 @@
 
 namespace leitstand {
 
-/// Layouts that come with the program, and the user's own, which go before them.
+/// The layouts of the program, and the user's own, which take precedence.
 class LayoutBook {
 public:
-    /// Of the user (`$XDG_CONFIG_HOME/leitstand/layouts`) and of the program
+    /// Uses the folders of the user (`$XDG_CONFIG_HOME/leitstand/layouts`) and of the program
     /// (`$LEITSTAND_RESOURCES/layouts`).
     LayoutBook();
     /// @p own: where save() writes.
     LayoutBook(std::filesystem::path own, std::filesystem::path shipped);
 
-    /// The shipped ones in their order, then the user's; errors of files that make no sense go to @p errors.
+    /// Returns the shipped layouts in their order, then the user's; adds errors of invalid files to
+    /// @p errors.
     [[nodiscard]] std::vector<WindowLayout> all(std::vector<std::string>& errors) const;
-    /// The error lists the names that there are, or tells what is wrong with the file.
+    /// Returns the layout @p name. The error lists the existing names, or reports what is wrong with the
+    /// file.
     [[nodiscard]] Result<WindowLayout> find(const std::string& name) const;
-    /// Errors name the file, or a name that is none.
+    /// Error names the file, or the invalid name.
     Result<void> save(const WindowLayout& layout) const;
-    /// Takes one of the user's away; a shipped one of that name is there again.
+    /// Removes one of the user's layouts; a shipped one of that name is used again.
     Result<void> remove(const std::string& name) const;
     [[nodiscard]] bool isOwn(const std::string& name) const;
 

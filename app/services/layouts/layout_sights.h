@@ -8,29 +8,29 @@
 
 namespace leitstand {
 
-/// How the map is looked at in each layout: at first as the layout says, then as the operator last had it
-/// there. A layout that says nothing leaves the map to the one before it.
+/// Keeps the view of the map in each layout: at first as the layout defines it, then as the operator last had
+/// it there. A layout that defines no view keeps the one before it.
 class LayoutSights {
 public:
-    /// @p own: the operator's, of which layouts take what they leave out.
+    /// @p own: the operator's view, used for what layouts leave out.
     explicit LayoutSights(const MapSight& own) : m_own(own) {}
 
-    /// What to show in @p layout. @p now: what is shown until then, which the layout before it keeps.
+    /// Returns the view for @p layout. @p now: the view until then, which the layout before it keeps.
     [[nodiscard]] MapSight enter(const WindowLayout& layout, const MapSight& now);
-    /// @p name is what its file says again, when it is entered.
+    /// Makes @p name use the view of its file again when it is entered next.
     void forget(const std::string& name);
-    /// The operator's own, while @p now is shown.
+    /// Returns the operator's own view, while @p now is shown.
     [[nodiscard]] MapSight own(const MapSight& now) const;
 
 private:
-    /// The layout that the map is looked at for; its name is empty before there was one.
+    /// The layout that the current view belongs to; its name is empty before the first one.
     struct Holder {
         std::string name = {};
         LayoutMap says = {};
     };
 
     MapSight m_own;
-    std::optional<Holder> m_holder = Holder{};  ///< none: what is shown is nobody's
+    std::optional<Holder> m_holder = Holder{};  ///< none: the current view belongs to no layout
     std::map<std::string, MapSight> m_kept;     ///< by layout
 };
 

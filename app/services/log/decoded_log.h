@@ -9,8 +9,8 @@
 
 namespace leitstand {
 
-/// Calls @p take for what @p decoder makes of the events of @p bag that @p query asks for, in order;
-/// @p progress as of forEachRaw(). A query without topics is of none here.
+/// Decodes the events of @p bag that @p query selects and calls @p take for each result, in order.
+/// @p progress as of forEachRaw(). A query without topics selects nothing here.
 void forEachEvent(BagReader& bag, EventDecoder& decoder, const BagQuery& query,
                   const std::function<void(const Event&)>& take, const Progress& progress = {});
 

@@ -11,24 +11,24 @@
 
 namespace leitstand {
 
-/// What could not be decoded of a topic.
+/// Samples of a topic that could not be decoded.
 struct DecodingErrors {
     std::uint64_t count = 0;
     std::string last;  ///< names topic, type and expectation
 };
 
-/// Turns what was received into core's own events: knows which robot and which role a topic has. Topics that
-/// nobody listed are none of its business. One thread at a time.
+/// Decodes received samples into events of core. Knows the robot and the role of each topic, and ignores
+/// topics that are not listed. One thread at a time.
 class EventDecoder {
 public:
     explicit EventDecoder(std::vector<RobotDescription> robots);
 
-    /// Calls @p take for what @p event says: once, not at all when nobody knows the topic or it is broken,
-    /// several times on a topic that robots share ("/tf").
+    /// Calls @p take for each event decoded from @p event: usually one, several on a topic that robots share
+    /// ("/tf"). Calls it not at all when the topic is unknown or the sample is broken.
     void decode(const RawEvent& event, const std::function<void(const Event&)>& take);
-    /// Whether decode() may have something to say of @p topic.
+    /// Whether decode() may decode events of @p topic.
     [[nodiscard]] bool knows(const std::string& topic) const;
-    /// What was broken so far, by topic.
+    /// Samples that were broken so far, by topic.
     [[nodiscard]] const std::map<std::string, DecodingErrors>& errors() const { return m_errors; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const { return m_robots; }
 

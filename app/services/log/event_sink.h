@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// Follows a mission: live, or from its log.
+/// Receives the events of a mission: live, or from its log.
 class EventSink {
 public:
     EventSink() = default;
@@ -12,9 +12,9 @@ public:
     EventSink& operator=(const EventSink&) = delete;
     virtual ~EventSink() = default;
 
-    /// All events of the mission, in order. One at a time; must not hold its caller up.
+    /// Takes all events of the mission, in order. One call at a time; must not block its caller.
     virtual void onEvent(const Event& event) = 0;
-    /// Does nothing more of its own once this has returned, though events may still come. Any thread.
+    /// Does no more work of its own after this has returned, though events may still come. Any thread.
     virtual void close() {}
 };
 

@@ -7,13 +7,13 @@
 
 namespace leitstand {
 
-/// A link for the operator of a command line: "kurt3d: degraded: odometry 1.4 s old".
+/// Returns a link's status for the operator of a command line: "kurt3d: degraded: odometry 1.4 s old".
 [[nodiscard]] inline std::string linkLine(const LinkStatus& link) {
     const std::string reasons = toString(link.reasons);
     return link.robot + ": " + toString(link.state) + (reasons.empty() ? "" : ": " + reasons);
 }
 
-/// A state in the words that the window has for it.
+/// Returns the words that the window shows for a state.
 [[nodiscard]] inline std::string linkStateWords(LinkState state) {
     switch (state) {
         case LinkState::NeverSeen:

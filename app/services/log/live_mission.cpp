@@ -23,12 +23,12 @@
 namespace leitstand {
 namespace {
 
-/// What a slow disk costs first.
+/// Pictures are what a slow disk drops first.
 bool isPicture(const std::string& type) {
     return type == "sensor_msgs/msg/Image" || type == "sensor_msgs/msg/CompressedImage";
 }
 
-/// The folder's own name, also where its path ends with a slash.
+/// Returns the folder's own name, also when its path ends with a slash.
 std::string nameOf(const std::filesystem::path& folder) {
     const auto whole = std::filesystem::absolute(folder).lexically_normal();
     return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
@@ -56,7 +56,7 @@ Qos stationQos() {
         .reliability = Qos::Reliability::Reliable, .durability = Qos::Durability::TransientLocal, .depth = 0};
 }
 
-/// The state at the end of the earlier sessions of @p folder; what of them cannot be read goes to @p tell.
+/// Returns the state at the end of the earlier sessions of @p folder; reports to @p tell what cannot be read.
 MissionState earlierState(const std::filesystem::path& folder, EventDecoder& decoder,
                           const std::function<void(const std::string&)>& tell) {
     const auto bag = BagReader::open(folder);
@@ -71,7 +71,7 @@ MissionState earlierState(const std::filesystem::path& folder, EventDecoder& dec
 
 }  // namespace
 
-/// Hands the alarms of the disk to the mission, once there is one: the writer's threads begin earlier.
+/// Passes alarms of the disk to the mission once there is one: the writer's threads begin earlier.
 struct LiveMission::AlarmRelay {
     std::mutex mutex;
     State* state = nullptr;
@@ -82,15 +82,15 @@ struct LiveMission::AlarmRelay {
 struct LiveMission::State {
     LiveMissionSettings settings;
     const std::function<void(const Event&)> onEvent;
-    EventDecoder decoder;  ///< used by the sequencer's thread alone
-    Fold fold;             ///< likewise
+    EventDecoder decoder;  ///< used by the sequencer's thread only
+    Fold fold;             ///< used by the sequencer's thread only
     std::shared_ptr<AlarmRelay> relay;
     std::unique_ptr<BagWriter> bag;
-    mutable std::mutex mutex;                      ///< of the next three
+    mutable std::mutex mutex;                      ///< guards the next three
     std::map<std::string, bool> announced;         ///< topics; whether they carry pictures
     MissionStatePtr snapshot;                      ///< newest state
-    std::map<std::string, DecodingErrors> broken;  ///< of the decoder
-    std::atomic<bool> ending = false;              ///< the session's end is the next that is said of it
+    std::map<std::string, DecodingErrors> broken;  ///< errors of the decoder
+    std::atomic<bool> ending = false;              ///< the next session event is the session's end
     std::mutex taking;                             ///< held while an event from outside is numbered
     std::unique_ptr<Sequencer> sequencer;          ///< last but one: ends first
     std::optional<WhenLate> rescue;                ///< closes the log of a process that hangs
@@ -124,7 +124,7 @@ struct LiveMission::State {
 };
 
 void LiveMission::State::announce(const std::string& topic, const std::string& type, const Qos& qos) {
-    // Locked to the end: who finds the topic announced may write on it at once.
+    // Locked to the end: a caller that finds the topic announced may write on it at once.
     const std::lock_guard lock(mutex);
     if (!announced.emplace(topic, isPicture(type)).second) return;
     TopicInfo info;
@@ -159,7 +159,7 @@ void LiveMission::State::take(const RawEvent& event) {
 
 void LiveMission::State::addCheckpoint(Time now, std::chrono::nanoseconds interval) {
     if (const auto checkpoint = fold.dueCheckpoint(now, interval)) {
-        (void)say(*checkpoint, station_topic::Checkpoints);  // what serialises itself can be encoded
+        (void)say(*checkpoint, station_topic::Checkpoints);  // a checkpoint can always be encoded
     }
 }
 
@@ -174,7 +174,7 @@ Result<void> LiveMission::State::say(const Sample& sample, std::string_view topi
 
 void LiveMission::AlarmRelay::raise(const BagAlarm& alarm) {
     const std::lock_guard lock(mutex);
-    // While the log is closed it takes no more events, and those would count as lost.
+    // A log that is being closed takes no more events, and the alarms would count as lost.
     if (state == nullptr || state->ending) return;
     const bool filling = alarm.kind == BagAlarm::Kind::DiskFilling || alarm.kind == BagAlarm::Kind::DiskSlow;
     const AlarmSample sample{
@@ -279,7 +279,7 @@ Result<void> LiveMission::close() {
         if (m_state->ending.exchange(true)) return {};
     }
     const auto said = m_state->say(m_state->session(false), station_topic::Sessions);
-    m_state->sequencer->drain();  // the end of the session, upon which the last checkpoint is said
+    m_state->sequencer->drain();  // the end of the session, which causes the last checkpoint
     m_state->sequencer->drain();
     const auto written = m_state->bag->close();
     return !said ? said : written;

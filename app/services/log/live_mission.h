@@ -15,36 +15,36 @@
 
 namespace leitstand {
 
-/// A mission that is being recorded.
+/// Settings of a mission that is being recorded.
 struct LiveMissionSettings {
-    std::filesystem::path folder;          ///< made where it is absent; one that exists is resumed
-    std::vector<RobotDescription> robots;  ///< whose topics are folded; kept in the folder with the log
+    std::filesystem::path folder;          ///< created if absent; an existing one is resumed
+    std::vector<RobotDescription> robots;  ///< their topics are folded; stored in the folder with the log
     std::string station = "leitstand";     ///< persistent identity
     std::string title = "Leitstand";       ///< of the station, for people
     std::string version;                   ///< of the program
-    double alarmMinutes = 10.0;            ///< an alarm is raised when the disk lasts shorter than this [min]
+    double alarmMinutes = 10.0;  ///< an alarm is raised when the disk lasts for less than this [min]
 };
 
-/// How the log of a mission is doing.
+/// Status of a mission's log.
 struct LiveMissionStatus {
     std::uint64_t events = 0, bytes = 0;  ///< committed in this session
     double bytesPerSecond = 0.0;          ///< over the last seconds
     double minutesLeft = 0.0;             ///< until the disk is full; infinite when nothing is written
-    std::map<std::string, std::uint64_t> dropped;  ///< events a topic that will never be written
-    std::map<std::string, DecodingErrors> broken;  ///< samples a topic that make no sense (kept all the same)
-    std::uint64_t lost = 0;                        ///< of the dropped: events other than pictures
+    std::map<std::string, std::uint64_t> dropped;  ///< events per topic that will never be written
+    std::map<std::string, DecodingErrors> broken;  ///< samples per topic that make no sense (but kept)
+    std::uint64_t lost = 0;                        ///< dropped events other than pictures
     std::string problem;                           ///< why nothing can be written; empty when all is well
 };
 
-/// Called on threads of the mission's, which they must not hold up.
+/// Called on threads of the mission, which they must not block.
 struct LiveMissionListener {
-    std::function<void(const std::string&)> onAlarm = {};  ///< the disk, in words
-    /// Everything that could be decoded, in the mission's order, once it is in the log and in state().
+    std::function<void(const std::string&)> onAlarm = {};  ///< alarms of the disk, in words
+    /// Every decoded event, in the mission's order, once it is in the log and in state().
     std::function<void(const Event&)> onEvent = {};
 };
 
-/// The one ordered stream of events of a mission (design, section 1): what is received or said is numbered,
-/// logged and folded, in that order. Any thread.
+/// The one ordered stream of events of a mission (design, section 1). Events that are received or published
+/// are numbered, logged and folded, in that order. Any thread.
 class LiveMission {
 public:
     using Listener = LiveMissionListener;
@@ -56,17 +56,17 @@ public:
     LiveMission(const LiveMission&) = delete;
     LiveMission& operator=(const LiveMission&) = delete;
 
-    /// Announces a topic, so that the log tells its QoS and definition; @p type is its ROS name.
+    /// Announces a topic, so that the log has its QoS and definition; @p type is its ROS name.
     void addTopic(const std::string& topic, const std::string& type, const Qos& qos);
-    /// Takes what came over the wire; never waits for the disk.
+    /// Takes a received event; never waits for the disk.
     void receive(RawEvent event);
-    /// Takes an event of the station's own, on one of station_topic. An error when it contradicts itself.
+    /// Publishes an event of the station itself, on one of station_topic. Error when it contradicts itself.
     Result<void> say(const Sample& sample, std::string_view topic);
 
     /// The newest state.
     [[nodiscard]] MissionStatePtr state() const;
     [[nodiscard]] LiveMissionStatus status() const;
-    /// Waits until all that was said is on the disk. Errors: it cannot be written.
+    /// Waits until all published events are on the disk. Error when they cannot be written.
     Result<void> flush();
     /// Logs the end of the session and a last checkpoint, and makes the bag self-contained.
     Result<void> close();

@@ -18,22 +18,22 @@ class Node;
 class Subscription;
 struct ReceivedSample;
 
-/// How a topic is heard.
+/// Statistics of a topic that is received.
 struct HeardTopic {
     std::string name, type;
     std::uint64_t samples = 0, lost = 0;  ///< lost: never arrived, by the writers' numbers
     int writers = 0;                      ///< that are there now
 };
 
-/// Hears topics of a domain for a mission: what comes goes to a tap, and from there into the mission. Any
+/// Subscribes to topics of a domain for a mission. Samples go to a tap, and from there into the mission. Any
 /// thread; node and mission outlive it.
 class MissionFeed {
 public:
-    /// Called on the node's threads, before the mission has the sample; must not hold them up.
+    /// Called on the node's threads, before the mission has the sample; must not block them.
     using Tap = std::function<void(const ReceivedSample&)>;
-    /// Decides what of it enters the mission, on the node's threads.
+    /// Decides which samples enter the mission, on the node's threads.
     using Gate = std::function<void(ReceivedSample)>;
-    /// Whether topics that stations command robots with are heard too.
+    /// Whether topics with stations' commands to robots are received too.
     enum class Commands : std::uint8_t { Left, Heard };
 
     MissionFeed(Node& node, LiveMission& mission, Tap tap = {});
@@ -41,18 +41,19 @@ public:
     MissionFeed(const MissionFeed&) = delete;
     MissionFeed& operator=(const MissionFeed&) = delete;
 
-    /// Listens to a topic, and announces it to the mission; nothing when it does already. With a @p gate
-    /// that gets what comes instead of the mission.
+    /// Subscribes to a topic, and announces it to the mission; does nothing if it is subscribed already. A
+    /// @p gate receives the samples instead of the mission.
     Result<void> listen(const std::string& topic, const std::string& type, const Qos& qos,
                         const Gate& gate = {});
-    /// Listens to all of @p robot's topics that its file wants recorded. Returns what cannot be heard, in
-    /// words.
+    /// Subscribes to all topics of @p robot that its file marks for recording. Returns those that cannot be
+    /// received, in words.
     std::vector<std::string> listenTo(const RobotDescription& robot, Commands commands = Commands::Left);
-    /// Listens to what stations say to each other, but for what speaks of their own logs.
+    /// Subscribes to what stations publish to each other, except what refers to their own logs. Returns
+    /// topics that cannot be received, in words.
     std::vector<std::string> listenToStations(const Gate& gate = {});
 
     [[nodiscard]] std::vector<HeardTopic> topics() const;  ///< by name
-    void end();                                            ///< nothing comes any more once it has returned
+    void end();                                            ///< no sample comes after it has returned
 
 private:
     struct Listening {

@@ -16,12 +16,12 @@
 namespace leitstand {
 namespace {
 
-/// Topics of ROS 2 itself that nobody wants in a mission.
+/// Whether @p topic is one of ROS 2 itself that nobody wants in a mission.
 bool isHousekeeping(const std::string& topic) {
     return topic == "/rosout" || topic == "/parameter_events" || topic.find("/_action/") != std::string::npos;
 }
 
-/// Topics of stations that speak of their own log, whose sequences mean nothing in ours.
+/// Whether @p topic of a station refers to its own log, whose sequence numbers mean nothing in ours.
 bool isOfAnotherLog(const std::string& topic) {
     return topic == station_topic::Checkpoints || topic == station_topic::Sessions ||
            topic == station_topic::Undo;
@@ -37,18 +37,18 @@ struct MissionRecorder::State {
     std::vector<std::unique_ptr<LinkClient>> links;  ///< of the robots in the settings; fixed after start
     std::unique_ptr<MissionFeed> feed;
     std::unique_ptr<HearingWatch> hearing;
-    std::mutex mutex;  ///< of the next two
+    std::mutex mutex;  ///< guards the next two
     bool discovered = false;
     std::set<std::string> told;
     std::condition_variable_any changed;
-    ScreenTelling screened;  ///< of the thread's
+    ScreenTelling screened;  ///< used by the thread only
     std::jthread discovery;  ///< last: joined first
 
     void say(const std::string& text) {
         if (tell) tell(text);
     }
-    /// Says @p text unless something was said about @p key; never while locked, since who is told may ask
-    /// back.
+    /// Reports @p text unless something was reported about @p key. Never called while locked, since the
+    /// listener may query the state.
     void sayOnce(const std::string& key, const std::string& text) {
         {
             const std::lock_guard lock(mutex);
@@ -127,8 +127,8 @@ void MissionRecorder::State::watchHearing() {
     hearing = std::make_unique<HearingWatch>(*node, std::move(setup));
 }
 
-/// Topics that are announced as steady streams for longer than it takes to hear them, and are not heard:
-/// since the domain was joined, and where it was joined again because of that, before.
+/// Returns topics announced as steady streams for longer than it takes to receive them, without a sample.
+/// Counts since the domain was joined, and also before a rejoin for that reason.
 std::vector<std::string> MissionRecorder::State::unheard() const {
     std::set<std::string> unheard, heard;
     for (const OfferedWriter& one : node->hearing().writers) {
@@ -209,7 +209,7 @@ RecorderStatus MissionRecorder::status() const {
 }
 
 Result<void> MissionRecorder::stop() {
-    // The log first: what a library does with its threads must not keep it open.
+    // The log is closed first: a library's threads must not keep it open.
     return m_state->mission->close();
 }
 

@@ -14,28 +14,29 @@
 
 namespace leitstand {
 
-/// What to record, and where.
+/// Settings of a recording.
 struct RecorderSettings {
-    LiveMissionSettings mission;  ///< its robots' listed topics are recorded; no robots: all topics heard
+    LiveMissionSettings mission;  ///< its robots' listed topics are recorded; no robots: all topics found
     DomainSettings domain = {};
 };
 
-/// How a recording is doing.
+/// Status of a recording.
 struct RecorderStatus {
     LiveMissionStatus log;
     std::vector<HeardTopic> topics;
     std::vector<LinkStatus> links;        ///< of the robots whose files were given
     std::vector<std::string> mismatches;  ///< in words
-    /// Topics that are announced as steady streams (best effort) for 2 s and more, of which nothing came.
+    /// Topics announced as steady streams (best effort) for 2 s or more without a sample.
     std::vector<std::string> unheard;
     std::vector<ScreenDrop> screened;  ///< packets that were kept from the DDS library
 };
 
-/// Records a domain into a mission until it is destroyed or stopped: listens, never speaks to a robot.
+/// Records a domain into a mission until it is destroyed or stopped. It listens and never publishes to a
+/// robot.
 class MissionRecorder {
 public:
-    /// Texts for the operator: alarms, links that changed, topics that cannot be heard. Called on threads of
-    /// the recorder's.
+    /// Receives texts for the operator: alarms, changed links, topics that cannot be received. Called on
+    /// threads of the recorder.
     using Teller = std::function<void(const std::string&)>;
 
     [[nodiscard]] static Result<std::unique_ptr<MissionRecorder>> start(const RecorderSettings& settings,
@@ -45,7 +46,8 @@ public:
     MissionRecorder& operator=(const MissionRecorder&) = delete;
 
     [[nodiscard]] RecorderStatus status() const;
-    /// Ends the session; the mission is self-contained afterwards. The domain is left when the recorder goes.
+    /// Ends the session; the mission is self-contained afterwards. The domain is left when the recorder is
+    /// destroyed.
     Result<void> stop();
 
 private:

@@ -21,7 +21,7 @@ std::string contentOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// A file of an earlier session stays beside the newer one: robots/earlier/kurt3d-1.yaml.
+/// Keeps the file of an earlier session beside the newer one: robots/earlier/kurt3d-1.yaml.
 Result<void> keepEarlier(const fs::path& file, const std::string& content) {
     const fs::path folder = file.parent_path() / "earlier";
     std::error_code problem;

@@ -10,17 +10,17 @@ namespace leitstand {
 
 class BagReader;
 
-/// Keeps the files of @p robots in the mission's @p folder ("robots/kurt3d.yaml"), so that its log can be
-/// read by whoever gets the folder alone.
+/// Stores the files of @p robots in the mission's @p folder ("robots/kurt3d.yaml"), so that its log can be
+/// read with the folder alone.
 [[nodiscard]] Result<void> keepRobots(const std::filesystem::path& folder,
                                       const std::vector<RobotDescription>& robots);
 
-/// The robots that a mission's @p folder keeps; a file that cannot be read is told in @p warnings.
+/// Returns the robots that a mission's @p folder keeps; adds to @p warnings the files that cannot be read.
 [[nodiscard]] std::vector<RobotDescription> keptRobots(const std::filesystem::path& folder,
                                                        std::vector<std::string>& warnings);
 
-/// The robots of @p mission (a folder or a file of one), opened as @p bag: those that its folder keeps, or
-/// that the topics of a foreign bag tell of.
+/// Returns the robots that the folder of @p mission keeps (a folder or a file of one, opened as @p bag).
+/// Without any, guesses them from the topics of a foreign bag.
 [[nodiscard]] std::vector<RobotDescription> robotsOf(const std::filesystem::path& mission,
                                                      const BagReader& bag,
                                                      std::vector<std::string>& warnings);

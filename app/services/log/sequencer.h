@@ -11,24 +11,24 @@
 
 namespace leitstand {
 
-/// Puts all that reaches the station into one order (design, section 1): numbers the events, and hands them
-/// to a sink on a thread of its own. Order is receive time, as far as events wait together; receive times
-/// never run backwards, even when the station's clock is set back. The sink must not wait for the disk or
-/// the network, so that the queue stays short; it is not bounded, since nothing may be lost here.
+/// Puts all events that reach the station into one order (design, section 1). Numbers them and passes them to
+/// a sink on its own thread. Events that wait together are ordered by receive time. Receive times never run
+/// backwards, even when the station's clock is set back. The sink must not wait for the disk or the network,
+/// so that the queue stays short. The queue is unbounded, since nothing may be lost here.
 class Sequencer {
 public:
     using Sink = std::function<void(const RawEvent&)>;
 
-    /// Events are numbered from @p lastSequence + 1 on.
+    /// Numbers events from @p lastSequence + 1 on.
     Sequencer(std::uint64_t lastSequence, Sink sink);
-    /// Hands over what waits, then ends.
+    /// Passes on the waiting events, then ends.
     ~Sequencer();
     Sequencer(const Sequencer&) = delete;
     Sequencer& operator=(const Sequencer&) = delete;
 
-    /// Takes @p event; its receive time is now where it has none. Any thread, also the sink's own.
+    /// Takes @p event; sets its receive time to now if it has none. Any thread, also the sink's own.
     void push(RawEvent event);
-    /// Waits until all that was pushed before was handed over. Not from the sink.
+    /// Waits until all events pushed before were passed on. Not from the sink.
     void drain();
 
 private:
@@ -44,7 +44,7 @@ private:
     std::jthread m_thread;  ///< last: joined first
 };
 
-/// The station's clock.
+/// Returns the time of the station's clock.
 [[nodiscard]] Time stationTime();
 
 }  // namespace leitstand

@@ -25,7 +25,7 @@ bool sameFix(const std::optional<RobotFix>& a, const RobotFix& b) {
 MapPtr shownMap(const LiveMap& live, const MapPtr& before) {
     auto map = std::make_shared<Map>();
     map->scans.reserve(live.scans.size());
-    std::size_t known = 0;  // in before; both are by rising id
+    std::size_t known = 0;  // index in before; both are sorted by id
     for (const LiveKeyScan& one : live.scans) {
         if (one.pose.trust == ScanTrust::SetAside) continue;
         MapScan scan;
@@ -74,7 +74,7 @@ LiveMapping::Robot::Robot(const RobotDescription& description, const std::string
       tracker(description.name),
       laser(tracker, station),
       scanner(onlyScanner(description)) {
-    // They know the motion before the first slice.
+    // Cutters must know the motion before the first slice.
     for (const StreamDescription& stream : description.streams) {
         if (stream.role == StreamRole::Points) cutters.try_emplace(stream.topic, description.name);
     }
@@ -185,7 +185,7 @@ void LiveMapping::work(const Event& event) {
         robot.poses.correctionOf(event.sensor, cloud->header.frame).correct(corrected);
         cutterOf(robot, event).add(std::move(corrected), sensor, event.received);
     } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
-        if (m_mapper.fix(event.robot)) return robot.laser.rest();  // its 3D scans tell more
+        if (m_mapper.fix(event.robot)) return robot.laser.rest();  // its 3D scans show more
         RangesSample stamped = *ranges;
         if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
         const Pose laser = robot.poses.inBase(event.sensor, ranges->header.frame);
@@ -197,7 +197,7 @@ void LiveMapping::work(const Task& task) {
     task(m_mapper);
     followFixes();
     const LiveMapPtr before = m_map;
-    tellRobots();  // before the map: who hears that it moved asks where they are in it
+    tellRobots();  // before the map: whoever is notified of it asks where they are in it
     tellMap();
     if (scansMoved(before, *m_map)) layTrails();
 }
@@ -210,14 +210,14 @@ void LiveMapping::registerDone(Time now) {
                 const LiveMapPtr before = m_map;
                 const MapUpdate update = m_mapper.add(scan, now, bodiesIn(*scan.scan));
                 if (update.ready) matched(name, now);
-                // What has too few points, as what a break left of a turn, tells of no place.
+                // A scan with too few points, as the rest of an interrupted turn, determines no place.
                 if (update.ready && !has(update.localisation.doubts, ScanDoubt::Points))
                     robot.newest = std::make_shared<const SeenScan>(SeenScan{scan, update.ready});
                 followFixes();
                 seekLost(name, robot, update);
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) {
-                    tellRobots();  // before the map: who hears of it asks where they are in it
+                    tellRobots();  // before the map: whoever is notified of it asks where they are in it
                     tellMap();
                 }
                 if (update.keyScan) tellScanner(name, robot);
@@ -241,7 +241,7 @@ void LiveMapping::tellScanner(const std::string& name, Robot& robot) {
 void LiveMapping::correct(const std::string& name, const ScannerCorrection& correction) {
     post([this, name, correction](LiveMapper& mapper) {
         Robot& robot = m_robots.at(name);
-        // What a turn has gathered by the clock of before does not go on by the new one.
+        // A turn gathered with the previous clock does not continue with the new one.
         if (robot.poses.correctionOf(robot.scanner, robot.scanner).clock != correction.clock) {
             for (auto& [topic, cutter] : robot.cutters) cutter.startAnew();
         }
@@ -289,7 +289,7 @@ void LiveMapping::settle(const MapSolution& solution) {
 
 void LiveMapping::makeMatched(std::vector<MatchedCloudPtr> left) {
     if (left.empty()) return;
-    // One after another: who solves waits for no more.
+    // One after another, so that solving waits for one at most.
     m_solving.submit([this, left = std::move(left)](const std::stop_token& stop) mutable {
         if (stop.stop_requested()) return;
         const MatchedCloudPtr matched = std::move(left.back());
@@ -323,7 +323,7 @@ void LiveMapping::preview(std::vector<Link> links, std::function<void(LoopPrevie
 
 void LiveMapping::seekPlace() {
     if (m_seeks) return;
-    auto sought = m_mapper.sought();  // also where the map is another station's: later it is of no use
+    auto sought = m_mapper.sought();  // also when another station makes the map: later it is of no use
     if (!sought || (m_listener.makesMap && !m_listener.makesMap())) return;
     m_seeks = true;
     m_solving.submit([this, sought = std::move(*sought)](const std::stop_token& stop) {

@@ -11,16 +11,16 @@
 namespace leitstand {
 namespace {
 
-constexpr double AboutARobot = 0.1;      ///< so much about its corners may be of a robot, too [m]
+constexpr double AboutARobot = 0.1;      ///< points this close to its corners may be of a robot, too [m]
 constexpr std::size_t MostBodies = 500;  ///< in a scan
 constexpr int Unplaced = 3;              ///< after so many 3D scans a robot maps a part of its own
-constexpr int SoughtEvery = 3;           ///< of so many that do not fit it is looked for by the newest
-constexpr int InVain = 3;                ///< one that was looked for so often in vain may do so, too
+constexpr int SoughtEvery = 3;  ///< after so many scans that do not fit it is looked for, by the newest
+constexpr int InVain = 3;       ///< after so many failed searches it may do so, too
 constexpr double Jumped = 0.5,
                  JumpedAngle = degrees(15);  ///< more than odometry errs between two fixes [m], [rad]
 
-/// Whether a robot at @p baseInMap, whose odometry lies at @p after in the map, is elsewhere than @p before
-/// had it.
+/// Whether a robot at @p baseInMap, whose odometry frame lies at @p after in the map, is elsewhere than with
+/// the frame at @p before.
 bool jumped(const Pose& before, const Pose& after, const Pose& baseInMap) {
     const Pose was = before * after.inverse() * baseInMap;
     return distanceBetween(was, baseInMap) > Jumped || angleBetween(was, baseInMap) > JumpedAngle;
@@ -56,15 +56,15 @@ std::vector<PlacedBody> LiveMapping::bodiesIn(const Scan& scan, const std::strin
 }
 
 bool LiveMapping::leaveOutPlaced(Time now) {
-    const bool ours = !m_listener.makesMap || m_listener.makesMap();  // else who makes it says so
+    const bool ours = !m_listener.makesMap || m_listener.makesMap();  // else its maker publishes this
     std::map<std::uint64_t, std::vector<BodyInScan>> found;
     for (auto& [name, robot] : m_robots) {
-        // Of one in another part of the map nobody knows where it was in this one.
+        // For a robot in another part of the map, nobody knows where it was in this one.
         const bool certain = robot.tracker.now().certain && !(robot.followed && robot.followed->part != 0);
         const auto& odomInMap = robot.tracker.odomInMap();
         if (certain && !robot.certain && ours && m_map) {
-            // One whose laser alone told where it is, and that stands somewhere else than its odometry had
-            // it, was not where it was taken for; one with scans of its own was carried.
+            // A robot placed by its laser alone that now stands elsewhere than its odometry had it was placed
+            // wrongly. One with its own scans was carried.
             const bool goesOn =
                 robot.wasSure && odomInMap && robot.wasSureBy &&
                 (m_mapper.fix(name) || !jumped(*robot.wasSureBy, *odomInMap, robot.tracker.now().baseInMap));
@@ -88,20 +88,20 @@ void LiveMapping::tellBodies(std::map<std::uint64_t, std::vector<BodyInScan>> fo
 void LiveMapping::lookForPassing() {
     if (m_looksForPassing || m_entered.empty() || !m_map) return;
     m_looksForPassing = true;
-    // One after another: who solves waits for no more.
+    // One after another, so that solving waits for one at most.
     const std::uint64_t id = m_entered.front();
     m_entered.erase(m_entered.begin());
     m_solving.submit([this, id, map = m_map, together = m_mapper.together(id)](const std::stop_token& stop) {
         if (stop.stop_requested()) return;
         const auto found = m_passing.add(*map, id, together);
         m_looksForPassing = false;
-        if (found.empty()) return look([](const LiveMapper&) {});  // the next one
+        if (found.empty()) return look([](const LiveMapper&) {});  // starts the next one
         post([this, found](LiveMapper&) { leaveOutPassing(found); });
     });
 }
 
 void LiveMapping::leaveOutPassing(std::map<std::uint64_t, std::vector<BodyInScan>> found) {
-    if (m_listener.makesMap && !m_listener.makesMap()) return;  // who makes it says so
+    if (m_listener.makesMap && !m_listener.makesMap()) return;  // the station that makes it publishes this
     std::map<std::uint64_t, std::vector<BodyInScan>> changed;
     for (auto& [id, passing] : found) {
         std::vector<BodyInScan> bodies = m_mapper.bodiesIn(id);
@@ -121,7 +121,7 @@ void LiveMapping::leaveOut(const std::string& name, const std::optional<Time>& s
         const auto here = inScan(name, bodiesIn(*one.scan, name), one.pose.scanInMap);
         std::vector<BodyInScan> bodies = m_mapper.bodiesIn(one.id);
         if (here.empty() || bodies.size() + here.size() > MostBodies) continue;
-        bodies.insert(bodies.end(), here.begin(), here.end());  // beside where it may have been as well
+        bodies.insert(bodies.end(), here.begin(), here.end());  // beside other possible places
         if (m_mapper.leaveOut(one.id, bodies)) found[one.id] = std::move(bodies);
     }
 }
@@ -130,7 +130,7 @@ void LiveMapping::lookFor(const std::string& name) {
     post([this, name](LiveMapper&) {
         const auto& followed = m_robots.at(name).followed;
         const std::uint64_t part = followed ? followed->part : 0;
-        // One that is where it says may be in another part, too; one that is lost is looked for in its own.
+        // A robot with a sound fix may be in another part, too; a lost one is looked for in its own.
         part != 0 && followed->doubts == 0 ? lookElsewhere(name) : lookInOwnPart(name, part, Search::Asked);
     });
 }
@@ -142,7 +142,7 @@ void LiveMapping::seekLost(const std::string& name, Robot& robot, const MapUpdat
         robot.find.reset();
         return;
     }
-    // What sees too little tells of no place.
+    // A scan that sees too little determines no place.
     if (has(update.localisation.doubts, ScanDoubt::Points)) return;
     if (++robot.lost < robot.soughtAt + SoughtEvery || robot.sought) return;
     if (m_listener.makesMap && !m_listener.makesMap()) return;
@@ -163,7 +163,7 @@ void LiveMapping::lookedInVain(const std::string& name, std::size_t alike, Searc
 }
 
 bool LiveMapping::findsAgree(Robot& robot, const Pose& baseInMap, Time end) {
-    constexpr double FromThere = 0.5;  // a scan sees something else [m] ...
+    constexpr double FromThere = 0.5;  // from there a scan sees something else [m] ...
     constexpr double Turned = degrees(30);
     constexpr double Within = 0.3;  // [m]
     const MotionBuffer& motion = robot.tracker.motion();
@@ -210,13 +210,13 @@ void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const
                             const Relocalisation& found, Search search) {
     if (m_listener.makesMap && !m_listener.makesMap()) return;
     Robot& robot = m_robots.at(name);
-    // One that fits again meanwhile is where it says.
+    // A robot whose scans fit again meanwhile is where it is known to be.
     if (search == Search::Unasked && robot.lost == 0) return;
     if (!found.sure) return lookedInVain(name, found.places.size(), search);
     const AlikePlace& place = found.places.front();
     const Pose baseThen = place.scanInMap * scan.live.sensorInBase.inverse();
     if (search == Search::Unasked && !findsAgree(robot, baseThen, scan.live.scan->end)) return;
-    // The map may have moved meanwhile, and the robot by its odometry.
+    // The map may have moved meanwhile, and the robot too, by its odometry.
     const Pose then = MovedPlaces(*map, *m_map).at(baseThen.translation()) * baseThen;
     const Time end = scan.live.scan->end;
     const auto fix = m_mapper.fix(name);
@@ -224,7 +224,7 @@ void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const
     const MotionBuffer& motion = robot.tracker.motion();
     const auto before = motion.at(end), here = motion.at(newest);
     const bool goesOn = before && here && motion.frameAt(end) == motion.frameAt(newest);
-    if (newest != end && !goesOn) {  // nobody knows where it went since that scan
+    if (newest != end && !goesOn) {  // its motion since that scan is unknown
         if (search == Search::Asked) lookedInVain(name, found.places.size(), search);
         return;
     }
@@ -234,7 +234,7 @@ void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const
 
 void LiveMapping::seeing(const std::string& name, Robot& robot, LaserView view, Time now) {
     if (const LiveKeyScan* const first = firstOfOurs()) {
-        // How the area lies to another part of the map nobody knows.
+        // Nobody knows how the area lies relative to another part of the map.
         const Pose here = robot.tracker.placed() ? robot.tracker.now().baseInMap : first->pose.scanInMap;
         robot.laser.setCrop(partAt(m_map->scans, here) == 0 ? m_crop : MapCrop{});
     }
@@ -284,7 +284,7 @@ void LiveMapping::placeSeen(const MapUpdate& update, const LiveMapPtr& before, T
 void LiveMapping::place(Robot& robot, const LiveScan& scan, Time now) {
     const std::string& name = scan.scan->robot;
     if (!m_map || m_map->scans.empty() || m_mapper.fix(name)) return;
-    // Without a plane laser its 3D scans do as well.
+    // Without a plane laser its 3D scans serve as well.
     if (!robot.tracker.placed() || robot.laser.resumes()) seeing(name, robot, laserView(scan), now);
     if (const auto there = robot.tracker.baseInMap(scan.scan->end)) return m_mapper.place(name, *there);
     if (++robot.unplaced >= Unplaced) m_mapper.beginPart(name);
@@ -315,7 +315,7 @@ void LiveMapping::lookElsewhere(const std::string& name) {
 void LiveMapping::adopt(const KeyScanSample& keyScan) {
     post([this, keyScan](LiveMapper& mapper) {
         mapper.adopt(keyScan);
-        for (auto& [name, robot] : m_robots) robot.matched.reset();  // it is matched over there
+        for (auto& [name, robot] : m_robots) robot.matched.reset();  // the other station matches it now
     });
 }
 

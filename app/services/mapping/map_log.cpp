@@ -13,7 +13,7 @@
 namespace leitstand {
 namespace {
 
-/// Whether the area @p now lies elsewhere than @p before: less than so much is not worth cutting all scans
+/// Whether the area @p now differs noticeably from @p before: smaller moves are not worth cutting all scans
 /// again.
 bool moved(const MapCrop& before, const MapCrop& now) {
     constexpr double Noticed = 0.03;  // [m]
@@ -24,7 +24,7 @@ bool moved(const MapCrop& before, const MapCrop& now) {
                                                         now.polygon.begin(), now.polygon.end(), same);
 }
 
-/// The station that published @p sample, if that is a decision on the map.
+/// Returns the station that published @p sample, if that is a decision on the map; else null.
 const std::string* publisherOf(const Sample& sample) {
     if (const auto* links = std::get_if<ScanLinksSample>(&sample)) return &links->station;
     if (const auto* poses = std::get_if<ScanPosesSample>(&sample)) return &poses->station;
@@ -133,12 +133,12 @@ void MapLog::onDecision(const Event& event) {
     if (publisher == nullptr) return;
     const auto* links = std::get_if<ScanLinksSample>(&event.sample);
     const auto* poses = std::get_if<ScanPosesSample>(&event.sample);
-    // Another station's, which makes the map.
+    // From another station, which makes the map.
     if (links != nullptr && *publisher != m_setup.station) m_mapping->adopt(*links);
     if (poses != nullptr && *publisher != m_setup.station) m_mapping->follow(posesOf(*m_mission.state()));
     if (std::holds_alternative<UndoSample>(event.sample)) {
         const std::lock_guard lock(m_mutex);
-        m_settled.push_front([this](LiveMapper& mapper) {  // before what is decided after it
+        m_settled.push_front([this](LiveMapper& mapper) {  // runs before what is decided after it
             const MissionStatePtr now = m_mission.state();
             mapper.follow(posesOf(*now));
             mapper.followLoops(loopsOf(*now));
@@ -159,7 +159,7 @@ std::optional<MapCrop> MapLog::changedCrop(const Event& event, const std::string
     const std::lock_guard lock(m_mutex);
     if (publisher == m_setup.station) ++m_received;
     m_cropMoved = m_cropMoved || undone || area || poses;
-    // What was asked for since is on its way.
+    // What was requested since is on its way.
     if (!m_cropMoved || m_received != m_published) return std::nullopt;
     m_cropMoved = false;
     const MapCrop now = cropInLog();

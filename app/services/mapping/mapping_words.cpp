@@ -10,7 +10,7 @@
 namespace leitstand::mapping_words {
 namespace {
 
-/// What came of looking for the robot; empty: the reason says it.
+/// Returns the outcome of looking for the robot; empty: the reason already holds it.
 std::string outcomeOf(const RobotPlaceSample& place) {
     using Cause = RobotPlaceSample::Cause;
     const bool put = place.how == placement_says::PutUntilScan;

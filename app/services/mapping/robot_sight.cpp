@@ -14,12 +14,12 @@
 namespace leitstand {
 namespace {
 
-constexpr double SmearedBy = 0.3;                                           ///< in a turn, driving [m]
+constexpr double SmearedBy = 0.3;                                           ///< of a turn, while driving [m]
 constexpr std::chrono::nanoseconds LongestWait = std::chrono::seconds(10);  ///< in the queue
 constexpr std::chrono::milliseconds LongestHeld(150);                       ///< for odometry
-constexpr double Silence = 1.0;     ///< of odometry, in which a robot may have started again [s]
-constexpr double Zero = 0.05;       ///< a robot that has just started is no farther from it [m, rad]
-constexpr double LaserShown = 2.0;  ///< after its turn came [s]: nothing of it is kept
+constexpr double Silence = 1.0;     ///< without odometry, after which a robot may have started again [s]
+constexpr double Zero = 0.05;       ///< a robot that has just started is this near to it [m, rad]
+constexpr double LaserShown = 2.0;  ///< after its turn came [s]; nothing of it is kept
 constexpr double Elsewhere = 0.15;
 
 VirtualScanSettings scanOf(const RobotDescription& robot) {
@@ -29,7 +29,7 @@ VirtualScanSettings scanOf(const RobotDescription& robot) {
     return settings;
 }
 
-/// The points of @p scan with their times, as its scanner would have sent them at once.
+/// Returns the points of @p scan with their times, as its scanner would have sent them in one cloud.
 CloudSample cloudOf(const Scan& scan, Time end) {
     CloudSample cloud;
     cloud.points = scan.points;
@@ -45,7 +45,7 @@ CloudSample cloudOf(const Scan& scan, Time end) {
     return cloud;
 }
 
-/// Stamp of the last shot of what a scanner saw.
+/// Returns the stamp of the last shot of a scanner's sample.
 Time endOf(const Sample& sample) {
     if (const auto* cloud = std::get_if<CloudSample>(&sample)) return leitstand::endOf(*cloud);
     const auto* const ranges = std::get_if<RangesSample>(&sample);
@@ -66,7 +66,7 @@ RobotSight::RobotSight(const RobotDescription& robot)
 }
 
 void RobotSight::onEvent(const Event& event) {
-    // What waited in the queue came earlier than it is taken: old pictures must not look fresh.
+    // A sample that waited in the queue came earlier than it is taken: old pictures must not look fresh.
     const auto waited = std::clamp(stationTime() - event.received, std::chrono::nanoseconds(0), LongestWait);
     onEvent(event, std::chrono::steady_clock::now() - waited);
 }
@@ -77,7 +77,7 @@ void RobotSight::onEvent(const Event& event, SteadyTime now) {
         takePicture(event, *picture, now);
     } else if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         m_poses.add(event);
-        m_poses.forgetBefore(Time::max());  // m_motion has them
+        m_poses.forgetBefore(Time::max());  // m_motion holds them
         OdometrySample stamped = *odometry;
         if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
         takeOdometry(std::move(stamped), now);
@@ -111,9 +111,9 @@ void RobotSight::takeOdometry(OdometrySample odometry, SteadyTime now) {
     const int jumps = m_motion.clockJumps();
     m_motion.add(odometry);
     const bool jumped = m_motion.clockJumps() != jumps;
-    // One stamp that does not fit is doubted until the next one agrees with it.
+    // A single stamp that does not fit is doubted until the next one agrees with it.
     if (!m_motion.covers(stamp) || (!jumped && m_newest && stamp < *m_newest)) return;
-    // The robot began anew, on a clock that jumped or on its own: what was around is not there any more.
+    // The robot started again, on a clock that jumped or on its own: its earlier surroundings are void.
     if (m_newest && (jumped || hasLeapt(odometry, stamp))) {
         m_scan.clear();
         m_lasers.clear();
@@ -157,7 +157,7 @@ bool RobotSight::hasLeapt(const OdometrySample& odometry, Time stamp) const {
     const double since = toSeconds(stamp - *m_newest);
     const Pose& now = odometry.baseInOdom;
     if (since < 0.0 || !now.matrix().allFinite()) return false;
-    // After a silence it may have gone far; but a robot that started again is where it calls zero.
+    // After a silence it may have moved far. But a robot that started again is where its odometry is zero.
     const bool atZero =
         distanceBetween(Pose::Identity(), now) < Zero && angleBetween(Pose::Identity(), now) < Zero;
     const bool wasElsewhere =
@@ -168,10 +168,10 @@ bool RobotSight::hasLeapt(const OdometrySample& odometry, Time stamp) const {
 void RobotSight::take(const KeyScanSample& sample, SteadyTime now) {
     if (!sample.scan || !sample.scan->hasOdometry) return;
     const Scan& scan = *sample.scan;
-    // The motion is taken out of its points: all are as seen from where the robot was at the end.
+    // The points are free of motion: all are seen from where the robot was at the end.
     const Pose baseThen = scan.sensorInOdom * sample.sensorInBase.inverse();
     CloudSample cloud = cloudOf(scan, scan.end == Time{} ? sample.stamp : scan.end);
-    // Which smears the robot's own edges: what is so near cannot be told from them.
+    // This smears the robot's own edges: points this near cannot be distinguished from them.
     const BodyBox edges = m_body.grown(SmearedBy);
     for (Eigen::Vector3f& point : cloud.points) {
         const Eigen::Vector3d inBase = sample.sensorInBase * point.cast<double>();
@@ -198,7 +198,7 @@ SightCap RobotSight::cap(const DriveVelocity& sticks, bool withoutEyes, SteadyTi
     ages.scanner = m_hasScanner;
     if (const PictureWatch* const watch = driversPicture()) ages.picture = watch->at(now);
     if (m_scanned) ages.scan = secondsBetween(*m_scanned, now);
-    // What is around takes long to make: only where it matters.
+    // The surroundings take long to compute: only where it matters.
     const SightRules rules;
     if (ages.picture.seconds() >= rules.full && ages.scan < rules.creep) {
         if (const auto view = look(now)) ages.ahead = scanAgeAlong(*view, sticks);

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where the file of a robot that was read from @p file is written to: the user's own, never the program's;
-/// empty: the user has no folder.
+/// Returns the file to write for a robot that was read from @p file: the user's own, never the program's.
+/// Empty: the user has no folder.
 fs::path ownFile(const fs::path& file) {
     std::error_code problem;
     const fs::path whole = fs::weakly_canonical(file, problem);
@@ -72,7 +72,7 @@ bool ScannerAdvice::follow(const std::string& robot, const std::optional<Scanner
     const auto sensor = described->sensors.find(onlyScanner(*described));
     const ScannerCorrection now =
         sensor == described->sensors.end() ? ScannerCorrection{} : sensor->second.correction;
-    if (now.with(*more) == now) return false;  // no scanner is off by more
+    if (now.with(*more) == now) return false;  // the correction is at its limits
     m_advised.emplace(robot, *more);
     return m_told.emplace(robot, faultOf(*more)).second;
 }

@@ -12,8 +12,7 @@
 
 namespace leitstand {
 
-/// How a part of the map lies on the rest where the operator drags it to, worked out on a thread beside. Any
-/// thread.
+/// Computes how a part of the map fits the rest where the operator drags it, on its own thread. Any thread.
 class SubmapFits {
 public:
     SubmapFits();
@@ -21,34 +20,34 @@ public:
     SubmapFits(const SubmapFits&) = delete;
     SubmapFits& operator=(const SubmapFits&) = delete;
 
-    /// @p submap of @p map is moved from now on, and compared with the rest without @p left; what was asked
-    /// before is dropped.
+    /// Begins a move of @p submap of @p map, which is compared with the rest without @p left. Drops earlier
+    /// requests.
     void begin(LiveMapPtr map, std::set<std::uint64_t> submap, std::set<std::uint64_t> left = {});
-    void end();  ///< nothing is moved any more
-    /// It lies at @p moved now (SubmapOnMap::at()): how well that fits is worked out, the newest only.
+    void end();  ///< ends the move
+    /// Requests how well it fits at @p moved (SubmapOnMap::at()); only the newest request counts.
     void want(const Pose& moved);
-    /// It is to snap from there.
+    /// Requests to snap it from @p moved.
     void snap(const Pose& moved);
 
-    /// The submap that is moved; null: it is not made ready yet, or none is.
+    /// The submap that is moved; null: it is not ready yet, or there is none.
     [[nodiscard]] SubmapOnMapPtr submap() const;
-    /// How it fits where it was wanted last; empty: not known yet.
+    /// How it fits at the newest requested pose that was computed; empty: not known yet.
     [[nodiscard]] std::optional<SubmapFit> fit() const;
-    /// What came of snap(), once.
+    /// The result of snap(), returned once.
     struct Snapped {
         std::optional<Pose> moved;  ///< empty: too little of it lies on anything there
     };
     [[nodiscard]] std::optional<Snapped> takeSnapped();
 
 private:
-    /// Whether what was begun as of number @p run still counts; under the mutex.
+    /// Whether results of run @p run still count; under the mutex.
     [[nodiscard]] bool counts(std::uint64_t run) const { return run == m_run; }
-    void work();  ///< out the newest that is wanted, if nobody is at it; under the mutex
+    void work();  ///< computes the newest request unless it is at work; under the mutex
 
     mutable std::mutex m_mutex;
-    std::uint64_t m_run = 0;  ///< times that something was begun or ended
+    std::uint64_t m_run = 0;  ///< times that a move was begun or ended
     SubmapOnMapPtr m_submap;
-    std::optional<Pose> m_wanted;  ///< that nobody works at yet
+    std::optional<Pose> m_wanted;  ///< requested and not at work yet
     bool m_works = false;
     std::optional<SubmapFit> m_fit;
     std::optional<Snapped> m_snapped;

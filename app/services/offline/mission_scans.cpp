@@ -35,20 +35,20 @@ std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots,
     return topics;
 }
 
-/// The share of @p progress from @p begin to @p end.
+/// Returns the part of @p progress from @p begin to @p end.
 Progress part(const Progress& progress, double begin, double end) {
     return {[&progress, begin, end](double fraction) { progress.done(begin + (end - begin) * fraction); },
             progress.stop};
 }
 
-/// What is gathered of the clouds of one topic.
+/// State of the clouds of one topic.
 struct CloudLane {
     TurnAssembler assembler;
     std::string sensor, frame;
     ScanArrival newest;  ///< of its clouds
 };
 
-/// What is gathered of one robot.
+/// State of one robot.
 struct RobotScans {
     SensorPoses poses;
     std::map<std::string, CloudLane> lanes;  ///< by topic
@@ -96,8 +96,7 @@ void Reading::readPoses(const Progress& progress) {
 void Reading::keep(std::optional<Scan> scan, const std::string& robot, const CloudLane& lane) {
     if (!scan) return;
     RobotScans& of = m_robots.at(robot);
-    // As the odometry has both: that is true of sensors that turn, and of clouds told in the odometry's
-    // frame.
+    // From odometry, which has both: right for sensors that turn, and for clouds in the odometry frame.
     const auto base = scan->hasOdometry ? of.poses.baseInOdom(scan->end) : std::nullopt;
     const Pose sensorInBase =
         base ? base->inverse() * scan->sensorInOdom : of.poses.inBase(lane.sensor, lane.frame);
@@ -117,7 +116,7 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
         lane.frame = cloud->header.frame;
         lane.newest = {event.sequence, event.received};
         CloudSample corrected = *cloud;
-        // A robot that does not stamp its clouds: they count as taken when they came.
+        // Clouds without a stamp count as taken when they came.
         if (corrected.header.stamp == Time{}) corrected.header.stamp = event.received;
         robot.poses.correctionOf(event.sensor, cloud->header.frame).correct(corrected);
         const auto track = [&](Time at) { return robot.poses.sensorInOdom(event, cloud->header, at); };

@@ -9,10 +9,10 @@ namespace leitstand {
 namespace {
 
 constexpr double KeyDistance = 0.3;       ///< as live mapping chooses key scans [m]
-constexpr double KeyAngle = degrees(10);  ///< likewise [rad]
+constexpr double KeyAngle = degrees(10);  ///< as live mapping chooses key scans [rad]
 constexpr double ReadPart = 0.4;          ///< of the whole work, about
 
-/// The numbers of the scans that a live map would have taken.
+/// Returns the indices of the scans that a live map would have taken.
 std::vector<std::size_t> chosen(const std::vector<ScanPtr>& scans) {
     std::vector<std::size_t> kept;
     std::map<std::string, Pose> newest;
@@ -29,9 +29,9 @@ std::vector<std::size_t> chosen(const std::vector<ScanPtr>& scans) {
     return kept;
 }
 
-/// Where the first scan lies in the map. Registration counts from it; odometry is level, so the map is put
-/// where that has it, and the robot's start at its origin. Where on earth that is (foreign odometry may count
-/// from afar) is no matter of a hand-in.
+/// Returns the pose of the first scan in the map, from which registration starts. Odometry is level, so the
+/// map is level by it, with the robot's start at its origin. A hand-in needs no absolute position, and
+/// foreign odometry may count from afar.
 Pose firstInMap(const Scan& first, const Pose& sensorInBase) {
     Pose pose = first.hasOdometry ? first.sensorInOdom : sensorInBase;
     pose.translation().head<2>() -= (pose * sensorInBase.inverse()).translation().head<2>();

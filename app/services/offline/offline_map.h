@@ -19,16 +19,16 @@ struct OfflineScan {
     ScanArrival arrival;
 };
 
-/// A map of a mission that no station mapped. Its frame is level as odometry has it, with the origin below
-/// where the robot of the first scan began.
+/// A map of a mission that no station mapped. Its frame is level by odometry, with the origin below where the
+/// robot of the first scan began.
 struct OfflineMap {
     std::vector<OfflineScan> scans;     ///< in the order they were registered
-    std::size_t read = 0;               ///< scans that the mission holds; these are a choice of them
+    std::size_t read = 0;               ///< scans that the mission holds; the above are a choice of them
     std::vector<std::string> warnings;  ///< as of MissionScans
 };
 
-/// Registers the clouds of @p mission, a choice of them every 0.3 m or 10 degrees as a live map takes, by
-/// odometry where there is any. Errors as of readMissionScans(); cancelled: what was registered so far.
+/// Registers the clouds of @p mission, one every 0.3 m or 10 degrees as in a live map, by odometry where
+/// there is any. Errors as of readMissionScans(). When cancelled, returns what was registered so far.
 [[nodiscard]] Result<OfflineMap> mapOffline(const std::filesystem::path& mission,
                                             const Progress& progress = {});
 

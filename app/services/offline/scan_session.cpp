@@ -23,9 +23,9 @@ using Clock = std::chrono::steady_clock;
 using Severity = SessionMessage::Severity;
 using Step = SessionProgress::Step;
 
-/// A scan that is to be registered.
+/// A scan to be registered.
 struct PendingScan {
-    fs::path key;   ///< tells whether it is in the map already: its file, or mission and place
+    fs::path key;   ///< its file or its mission, which shows whether it is in the map already
     ScanPtr known;  ///< of a mission; null: to be read from the file
 };
 
@@ -34,7 +34,7 @@ constexpr double ReadingShare = 0.2;
 
 }  // namespace
 
-/// What the session's thread works on; only the queue is touched by other threads.
+/// State of the session's thread; other threads touch only the queue.
 struct ScanSession::State {
     SessionListener listener;
     std::unique_ptr<Mapper> mapper;  ///< null while the map is empty
@@ -85,7 +85,7 @@ void ScanSession::State::submit(std::function<SessionOutcome(const std::stop_tok
         cancellable);
 }
 
-/// The scans behind @p sources that are not in the map; tells about those that are or cannot be found.
+/// Returns the scans in @p sources that are not in the map; reports those that are or cannot be found.
 std::vector<PendingScan> ScanSession::State::newScans(const std::vector<fs::path>& sources,
                                                       const std::stop_token& cancelled) {
     std::vector<PendingScan> pending;
@@ -131,7 +131,7 @@ void ScanSession::State::addMission(const fs::path& mission, std::vector<Pending
     for (const ScanPtr& scan : read->scans) pending.push_back({fs::weakly_canonical(mission), scan});
 }
 
-/// The scan of @p pending; null, after telling why, when it cannot be read.
+/// Returns the scan of @p pending; null when it cannot be read, after reporting why.
 ScanPtr ScanSession::State::read(const PendingScan& pending) {
     if (pending.known) return pending.known;
     auto reading = readScan(pending.key);

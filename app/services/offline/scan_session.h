@@ -12,7 +12,7 @@
 
 namespace leitstand {
 
-/// How far the session's work is.
+/// Progress of the session's work.
 struct SessionProgress {
     enum class Step : std::uint8_t { Reading, Registering };
     Step step = Step::Reading;
@@ -22,7 +22,7 @@ struct SessionProgress {
     double fraction = 0.0;  ///< of the whole job, 0 to 1
 };
 
-/// Something the operator should know: an error cost a scan, a warning did not.
+/// A message for the operator: an error cost a scan, a warning did not.
 struct SessionMessage {
     enum class Severity : std::uint8_t { Warning, Error };
     Severity severity = Severity::Error;
@@ -36,8 +36,8 @@ struct SessionOutcome {
     double seconds = 0.0;  ///< wall clock [s]
 };
 
-/// Who is told what the session does. All are called on the session's thread and may call its functions; any
-/// may be empty.
+/// Receives what the session does. All functions are called on the session's thread and may call the
+/// session's; any may be empty.
 struct SessionListener {
     std::function<void(MapPtr)> onMap;                       ///< a new snapshot, never null
     std::function<void(const SessionProgress&)> onProgress;  ///< may come many times a second
@@ -45,30 +45,30 @@ struct SessionListener {
     std::function<void(const SessionOutcome&)> onFinished;  ///< once for each job, after all else of it
 };
 
-/// Endings of files that hold a scan, with their dots, in small letters.
+/// Returns the endings of files that hold a scan, with their dots, in lower case.
 [[nodiscard]] std::vector<std::string> scanEndings();
 
-/// Reads scans and registers them into one map on a thread of its own. Its functions give it jobs, return at
-/// once and may be called on any thread; jobs are done in order.
+/// Reads scans and registers them into one map, on its own thread. Its functions add jobs, return at once and
+/// may be called on any thread; jobs run in order.
 class ScanSession {
 public:
     explicit ScanSession(SessionListener listener);
-    /// Cancels everything and waits for the thread: at most as long as a step of the registration takes.
+    /// Cancels everything and waits for the thread, at most for one step of the registration.
     ~ScanSession();
     ScanSession(const ScanSession&) = delete;
     ScanSession& operator=(const ScanSession&) = delete;
 
-    /// Reads the files, folders and missions @p sources and registers their scans one by one onto the map; a
-    /// file that cannot be read is a message, the others still load; one that is in the map already is left
-    /// out. A map that has scans goes on with its own settings, an empty one takes @p settings. Cancelled:
-    /// what was registered stays.
+    /// Reads the files, folders and missions @p sources and registers their scans one by one onto the map. A
+    /// file that cannot be read causes a message; the others still load. A source that is in the map already
+    /// is left out. A map with scans keeps its own settings; an empty one takes @p settings. When cancelled,
+    /// registered scans stay.
     void open(std::vector<std::filesystem::path> sources, RegistrationSettings settings);
-    /// Registers the map's scans anew; each keeps its old pose until it has its new one. Cancelled: the old
-    /// map comes back.
+    /// Registers the map's scans again; each keeps its old pose until it has its new one. When cancelled, the
+    /// old map comes back.
     void registerAgain(RegistrationSettings settings);
     /// Cancels all jobs and empties the map.
     void clear();
-    /// Cancels the job at work and all that wait, clear() excepted.
+    /// Cancels the running job and all waiting jobs, except clear().
     void cancel();
 
 private:

@@ -8,15 +8,15 @@
 
 namespace leitstand {
 
-/// What the operator's gamepads do, kept from run to run: a file for each kind of pad, in a folder of the
-/// configuration.
+/// Keeps the bindings of the operator's gamepads from run to run: a file for each kind of pad, in a folder of
+/// the configuration.
 class PadMemory {
 public:
-    /// @p folder: made when something is to be kept; empty: nothing is kept.
+    /// @p folder: created when something is kept; empty: nothing is kept.
     explicit PadMemory(std::filesystem::path folder);
 
-    /// What was kept for the pad whose maker and model @p guid names (letters and digits), or what @p layout
-    /// usually does. @p warning gets why a file that is there is not used.
+    /// Returns what was kept for the pad whose maker and model @p guid names (letters and digits), else the
+    /// defaults of @p layout. Sets @p warning to why an existing file is not used.
     [[nodiscard]] PadBindings bindings(const std::string& guid, PadLayout layout, std::string& warning) const;
     /// Keeps @p bindings for the next time; @p name is what the pad calls itself. Errors name the file.
     Result<void> keep(const std::string& guid, const std::string& name, const PadBindings& bindings) const;

@@ -34,7 +34,7 @@ void FrameTracks::add(const Event& event) {
 }
 
 std::optional<Pose> FrameTracks::inBase(const std::string& sensor, const std::string& frame, Time stamp) {
-    // From the sensor up to the first frame that turns, which the fixed ones do not lead past.
+    // From the sensor up to the first frame that turns; the fixed frames do not lead past it.
     Pose pose = Pose::Identity();
     std::string at = frame;
     for (int i = 0; i < DeepestTree; ++i) {

@@ -13,17 +13,17 @@
 
 namespace leitstand {
 
-/// Where a robot's sensors sat in its base at a time of the near past: frames that turn, as those of cameras
-/// on pan-tilt units, with their history.
+/// Where a robot's sensors were in its base in the recent past. Keeps the history of frames that turn, such
+/// as those of cameras on pan-tilt units.
 class FrameTracks {
 public:
     static constexpr std::chrono::seconds Memory{10};
 
     explicit FrameTracks(const RobotDescription& robot) : m_robot(&robot), m_fixed(robot) {}
 
-    void add(const Event& event);  ///< transforms and odometry; others are passed by
-    /// Pose of @p frame of @p sensor in the robot's base at @p stamp: by tf, else by the robot's file, which
-    /// does not know where a unit is turned to. Empty where tf has a gap then.
+    void add(const Event& event);  ///< takes transforms and odometry; ignores others
+    /// Returns the pose of @p frame of @p sensor in the robot's base at @p stamp. Uses tf, else the robot's
+    /// file, which does not know where a unit is turned to. Empty where tf has a gap.
     [[nodiscard]] std::optional<Pose> inBase(const std::string& sensor, const std::string& frame, Time stamp);
 
 private:
@@ -34,7 +34,7 @@ private:
     const RobotDescription* m_robot;
     SensorPoses m_fixed;
     std::map<std::string, Track> m_turning;  ///< by child frame
-    std::string m_base;                      ///< as the odometry names it
+    std::string m_base;                      ///< name of the base frame in the odometry
 };
 
 }  // namespace leitstand

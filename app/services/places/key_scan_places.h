@@ -18,19 +18,20 @@ struct PlaceOfRobot {
     MapFix fix;
 };
 
-/// Where a mission's key scans are, as its events tell, and what that tells of its robots; what is seen hangs
-/// on a scan, so that it moves with the map. Without thread; one at a time.
+/// Where a mission's key scans are, by its events, and where its robots were by them. What is seen is
+/// attached to a scan, so that it moves with the map. Has no thread; one call at a time.
 class KeyScanPlaces {
 public:
-    /// Whether @p event says something of key scans' or robots' places.
+    /// Whether @p event concerns the places of key scans or robots.
     [[nodiscard]] static bool wants(const Event& event);
-    /// All events of a mission that it wants, in order. Tells where robots were by them.
+    /// Takes all events of a mission that it wants, in order. Returns where robots were by them.
     [[nodiscard]] std::vector<PlaceOfRobot> onEvent(const Event& event);
-    /// Where all scans are: of earlier sessions, or after an undo. Those that are not named do not count.
+    /// Sets where all scans are: those of earlier sessions, or all after an undo. Scans that are not named do
+    /// not count. Returns where robots were by them.
     [[nodiscard]] std::vector<PlaceOfRobot> follow(std::span<const ScanPose> poses);
 
-    /// The scan that something hangs on which @p robot saw from @p place: its newest one, where that counts,
-    /// else the nearest that does; 0: there is none.
+    /// Returns the scan to attach something to that @p robot saw from @p place: its newest one if that
+    /// counts, else the nearest that does; 0: none.
     [[nodiscard]] std::uint64_t scanFor(const std::string& robot, const Eigen::Vector3d& place) const;
     [[nodiscard]] const Pose& scanInMap(std::uint64_t scan) const { return m_scans.at(scan).scanInMap; }
 

@@ -21,7 +21,8 @@ namespace leitstand {
 
 namespace {
 
-/// Gives @p take what @p bag has on @p topic of the stations, in order; what makes no sense is passed over.
+/// Calls @p take for each sample that @p bag has on @p topic of the stations, in order; skips what makes no
+/// sense.
 template <class Kind, class Take>
 void read(BagReader& bag, std::string_view topic, const Take& take) {
     BagQuery query;
@@ -34,8 +35,8 @@ void read(BagReader& bag, std::string_view topic, const Take& take) {
     });
 }
 
-/// The log of the mission @p folder; null where there is no mission yet, or none that can be read, of which
-/// LiveMission tells.
+/// Returns the log of the mission @p folder. Null when there is no mission yet, or none that can be read,
+/// which LiveMission reports.
 std::unique_ptr<BagReader> bagOf(const std::filesystem::path& folder) {
     std::error_code ignored;
     if (!std::filesystem::exists(folder, ignored)) return nullptr;

@@ -10,20 +10,20 @@
 
 namespace leitstand {
 
-/// When a sample was taken: by the robot's clock where it says so, else when it came.
+/// Returns when a sample was taken: by its stamp on the robot's clock, else when it was received.
 [[nodiscard]] Time stampOf(const Event& event, const SampleHeader& header);
 
 /// Where a sensor was at a time.
 struct SensorPlace {
     Pose sensorInBase, baseInOdom;
-    std::optional<Pose> baseInMap;  ///< empty where nobody knows
-    bool certain = false;           ///< of the robot's place in the map, now
+    std::optional<Pose> baseInMap;  ///< empty when unknown
+    bool certain = false;           ///< whether the robot's place in the map is certain now
 
     [[nodiscard]] Pose sensorInOdom() const { return baseInOdom * sensorInBase; }
 };
 
-/// Tells where one robot's sensors were at times of the near past: by its transforms and its odometry, and by
-/// who tells where it is in the map. Without thread; one at a time.
+/// Finds where one robot's sensors were in the recent past, by its transforms and odometry, and by fixes of
+/// its place in the map. Has no thread; one call at a time.
 class SensorPlaces {
 public:
     /// @p robot must outlive it.
@@ -31,15 +31,15 @@ public:
     SensorPlaces(const SensorPlaces&) = delete;
     SensorPlaces& operator=(const SensorPlaces&) = delete;
 
-    /// Odometry, inertial unit and transforms of this robot; others are passed by.
+    /// Takes odometry, inertial unit and transforms of this robot; ignores others.
     void onEvent(const Event& event);
-    /// Where the robot was; until the first nothing has a place in the map.
+    /// Sets where the robot was; nothing has a place in the map before the first call.
     void correct(const MapFix& fix);
-    void lose();  ///< nobody knows where the robot is
+    void lose();  ///< the robot's place is unknown
 
     /// Whether the odometry of that time has come.
     [[nodiscard]] bool covers(Time stamp) const { return m_tracker.motion().covers(stamp); }
-    /// Where frame @p frame of @p sensor was; empty where transforms or odometry do not know.
+    /// Returns where frame @p frame of @p sensor was; empty where transforms or odometry have a gap.
     [[nodiscard]] std::optional<SensorPlace> at(const std::string& sensor, const std::string& frame,
                                                 Time stamp);
     /// As of FrameTracks.
@@ -56,7 +56,7 @@ private:
 
     FrameTracks m_frames;
     RobotTracker m_tracker;
-    std::optional<MapFix> m_fix;  ///< that waits for odometry
+    std::optional<MapFix> m_fix;  ///< waits for odometry
 };
 
 }  // namespace leitstand

@@ -18,25 +18,26 @@ class SensorPoses {
 public:
     explicit SensorPoses(const RobotDescription& robot) : m_robot(&robot) {}
 
-    /// Takes odometry and transforms; other events are left alone.
+    /// Takes odometry and transforms; ignores other events.
     void add(const Event& event);
-    /// Pose of the sensor that took @p event's sample in the odometry's frame at @p stamp; empty when there
-    /// is no odometry near it. A sensor whose place nobody tells counts as at the robot's base, which
-    /// remarks() tells.
+    /// Returns the pose of the sensor that took @p event's sample in the odometry's frame at @p stamp; empty
+    /// when there is no odometry near it. A sensor at an unknown place counts as at the robot's base, and
+    /// remarks() reports it.
     [[nodiscard]] std::optional<Pose> sensorInOdom(const Event& event, const SampleHeader& header,
                                                    Time stamp);
-    /// Pose of frame @p frame of sensor @p sensor in the robot's base: by its transforms, else by its file,
-    /// else the base itself, which remarks() tells.
+    /// Returns the pose of frame @p frame of sensor @p sensor in the robot's base: by its transforms, else by
+    /// its file, else the base itself, which remarks() reports.
     [[nodiscard]] Pose inBase(const std::string& sensor, const std::string& frame);
-    /// The correction of sensor @p sensor, or of the one of frame @p frame, is @p correction from now on.
+    /// Sets the correction of sensor @p sensor, or of the one of frame @p frame, from now on.
     void setCorrection(const std::string& sensor, const std::string& frame,
                        const ScannerCorrection& correction);
-    /// Whether @p frame can be a sensor's own: what comes in the frame of the base or of the odometry was
-    /// seen from nobody knows where.
+    /// Whether @p frame can be a sensor's own. Data in the frame of the base or of the odometry was seen from
+    /// an unknown place.
     [[nodiscard]] bool isOfScanner(const std::string& frame) const;
-    /// That of its file, unless it was set since; its lean is in inBase(). None where isOfScanner() is false.
+    /// Returns the correction that was set last, else that of the robot's file; its lean is in inBase(). None
+    /// where isOfScanner() is false.
     [[nodiscard]] ScannerCorrection correctionOf(const std::string& sensor, const std::string& frame) const;
-    /// What a frame hangs on by the transforms that came, and its pose in it; empty: nobody told.
+    /// Returns the parent of a frame by the transforms that came, and the frame's pose in it; empty: unknown.
     [[nodiscard]] std::optional<std::pair<std::string, Pose>> parentOf(const std::string& frame) const;
     [[nodiscard]] std::optional<Pose> baseInOdom(Time stamp) const { return m_baseInOdom.at(stamp); }
     void forgetBefore(Time stamp) { m_baseInOdom.forgetBefore(stamp); }  ///< odometry
@@ -55,9 +56,9 @@ private:
 
     const RobotDescription* m_robot;
     PoseTrack m_baseInOdom;
-    std::string m_baseFrame;                                 ///< as the odometry names it
+    std::string m_baseFrame;                                 ///< name of the base frame in the odometry
     std::map<std::string, Parent> m_parents;                 ///< by child frame
-    std::map<std::string, ScannerCorrection> m_corrections;  ///< set since, by sensor
+    std::map<std::string, ScannerCorrection> m_corrections;  ///< by setCorrection(), by sensor
     std::set<std::string> m_remarks;
 };
 

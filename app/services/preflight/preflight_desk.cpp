@@ -58,11 +58,11 @@ PreflightDesk::PreflightDesk(Station& station) : m_station(station) {
 }
 
 void PreflightDesk::measure() {
-    if (m_busy.exchange(true)) return;  // and never wait for a slow disk here
+    if (m_busy.exchange(true)) return;  // never waits for a slow disk here
     m_measuring = std::jthread([this, folder = m_station.settings().mission.folder] {
         const auto rate = measureDisk(folder);
         const std::lock_guard lock(m_mutex);
-        m_rate = rate ? std::optional(*rate) : std::nullopt;  // what is wrong with it, the log tells
+        m_rate = rate ? std::optional(*rate) : std::nullopt;  // the log reports what is wrong with it
         m_busy = false;
     });
 }

@@ -16,7 +16,8 @@ namespace leitstand {
 
 class Station;
 
-/// How fast the disk of @p folder takes @p megabytes, written to the platter [B/s]. Errors name the folder.
+/// Measures how fast the disk of @p folder takes @p megabytes, written to the platter [B/s]. Errors name the
+/// folder.
 [[nodiscard]] Result<double> measureDisk(const std::filesystem::path& folder, int megabytes = 16);
 
 /// Gathers what the preflight page judges. The station outlives it. One thread (its own measures the disk).
@@ -26,11 +27,12 @@ public:
     PreflightDesk(const PreflightDesk&) = delete;
     PreflightDesk& operator=(const PreflightDesk&) = delete;
 
-    /// As of now; @p gamepad: its name, empty when there is none. Never waits for disk or network.
+    /// Returns the facts as of now; @p gamepad: its name, empty when there is none. Never waits for disk or
+    /// network.
     [[nodiscard]] PreflightFacts facts(const std::string& gamepad) const;
-    /// Measures the disk anew; facts() have the result a moment later.
+    /// Measures the disk again; facts() has the result a moment later.
     void measure();
-    /// Robots that are heard in the domain, and that the station does not drive.
+    /// Returns robots that are in the domain and that the station does not drive.
     [[nodiscard]] std::vector<RobotGuess> strangers() const;
 
 private:

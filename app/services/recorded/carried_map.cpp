@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::size_t AtOnce = 5'000;  ///< links or poses in an event
 
-/// What @p all holds that is to be said, some at a time.
+/// Calls @p say with all of @p all, some at a time.
 template <class T, class Say>
 Result<void> sayInPieces(const std::vector<T>& all, const Say& say) {
     for (std::size_t first = 0; first < all.size(); first += AtOnce) {
@@ -39,16 +39,16 @@ Result<void> sayInPieces(const std::vector<T>& all, const Say& say) {
     return {};
 }
 
-/// Where a map comes to stand in its new mission.
+/// The place of a map in its new mission.
 struct Berth {
     std::string name;  ///< of its mission there
     std::map<std::string, std::string> missions =
-        {};                              ///< what is behind the @ of its robots' names, by what was
-    std::uint64_t scans = 0, links = 0;  ///< of earlier maps: numbers go on behind them
-    Pose aside = Pose::Identity();       ///< to put before its poses
+        {};  ///< what follows the @ in its robots' names, by what followed it before
+    std::uint64_t scans = 0, links = 0;  ///< highest numbers in earlier maps: new ones start after them
+    Pose aside = Pose::Identity();       ///< applied to its poses
 };
 
-/// What of @p links holds @p scans: a loop that closed is one of what holds the map from now on.
+/// Returns the links of @p links that hold @p scans. A closed loop becomes an ordinary match from now on.
 std::vector<Link> carriedLinks(const std::vector<Link>& links, const std::set<std::uint64_t>& scans,
                                const Berth& berth) {
     std::vector<Link> carried;
@@ -77,14 +77,14 @@ std::string nameOf(const std::filesystem::path& mission) {
     return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-/// @p name, or with a number behind it, so that it is none of @p taken, to which it belongs from then on.
+/// Returns @p name, with a number appended if it is one of @p taken, and adds the result to @p taken.
 std::string madeUnique(const std::string& name, std::set<std::string>& taken) {
     std::string unique = name;
     for (int number = 2; !taken.insert(unique).second; ++number) unique = fmt::format("{}-{}", name, number);
     return unique;
 }
 
-/// What the missions that @p state is put together from are called in one where @p taken are there already;
+/// Returns the new names of the missions that @p state is made of, in a mission that has @p taken already;
 /// its own is called @p name.
 std::map<std::string, std::string> missionsOf(const MissionState& state, const std::string& name,
                                               std::set<std::string> taken) {
@@ -97,7 +97,7 @@ std::map<std::string, std::string> missionsOf(const MissionState& state, const s
     return missions;
 }
 
-/// @p scan as it is in another mission.
+/// Returns @p scan as it is in another mission.
 KeyScanSample moved(KeyScanSample scan, const Berth& berth) {
     Scan other = *scan.scan;
     const std::string mission = carriedFrom(other.robot);
@@ -110,9 +110,9 @@ KeyScanSample moved(KeyScanSample scan, const Berth& berth) {
     return scan;
 }
 
-/// Beside the map of @p there, for that of @p state, whose mission is called @p name.
+/// Returns the place beside the map of @p there for the map of @p state, whose mission is called @p name.
 Berth berthBeside(const RecordedMap& there, const MissionState& state, const std::string& name) {
-    constexpr double ReachOfScans = 20.0;  // so that nothing of the two lies on one another [m]
+    constexpr double ReachOfScans = 20.0;  // so that the two do not overlap [m]
     Berth berth{name};
     double lowest = 0.0, highest = 0.0;
     for (const ScanPose& pose : posesOf(there.state)) {
@@ -137,8 +137,7 @@ Result<std::size_t> carry(const RecordedMap& map, const CarriedInto& into, const
     std::size_t counting = 0;
     for (const ScanPose& pose : posesOf(map.state)) {
         const bool counts = pose.trust == ScanTrust::Certain;
-        // With which scan a part of the map began tells its others apart, also where that does not count any
-        // more.
+        // The first scan of a part distinguishes it from others, even when that scan does not count any more.
         if (!counts && map.state.keyScans->at(pose.scan).entry.matched != 0) continue;
         poses.push_back(pose);
         if (!counts) poses.back().trust = ScanTrust::SetAside;
@@ -160,7 +159,7 @@ Result<std::size_t> carry(const RecordedMap& map, const CarriedInto& into, const
         if (progress.cancelled()) return Error{translate("leitstand::Station", "cancelled")};
         if (auto said = (*mission)->say(moved(std::move(scans[i]), berth), station_topic::KeyScans); !said)
             return said.error();
-        // What waits for the disk waits in memory.
+        // What waits for the disk stays in memory.
         if (i % 50 == 49) {
             if (auto kept = (*mission)->flush(); !kept) return kept.error();
         }

@@ -22,8 +22,8 @@ ScanPose poseOf(const MapScan& scan, std::uint64_t id) {
     return pose;
 }
 
-/// What is said of @p one, which is the scan of @p id. Of its robot: as the station's own, an event would
-/// need a sequence that no other has.
+/// Returns the events of @p one, the scan of @p id. They are of its robot: an event of the station would need
+/// a sequence that no other has.
 std::pair<Event, Event> saidOf(const OfflineScan& one, std::uint64_t id) {
     Event scan;
     scan.sequence = one.arrival.sequence;
@@ -64,8 +64,8 @@ MadeMap madeMapOf(const std::filesystem::path& mission, const Progress& progress
     for (std::size_t i = 0; i < map->scans.size(); ++i) said.push_back(saidOf(map->scans[i], i + 1));
     std::stable_sort(said.begin(), said.end(),
                      [](const auto& a, const auto& b) { return a.first.sequence < b.first.sequence; });
-    // A turn that had not ended comes with the last cloud, as the turn before it does: one of them is
-    // earlier, since a topic says one thing at a time.
+    // A turn that had not ended is complete with the last cloud, as is the turn before it. One of them comes
+    // earlier, since a topic has one event at a time.
     for (std::size_t i = said.size(); i-- > 1;) {
         const std::uint64_t last = said[i].first.sequence - 1;
         if (said[i - 1].first.sequence <= last) continue;

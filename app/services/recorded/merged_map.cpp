@@ -24,14 +24,14 @@
 namespace leitstand {
 namespace {
 
-/// Shares of the work.
+/// Shares of the work, by step.
 constexpr double First = 0.15, Second = 0.3, Sought = 0.95;
 
 Error cancelled() {
     return Error{translate("leitstand::Station", "cancelled")};
 }
 
-/// What holds the two maps together, and where their scans stand by it.
+/// What holds the two maps together, and the poses of their scans by it.
 struct Joined {
     ScanLinksSample links;
     ScanPosesSample poses;
@@ -65,7 +65,7 @@ Result<void> write(const MergeOrder& order, Joined joined) {
     return (*mission)->close();
 }
 
-/// The part of @p map that most scans with numbers beyond @p behind are of; 0: none.
+/// Returns the part of @p map that most scans with numbers above @p behind belong to; 0: none.
 std::uint64_t largestPart(const LiveMap& map, std::uint64_t behind) {
     std::map<std::uint64_t, std::size_t> sizes;
     for (const LiveKeyScan& scan : map.scans) {
@@ -82,7 +82,7 @@ Result<MergedMap> merge(const MergeOrder& order, const Progress& progress) {
     const auto first = carryMap(order.first, into, part(progress, 0.0, First));
     if (!first) return first.error();
     merged.first = *first;
-    std::uint64_t behind = 0;  // numbers of the first one's scans
+    std::uint64_t behind = 0;  // highest number of the first one's scans
     {
         const auto read = readMap(order.into);
         if (!read) return read.error();
@@ -123,7 +123,7 @@ Result<MergedMap> merge(const MergeOrder& order, const Progress& progress) {
     return merged;
 }
 
-/// When the mission @p folder began, by its station's clock.
+/// Returns when the mission @p folder began, by its station's clock.
 Result<Time> beginOf(const std::filesystem::path& folder) {
     const auto read = readMap(folder);
     if (!read) return read.error();

@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// What is written into a folder that is absent or empty is gone again unless it is whole; so is a folder
-/// that was not there.
+/// Removes what is written into an absent or empty folder again unless it is whole; also the folder, if it
+/// was absent.
 class NewFolder {
 public:
     explicit NewFolder(std::filesystem::path folder) : m_folder(std::move(folder)) {

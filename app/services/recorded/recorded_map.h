@@ -13,7 +13,7 @@
 
 namespace leitstand {
 
-/// A mission that has ended, as a station of ours recorded it: for what works on its map.
+/// A mission that has ended, recorded by a station of ours, for work on its map.
 struct RecordedMap {
     std::filesystem::path folder;
     std::unique_ptr<BagReader> bag;
@@ -21,16 +21,16 @@ struct RecordedMap {
     MissionState state;  ///< at its end
 };
 
-/// Reads the mission @p folder. Errors name it: it is no mission, or others recorded it.
+/// Reads the mission @p folder. Errors name the folder: it is no mission, or others recorded it.
 [[nodiscard]] Result<RecordedMap> readMap(const std::filesystem::path& folder);
 
-/// A session of @p map's mission, to write into, with the title, station and version of @p settings. Errors:
-/// the mission cannot be written, or somebody wrote into it since it was read.
+/// Opens a session to write into @p map's mission, with the title, station and version of @p settings. Error
+/// when the mission cannot be written, or somebody wrote into it since it was read.
 [[nodiscard]] Result<std::unique_ptr<LiveMission>> openAgain(const RecordedMap& map,
                                                              LiveMissionSettings settings,
                                                              LiveMissionListener listener = {});
 
-/// The links of @p map as they are now, by rising id.
+/// Returns the links of @p map as they are now, by ascending id.
 [[nodiscard]] std::vector<Link> linksOf(const RecordedMap& map);
 
 }  // namespace leitstand

@@ -7,14 +7,14 @@ namespace leitstand {
 
 struct ReviewIndex;
 
-/// How long anything was recorded, without the gaps between.
+/// Returns the total recorded time, without the gaps.
 [[nodiscard]] std::chrono::nanoseconds recordedTime(const ReviewIndex& index);
-/// How often a sample of @p topic came of @p robot, over all that was recorded [Hz]; 0: none did.
+/// Returns the mean rate of samples of @p robot on @p topic over the recorded time [Hz]; 0: none came.
 [[nodiscard]] double usualRate(const ReviewIndex& index, const std::string& robot, const std::string& topic);
-/// How often a key scan of @p robot did [Hz].
+/// Returns the mean rate of key scans of @p robot [Hz].
 [[nodiscard]] double keyScanRate(const ReviewIndex& index, const std::string& robot);
-/// Whether the mission has what the scanners of @p robot sent, more often than its key scans: not only what
-/// was kept as evidence of finds.
+/// Whether the mission has more samples of the scanners of @p robot than key scans: not only what was kept as
+/// evidence of finds.
 [[nodiscard]] bool hasSlices(const ReviewIndex& index, const std::string& robot);
 
 }  // namespace leitstand

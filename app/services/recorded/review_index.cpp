@@ -17,7 +17,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds Silence(10);  ///< longer ones part stretches
+constexpr std::chrono::seconds Silence(10);  ///< longer gaps separate stretches
 constexpr double TurnedApart = degrees(10);  ///< of points on a track
 
 constexpr std::array Roles = {StreamRole::Odometry, StreamRole::StaticTransforms, StreamRole::Mode,
@@ -46,7 +46,7 @@ public:
     TimelineCollector marks;
 
 private:
-    /// When odometry of a robot came in.
+    /// When odometry of a robot was received.
     struct Heard {
         std::optional<Time> last;
         std::chrono::nanoseconds silence{};  ///< the longest since the track's end

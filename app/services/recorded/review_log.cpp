@@ -24,7 +24,7 @@ constexpr Nanoseconds Rung = std::chrono::milliseconds(500);  ///< between state
 constexpr double SegmentBytes = 48e6;                         ///< of a segment, about
 constexpr std::size_t Kept = 4;                               ///< segments
 
-/// So long that a segment of the mission fits into memory, whatever its robots sent.
+/// Returns a length with which a segment of the mission fits into memory, whatever its robots sent.
 Nanoseconds lengthOf(const BagReader& bag) {
     double bytes = 1.0;
     for (const BagSession& session : bag.sessions()) {
@@ -46,7 +46,7 @@ bool hasKeyScans(const BagReader& bag) {
     });
 }
 
-/// Whether @p bag holds something that one of @p robots said in one of @p roles.
+/// Whether @p bag holds something that one of @p robots sent in one of @p roles.
 bool holds(const BagReader& bag, const std::vector<RobotDescription>& robots,
            std::initializer_list<StreamRole> roles) {
     const auto& topics = bag.topics();
@@ -64,13 +64,13 @@ bool holds(const BagReader& bag, const std::vector<RobotDescription>& robots,
 
 }  // namespace
 
-/// The bag's past, and in between what was made of it.
+/// The bag's past, merged with the events of makeMap().
 class ReviewLog::History final : public MissionHistory {
 public:
     explicit History(ReviewLog& log) : m_log(log), m_bag(*log.m_bag, log.m_decoder) {}
 
     [[nodiscard]] std::optional<StoredCheckpoint> checkpointUpTo(std::uint64_t sequence) override {
-        // Those that are stored know of no key scans.
+        // Stored checkpoints hold no key scans.
         return m_log.m_made.empty() ? m_bag.checkpointUpTo(sequence) : std::nullopt;
     }
     void events(std::uint64_t after, std::uint64_t upTo,
@@ -95,7 +95,7 @@ private:
 
 struct ReviewLog::Segment {
     std::int64_t number = 0;
-    std::uint64_t before = 0;  ///< last sequence of those before it
+    std::uint64_t before = 0;  ///< last sequence before it
     std::vector<Event> events;
     std::vector<std::pair<std::size_t, MissionState>> ladder;  ///< states after so many of its events
     MissionState end;
@@ -116,7 +116,7 @@ Result<std::unique_ptr<ReviewLog>> ReviewLog::open(const fs::path& mission) {
             leitstand::fill(translate("leitstand::Error", "{}: there is nothing in it"), mission.string())};
     std::vector<std::string> warnings;
     auto robots = robotsOf(mission, **bag, warnings);
-    // The folder keeps them by name; who tells most is looked at first.
+    // The folder keeps them by name; the robot with most streams comes first.
     std::stable_sort(robots.begin(), robots.end(), [](const RobotDescription& a, const RobotDescription& b) {
         return a.streams.size() > b.streams.size();
     });
@@ -232,7 +232,7 @@ std::optional<Event> ReviewLog::newest(const std::string& topic, Time at) {
     if (fresh && here.before > 0) {
         if (const auto raw = m_bag->lastUpTo(topic, here.before))
             m_decoder.decode(*raw, [&entry = known->second](const Event& event) { entry = event; });
-        if (m_before.size() > 64) {  // pictures: of a few segments is enough
+        if (m_before.size() > 64) {  // pictures: those of a few segments are enough
             auto kept = m_before.extract(known);
             m_before.clear();
             return m_before.insert(std::move(kept)).position->second;

@@ -22,15 +22,16 @@ namespace leitstand {
 
 class BagReader;
 
-/// A mission's log at any of its moments, forwards and backwards: what was said, and the state that it made.
-/// Reads it in short segments, of which it keeps the newest few with states on the way, so that a moment
-/// beside the last one is at hand and a far one costs a checkpoint and what came after it. Never changes the
-/// mission, also one whose writer was killed. One thread at a time.
+/// A mission's log at any of its moments, forwards and backwards: its events, and the state that they make.
+/// Reads it in short segments and keeps the newest few, with states on the way. A moment beside the last one
+/// is then at hand; a far one costs a checkpoint and the events after it. Never changes the mission, not even
+/// one whose writer was killed. One thread at a time.
 class ReviewLog {
 public:
     using Take = std::function<void(const Event&)>;
 
-    /// Errors name the folder and what is wrong with it: no bag, or nothing in it.
+    /// Opens the log of @p mission. Errors name the folder and what is wrong with it: no bag, or nothing in
+    /// it.
     [[nodiscard]] static Result<std::unique_ptr<ReviewLog>> open(const std::filesystem::path& mission);
     ~ReviewLog();
     ReviewLog(const ReviewLog&) = delete;
@@ -43,22 +44,22 @@ public:
     /// What could not be read so far, in words.
     [[nodiscard]] std::vector<std::string> problems() const;
 
-    /// Whether no station made a map of it, and its robots' clouds could make one.
+    /// Whether no station made a map of it, but its robots' clouds could make one.
     [[nodiscard]] bool lacksMap() const;
-    /// Registers the clouds (mapOffline()) into key scans, which from then on are there as if a station had
-    /// said them when each scan was complete. Nothing is written. What is wrong is told by problems();
-    /// cancelled: those that were registered until then.
+    /// Registers the clouds (mapOffline()) into key scans. They then appear as if a station had published
+    /// each when it was complete. Writes nothing. Problems go to problems(). When cancelled, keeps the scans
+    /// registered so far.
     void makeMap(const Progress& progress);
 
-    /// The state after the last event that was received at or before @p at.
+    /// Returns the state after the last event that was received at or before @p at.
     [[nodiscard]] MissionState stateAt(Time at);
-    /// Gives what was received after @p after and at or before @p upTo, in order.
+    /// Calls @p take for what was received after @p after and at or before @p upTo, in order.
     void events(Time after, Time upTo, const Take& take);
-    /// The newest event of @p topic received at or before @p at; empty when there is none.
+    /// Returns the newest event of @p topic received at or before @p at; empty when there is none.
     [[nodiscard]] std::optional<Event> newest(const std::string& topic, Time at);
-    /// When the first event of @p topic was received; empty when there is none.
+    /// Returns when the first event of @p topic was received; empty when there is none.
     [[nodiscard]] std::optional<Time> firstOf(const std::string& topic);
-    /// Gives all events of @p topics; cancelled: those that came until then.
+    /// Calls @p take for all events of @p topics; when cancelled, for those read so far.
     void all(const std::vector<std::string>& topics, const Progress& progress, const Take& take);
 
 private:
@@ -80,13 +81,13 @@ private:
     std::list<std::unique_ptr<Segment>> m_segments;  ///< the one used last first
     std::map<std::int64_t, MissionState> m_starts;   ///< states before segments
     std::map<std::pair<std::string, std::int64_t>, std::optional<Event>>
-        m_before;  ///< newest before a segment
+        m_before;  ///< newest event before a segment
 };
 
 /// Whether @p mission holds what a review shows: a map that a station of ours made while robots drove, or
-/// clouds that make one and pictures or odometry beside them. Clouds alone are for a window on scans.
+/// clouds and either pictures or odometry. Clouds alone are for a window on scans.
 [[nodiscard]] bool isReviewable(const std::filesystem::path& mission);
-/// Whether @p mission is a bag that no station of ours wrote anything into: it stays as it is.
+/// Whether @p mission is a bag that no station of ours wrote into: it stays as it is.
 [[nodiscard]] bool isOfOthers(const std::filesystem::path& mission);
 
 }  // namespace leitstand

@@ -14,11 +14,12 @@
 namespace leitstand {
 namespace {
 
-/// Of the strip.
+/// Roles that the strip shows.
 constexpr std::array StripRoles = {StreamRole::Odometry, StreamRole::Imu, StreamRole::Mode,
                                    StreamRole::Battery, StreamRole::Gas};
 
-/// Topics that panes on @p robot wait for: of cameras the first and the last one, which are shown first.
+/// Returns topics that panes on @p robot wait for. Of cameras these are the first and the last one, which are
+/// shown first.
 std::vector<std::string> awaitedOf(const RobotDescription& robot, bool slices) {
     std::vector<std::string> topics, cameras;
     for (const StreamRole role : {StreamRole::Picture, StreamRole::Thermal}) {
@@ -34,7 +35,7 @@ std::vector<std::string> awaitedOf(const RobotDescription& robot, bool slices) {
     return topics;
 }
 
-/// The moment at which half of what was recorded is over.
+/// Returns the moment at which half of the recorded time is over.
 Time halfOf(const ReviewIndex& index) {
     auto left = recordedTime(index) / 2;
     for (const TimelineStretch& stretch : index.stretches) {
@@ -56,7 +57,7 @@ Time openingOf(ReviewLog& log, const ReviewIndex& index) {
     };
     const bool slices = hasSlices(index, robot.name);
     for (const std::string& topic : awaitedOf(robot, slices)) {
-        // Searched for only where there is something: a log may be large.
+        // Searched for only if there are samples: a log may be large.
         if (usualRate(index, robot.name, topic) > 0.0) wait(log.firstOf(topic));
     }
     // Whole turns stand in for slices.

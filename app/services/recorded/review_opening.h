@@ -7,10 +7,10 @@ namespace leitstand {
 class ReviewLog;
 struct ReviewIndex;
 
-/// The first moment at which each pane that shows the first robot of @p log has something, as far as the
-/// mission has it: both cameras, virtual scan, strip, and the map. What began only after half of what was
-/// recorded is not waited for. Where there is a map without robots, as merged ones are, the end. @p index:
-/// all of it but this.
+/// Returns the first moment at which each pane on the first robot of @p log shows something, as far as the
+/// mission has it. Panes are both cameras, virtual scan, strip, and the map. Does not wait for what began
+/// after half of the recorded time. Returns the end where there is a map without robots, as in merged
+/// missions. @p index: all of it but this.
 [[nodiscard]] Time openingOf(ReviewLog& log, const ReviewIndex& index);
 
 }  // namespace leitstand

@@ -36,8 +36,8 @@ LiveMissionSettings session(const std::string& version) {
     return settings;
 }
 
-/// What is known of @p links from now on, as @p found has it. Of those that @p isNew names, which nobody has
-/// written yet, what still counts.
+/// Returns the changes of @p links by @p found. Of links that @p isNew selects, which nobody has written yet,
+/// returns those that still count.
 template <class IsNew>
 std::vector<Link> changesOf(const std::vector<Link>& links, const Relaxation& found, IsNew isNew) {
     std::set<std::uint64_t> ends(found.contradicted.begin(), found.contradicted.end());
@@ -70,7 +70,7 @@ Result<void> say(LiveMission& mission, std::vector<Link> links, Time now) {
     return {};
 }
 
-/// Poses of @p state that differ noticeably from where @p nodes are.
+/// Returns the poses of @p state that @p nodes change noticeably, as they are now.
 std::vector<ScanPose> movedPoses(const MissionState& state, const std::vector<GraphNode>& nodes,
                                  const LoopSettings& loops) {
     std::vector<ScanPose> moved;
@@ -85,7 +85,7 @@ std::vector<ScanPose> movedPoses(const MissionState& state, const std::vector<Gr
     return moved;
 }
 
-/// The newest decision of a tidying that is not taken back.
+/// Returns the newest decision of a tidying that is not taken back; null: none.
 const Decision* newestTidying(const MissionState& state) {
     const auto& all = *state.decisions;
     const auto found = std::find_if(all.rbegin(), all.rend(), [](const Decision& decision) {
@@ -95,7 +95,7 @@ const Decision* newestTidying(const MissionState& state) {
     return found == all.rend() ? nullptr : &*found;
 }
 
-/// Whether scans entered the map after the event of @p sequence, or somebody moved some.
+/// Whether scans entered the map, or somebody moved some, after the event of @p sequence.
 bool wentOn(const MissionState& state, std::uint64_t sequence) {
     const bool entered = std::any_of(state.keyScans->begin(), state.keyScans->end(),
                                      [&](const auto& scan) { return scan.second.sequence > sequence; });
@@ -209,7 +209,7 @@ Result<void> untidyMap(const std::filesystem::path& folder, const std::string& v
     for (const ScanLinksSample& sample : scanLinksOf(folder)) {
         if (sample.station != Tidying || sample.stamp != tidied) continue;
         for (Link link : sample.links) {
-            if (now[link.id] != link.active) continue;  // somebody said otherwise since
+            if (now[link.id] != link.active) continue;  // somebody decided otherwise since
             link.active = !link.active;
             changes.push_back(std::move(link));
         }

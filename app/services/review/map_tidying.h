@@ -21,33 +21,33 @@ struct TidySettings {
     std::string version;  ///< of the program, for the session that is written
 };
 
-/// What came of it.
+/// Result of a tidying.
 struct TidiedMap {
-    std::size_t scans = 0;  ///< of the map
-    std::size_t moved = 0;  ///< of them noticeably
-    /// Links that were made, where scans had none: those of missions of before version 0.2.
+    std::size_t scans = 0;  ///< in the map
+    std::size_t moved = 0;  ///< those that moved noticeably
+    /// Links made for scans that had none: those of missions before version 0.2.
     std::size_t linked = 0;
     Relaxation relaxation;
 };
 
-/// Relaxes all scans of the map of @p mission that overlap, whenever they were taken, and writes what holds
-/// them now and where they stand as a session of the mission: what was recorded stays as it is. Errors: the
-/// mission has no map of ours, cannot be written, or was cancelled, when nothing was written.
+/// Relaxes all scans of the map of @p mission that overlap, whenever they were taken. Writes their new links
+/// and poses as a session of the mission; what was recorded stays as it is. Error when the mission has no map
+/// of ours or cannot be written, or when cancelled, with nothing written.
 [[nodiscard]] Result<TidiedMap> tidyMap(const std::filesystem::path& mission,
                                         const TidySettings& settings = {}, const Progress& progress = {});
 
-/// Takes back the newest tidying that is not taken back: scans and links are as before it. An error where
+/// Takes back the newest tidying that is not taken back: scans and links are then as before it. Error when
 /// there is none.
 [[nodiscard]] Result<void> untidyMap(const std::filesystem::path& mission, const std::string& version);
 
-/// What @p tidied came to, for the operator.
+/// Returns the result of a tidying in words, for the operator.
 [[nodiscard]] std::string tidiedText(const TidiedMap& tidied);
 
-/// Where the scans that the newest tidying moved, which canUntidy(), stood before it in a mission that ended
-/// as @p finished; by id.
+/// Returns the poses before the newest tidying of the scans that it moved, by id, in a mission that ended as
+/// @p finished. That tidying must be one that canUntidy().
 [[nodiscard]] std::map<std::uint64_t, Pose> posesBeforeTidying(MissionState finished);
 
-/// Whether untidyMap() has something to take back of a mission that ended as @p finished.
+/// Whether untidyMap() can take something back in a mission that ended as @p finished.
 [[nodiscard]] bool canUntidy(const MissionState& finished);
 
 }  // namespace leitstand

@@ -9,9 +9,9 @@
 
 namespace leitstand {
 
-/// What a reviewer who points to @p placeInMap [m] at @p moment files: there, found then by @p robot as it
-/// drove then, with its pictures of that moment as evidence, on the key scan that shows the place.
-/// @p shown: the mission whose map was pointed to.
+/// Returns the evidence of a find that a reviewer files by pointing at @p placeInMap [m] at @p moment. It is
+/// found at that moment by @p robot as it drove then, with its pictures of that moment. It is attached to the
+/// key scan that shows the place. @p shown: the mission whose map was pointed at.
 [[nodiscard]] FrozenEvidence evidenceAt(const ReviewMoment& moment, const std::string& robot,
                                         const MissionState& shown, const Eigen::Vector3d& placeInMap);
 

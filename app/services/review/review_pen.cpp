@@ -106,7 +106,7 @@ Result<void> ReviewPen::file(VictimSample::Kind kind, const FrozenEvidence& seen
     if (auto opened = open(); !opened) return opened;
     const MissionStatePtr state = mission()->state();
     FrozenEvidence now = seen;
-    // The scan that it hangs on may have been moved since the moment that was reviewed.
+    // The scan that it is attached to may have moved since the reviewed moment.
     if (const auto scan = state->keyScans->find(seen.scan); scan != state->keyScans->end())
         now.positionInMap = scan->second.pose.scanInMap * seen.positionInScan;
     return say(filed(*state, kind, now, m_station, stationTime()), station_topic::Victims);
@@ -120,7 +120,7 @@ Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
     then.found = state->candidates->at(id).told.stamp;
     const VictimSample find = filedFrom(*state, *known, m_station, stationTime(), then);
     if (auto said = say(find, station_topic::Victims); !said) return said;
-    // Dismissed when the mission ended: that stays so, and is none of the review's to take back.
+    // It was dismissed when the mission ended: that stays so, and a review cannot take it back.
     if (known->dismissed) return {};
     return sayCandidate(filedAs(*known, find.number, m_station, stationTime()));
 }
@@ -128,7 +128,7 @@ Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
 Result<void> ReviewPen::dismiss(std::uint32_t id) {
     const auto known = candidate(id);
     if (!known) return known.error();
-    // It stays with whoever took it back first: an undo would bring back what the mission has not.
+    // The first dismissal stays: an undo of a second one would bring back what the mission does not have.
     if (known->dismissed) return {};
     return sayCandidate(judged(*known, true, m_station, stationTime()));
 }

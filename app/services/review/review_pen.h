@@ -21,55 +21,55 @@ namespace leitstand {
 
 class LiveMission;
 
-/// Writes down what somebody finds in a review: notes, and victims as they should have been filed. Each is a
-/// new event in a session of the mission that the pen opens with the first of them; what was recorded stays
-/// as it is. One thread writes, and waits for the disk; any may ask what was written.
+/// Writes what somebody finds in a review: notes, and victims as they should have been filed. Each is a new
+/// event in a session of the mission, which the pen opens with the first of them. What was recorded stays as
+/// it is. One thread writes, and waits for the disk; any may ask what was written.
 class ReviewPen {
 public:
-    /// @p station: who writes; its name begins with @ref ReviewStation.
+    /// @p station: name of the writer; it begins with @ref ReviewStation.
     ReviewPen(std::filesystem::path mission, std::vector<RobotDescription> robots, std::string station,
               std::string version);
     ~ReviewPen();  ///< the mission is self-contained afterwards
     ReviewPen(const ReviewPen&) = delete;
     ReviewPen& operator=(const ReviewPen&) = delete;
 
-    // Errors, in words: the mission cannot be written, as while a station records into it.
-    /// About the moment @p at of the mission; @p robot may be empty.
+    // Errors, in words: the mission cannot be written, for example while a station records into it.
+    /// Writes a note about the moment @p at of the mission; @p robot may be empty.
     Result<void> note(Time at, const std::string& robot, const std::string& text);
-    /// @p victim as it is to be from now on: of the number it has, which the mission has to know.
+    /// Changes a victim to @p victim from now on; the mission has to know its number.
     Result<void> correct(VictimSample victim);
-    /// What @p seen tells is a find of @p kind: a new one, or more of the one that is there.
+    /// Files @p seen as a find of @p kind: a new one, or more evidence of one that is there.
     Result<void> file(VictimSample::Kind kind, const FrozenEvidence& seen);
-    /// Files what the station believed in and nobody filed: the candidate of that id.
+    /// Files the candidate of that id, which the station believed in and nobody filed.
     Result<void> fileCandidate(std::uint32_t candidate);
-    /// The candidate of that id is none.
+    /// Rejects the candidate of that id.
     Result<void> dismiss(std::uint32_t candidate);
-    /// @p find is part of the one of its kind with number @p into.
+    /// Merges @p find into the one of its kind with number @p into.
     Result<void> merge(const FindKey& find, std::uint32_t into);
-    /// @p find is where the floor is at @p floorInMap [m].
+    /// Moves @p find to the floor at @p floorInMap [m].
     Result<void> move(const FindKey& find, const Eigen::Vector3d& floorInMap);
-    /// The mission as it was read, with what earlier reviews wrote: from now on undo() reaches that, too.
+    /// Sets the mission as it was read, with what earlier reviews wrote: undo() then reaches that, too.
     void know(MissionStatePtr finished);
-    /// Takes back the newest that was written in reviews and that is not taken back.
+    /// Takes back the newest entry of reviews that is not taken back.
     Result<void> undo();
     [[nodiscard]] bool canUndo() const;
-    /// Waits until others who read the mission find in it what was written.
+    /// Waits until other readers of the mission find in it what was written.
     Result<void> flush();
 
-    /// The mission's end with all that was written; null while nothing was.
+    /// Returns the mission's end with all that was written; null while nothing was.
     [[nodiscard]] MissionStatePtr state() const;
-    /// What was written and is not taken back, to be marked on the timeline.
+    /// Returns marks for the timeline of what was written and is not taken back.
     [[nodiscard]] std::vector<TimelineMark> marks() const;
 
 private:
     Result<void> open();
-    [[nodiscard]] MissionStatePtr newest() const;  ///< state(), or what is known; null: nothing is
+    [[nodiscard]] MissionStatePtr newest() const;  ///< state(), else as it was read; null: neither
     [[nodiscard]] std::shared_ptr<LiveMission> mission() const;  ///< null while nothing was written
     Result<void> say(const Sample& sample, std::string_view topic);
-    /// The candidate of that id as it is by now.
+    /// Returns the candidate of that id as it is now.
     Result<CandidateSample> candidate(std::uint32_t id);
     Result<void> sayCandidate(const CandidateSample& candidate);
-    /// Waits until the mission @p has what was said last; the sequencer takes no longer than a moment.
+    /// Waits until the mission @p has what was published last; the sequencer takes no longer than a moment.
     Result<void> await(const std::function<bool(const MissionState&)>& has) const;
     [[nodiscard]] Error unknown(const FindKey& find) const;
 
@@ -78,8 +78,8 @@ private:
     const std::string m_station, m_version;
     mutable std::mutex m_mutex;
     std::shared_ptr<LiveMission> m_mission;   ///< under the mutex
-    MissionStatePtr m_read;                   ///< likewise; null: not yet
-    std::atomic<std::uint64_t> m_before = 0;  ///< last sequence before this pen's
+    MissionStatePtr m_read;                   ///< under the mutex; null: not yet
+    std::atomic<std::uint64_t> m_before = 0;  ///< last sequence before this pen's events
 };
 
 }  // namespace leitstand

@@ -18,16 +18,16 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds Before(6);           // what is around is scanned in less
+constexpr std::chrono::seconds Before(6);           // the surroundings are scanned in less
 constexpr std::chrono::milliseconds Settling(700);  // until the odometry of a picture has come
-constexpr double Aim = degrees(2.0);                // half angle of what is pointed to, as seen
-constexpr std::size_t Turns = 3;                    // that tell what is around, where there are no slices
+constexpr double Aim = degrees(2.0);                // half angle of what is pointed at, as seen
+constexpr std::size_t Turns = 3;                    // whole turns used where slices are missing
 
 Error nothingThere() {
     return Error{translate("leitstand::Station", "nothing was scanned there: point to it on the map")};
 }
 
-/// The picture that was pointed into; empty: the log has none such.
+/// Returns the picture that was pointed into; empty: the log does not have it.
 std::optional<Event> pictureOf(ReviewLog& log, const RobotDescription& robot, const PicturePoint& at,
                                Time now) {
     for (const StreamDescription& stream : robot.streams) {
@@ -44,7 +44,8 @@ std::optional<Event> pictureOf(ReviewLog& log, const RobotDescription& robot, co
     return std::nullopt;
 }
 
-/// The points of the newest key scans of @p robot, as if its scanner had seen them from @p place at once.
+/// Returns the points of the newest key scans of @p robot, as if its scanner had seen them from @p place at
+/// once.
 std::optional<Event> lookRound(const RobotDescription& robot, const RobotInMap& place,
                                const ReviewIndex& index, const MissionState& shown, Time before) {
     const StreamDescription* scanner = robot.stream(StreamRole::Points);
@@ -67,13 +68,14 @@ std::optional<Event> lookRound(const RobotDescription& robot, const RobotInMap& 
     return Event{0, before, robot.name, scanner->topic, scanner->role, scanner->sensor, std::move(cloud)};
 }
 
-/// Knows where what the robot's pictures of about @p picture show is.
+/// Makes @p search follow the robot about the time of @p picture, so that it can place what the picture
+/// shows.
 void follow(VictimSearch& search, ReviewLog& log, const RobotDescription& robot, const ReviewIndex& index,
             const Event& picture, Time until) {
     for (const Event& event : index.fixed) search.onEvent(event, false);
     const Time from = picture.received - Before;
     for (const StreamDescription& stream : robot.streams) {
-        // What has not been said since counts still, as old as it is.
+        // The newest sample before counts, however old it is.
         const bool kept = stream.role == StreamRole::Joints || stream.role == StreamRole::Odometry;
         if (!kept && stream.role != StreamRole::CameraInfo) continue;
         if (const auto event = log.newest(stream.topic, kept ? from : until)) search.onEvent(*event, false);

@@ -11,10 +11,10 @@
 
 namespace leitstand {
 
-/// What a reviewer who points to @p at in a picture of @p robot files: as evidenceAt(), at the place that a
-/// station would have told live, by what the robot's scanners saw in the seconds before; where the log of
-/// @p mission has whole turns only, by the newest of them. Reads the log: some tenths of a second. Errors:
-/// the log cannot be read, or nothing was scanned there.
+/// Returns the evidence of a find that a reviewer files by pointing at @p at in a picture of @p robot. It is
+/// as of evidenceAt(), at the place that a live station would have found by what the robot's scanners saw in
+/// the seconds before. When the log of @p mission has whole turns only, it uses the newest of them. Reads the
+/// log, which takes some tenths of a second. Error when the log cannot be read, or nothing was scanned there.
 [[nodiscard]] Result<FrozenEvidence> evidenceIn(const std::filesystem::path& mission,
                                                 const ReviewIndex& index, const ReviewMoment& moment,
                                                 const std::string& robot, const MissionState& shown,

@@ -17,7 +17,7 @@
 namespace leitstand {
 namespace {
 
-/// So far back reaches what is around a robot: what a virtual scan remembers.
+/// How far back a robot's surroundings reach: the memory of a virtual scan.
 const auto Preroll = std::chrono::nanoseconds(static_cast<std::int64_t>(VirtualScanSettings().memory * 1e9));
 constexpr std::chrono::milliseconds CommandLife(500);  ///< of a drive command
 
@@ -30,7 +30,7 @@ struct Anchor {
     std::string how = {};
 };
 
-/// By the key scans that @p robot made, or where it was put, by rising time.
+/// Returns the anchors by the key scans that @p robot made, or by where it was put, by ascending time.
 std::vector<Anchor> anchorsOf(const RobotDescription& robot, const MissionState& state,
                               const ReviewIndex& index, Time at) {
     std::vector<Anchor> anchors;
@@ -47,7 +47,7 @@ std::vector<Anchor> anchorsOf(const RobotDescription& robot, const MissionState&
         for (const RobotPlaceSample& place : places->second) {
             if (place.stamp > at) break;
             if (place.cause == RobotPlaceSample::Cause::Slot && !place.certain) {
-                anchors.clear();  // looked for in vain: nobody knew
+                anchors.clear();  // looked for in vain: its place was unknown
                 continue;
             }
             anchors.push_back({place.stamp, place.odomInMap, place.certain, place.certainty, place.how});
@@ -58,7 +58,7 @@ std::vector<Anchor> anchorsOf(const RobotDescription& robot, const MissionState&
     return anchors;
 }
 
-/// The newest of @p anchors at @p at, or the first.
+/// Returns the newest of @p anchors at @p at, else the first.
 const Anchor& anchorAt(const std::vector<Anchor>& anchors, Time at) {
     const auto later = std::upper_bound(anchors.begin(), anchors.end(), at,
                                         [](Time time, const Anchor& one) { return time < one.from; });
@@ -109,7 +109,7 @@ void ReviewScene::watch(const std::string& robot) {
 void ReviewScene::see(const Event& event) {
     if (event.robot == m_watched) return m_sight->onEvent(event, steadyOf(event.received));
     const auto* const scan = std::get_if<KeyScanSample>(&event.sample);
-    // A mission that was thinned, or recorded on a narrow link, keeps whole turns only.
+    // A mission that was thinned, or recorded on a narrow link, has whole turns only.
     if (scan != nullptr && !m_scanned && scan->scan && scan->scan->robot == m_watched)
         m_sight->take(*scan, steadyOf(event.received));
 }
@@ -118,7 +118,7 @@ void ReviewScene::beginSight(const RobotDescription& robot, Time from) {
     m_sight = std::make_unique<RobotSight>(robot);
     m_scanned = hasSlices(m_index, robot.name);
     for (const Event& event : m_index.fixed) see(event);
-    // What has not been said since counts still, as old as it is.
+    // The newest sample before counts, however old it is.
     for (const StreamDescription& stream : robot.streams) {
         if (stream.role != StreamRole::Odometry && stream.role != StreamRole::Joints) continue;
         if (const auto before = m_log.newest(stream.topic, from)) see(*before);
@@ -150,7 +150,7 @@ void ReviewScene::showMap(const MissionState& state) {
     const bool same = m_map && &*m_mapped.keyScans == &*state.keyScans &&
                       &*m_mapped.bodies == &*state.bodies && saidCrop(m_mapped) == saidCrop(state);
     if (same) return;
-    m_mapped = state;  // keeps the scans that the comparison is with
+    m_mapped = state;  // keeps the scans to compare with
     m_scans = scansOf(state, m_index, m_cropped);
     m_map = shownMap(*m_scans, m_map);
 }
@@ -160,7 +160,7 @@ RobotInMap ReviewScene::place(const RobotDescription& robot, const MissionState&
     place.robot = robot.name;
     const auto said = state.robots.find(robot.name);
     if (said == state.robots.end() || !said->second->odometry) return place;
-    // The map may be of the mission's end: what it tells of later than now is of no use for the robot.
+    // The map may be that of the mission's end; what it has of later than now is of no use for the robot.
     const MissionState& map = m_which == ReviewMap::Finished ? *m_index.finished : state;
     const std::vector<Anchor> anchors = anchorsOf(robot, map, m_index, at);
     if (anchors.empty()) return place;

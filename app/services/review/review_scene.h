@@ -23,17 +23,17 @@ namespace leitstand {
 /// Which map a review shows.
 enum class ReviewMap : std::uint8_t {
     AsThen,    ///< the scans and poses that the station had at the moment
-    Finished,  ///< as the mission ended, corrections and all
+    Finished,  ///< as the mission ended, with all corrections
 };
 
 /// A moment of a mission as all panes show it. Immutable once shared.
 struct ReviewMoment {
     Time now{};  ///< station's clock then
     MissionStatePtr mission;
-    std::map<std::string, RobotView> robots;  ///< what is around, cameras and joints: of the watched one
+    std::map<std::string, RobotView> robots;  ///< surroundings, cameras and joints: of the watched one
     RobotsInMapPtr places;                    ///< never null
     LiveMapPtr scans;                         ///< never null; the same object while nothing changed
-    MapPtr map;                               ///< likewise
+    MapPtr map;                               ///< never null; the same object while nothing changed
     std::vector<Alarm> alarms;
     std::vector<Event> pictures;  ///< newest picture and calibration of each of the watched robot's cameras
 };
@@ -45,11 +45,11 @@ public:
     /// Both must outlive it.
     ReviewScene(ReviewLog& log, const ReviewIndex& index);
 
-    /// Whose surroundings and pictures are wanted; at first, the first robot's.
+    /// Sets the robot whose surroundings and pictures are shown; at first, the first robot.
     void watch(const std::string& robot);
     void show(ReviewMap map) { m_which = map; }
-    /// How it was at @p at. What is around the watched robot takes longest: it, and the rates of streams, are
-    /// as they were made last when @p around is false.
+    /// Returns the mission at @p at. The surroundings of the watched robot take longest. When @p around is
+    /// false, they and the rates of streams stay as they were made last.
     [[nodiscard]] ReviewMomentPtr at(Time at, bool around = true);
 
 private:
@@ -68,11 +68,11 @@ private:
     ReviewMap m_which = ReviewMap::AsThen;
     std::unique_ptr<RobotSight> m_sight;  ///< of the watched robot
     bool m_scanned = false;               ///< the log has what the watched robot's scanners sent
-    Time m_seen{};                        ///< up to where m_sight knows
+    Time m_seen{};                        ///< up to where m_sight has seen
     std::optional<VirtualScanView> m_around;
     std::map<std::string, std::vector<StreamStatus>> m_streams;  ///< by robot
     CroppedScans m_cropped;
-    MissionState m_mapped;  ///< whose scans m_scans and m_map are
+    MissionState m_mapped;  ///< the state whose scans m_scans and m_map show
     LiveMapPtr m_scans;
     MapPtr m_map;
 };

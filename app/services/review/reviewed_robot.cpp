@@ -8,7 +8,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double LostAfter = 3.0;  ///< of silence [s], as a live station has it
+constexpr double LostAfter = 3.0;  ///< of silence [s], as in a live station
 
 LinkStatus linkOf(const RobotDescription& robot, const RobotState* said, Time now) {
     LinkStatus link;

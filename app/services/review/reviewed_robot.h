@@ -12,16 +12,16 @@
 
 namespace leitstand {
 
-/// A moment of a mission on the clock that ages are measured on.
+/// Returns a moment of a mission on the clock that ages are measured on.
 [[nodiscard]] inline SteadyTime steadyOf(Time moment) {
     return SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(moment.time_since_epoch()));
 }
 
-/// How @p robot was at @p now by what the log has of it in @p state: link, stop, and who had the grant to
-/// drive it. What is around it, its cameras and its joints are not in a state.
+/// Returns how @p robot was at @p now, by @p state: link, stop, and who had the grant to drive it. Its
+/// surroundings, cameras and joints are not in a state.
 [[nodiscard]] RobotView reviewedRobot(const RobotDescription& robot, const MissionState& state, Time now);
 
-/// The alarms of @p state that stood at @p now, or were over for no longer than they are shown; as
+/// Returns the alarms of @p state that stood at @p now, or were over for no longer than they are shown; as
 /// AlarmBook::alarms().
 [[nodiscard]] std::vector<Alarm> reviewedAlarms(const MissionState& state, Time now);
 

@@ -12,9 +12,9 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::seconds LongestWindow(5);
-constexpr double Steady = 0.2;      // [Hz]: what comes more rarely comes when something changes
-constexpr double StaleAfter = 4.0;  // of the times between two samples, as usual in the mission
-constexpr double NeverStale = 1.0;  // [s]: so old is a sample of any stream now and then
+constexpr double Steady = 0.2;      // [Hz]: more rarely, a stream is sent when something changes
+constexpr double StaleAfter = 4.0;  // in usual intervals between two samples of the mission
+constexpr double NeverStale = 1.0;  // [s]: samples of any stream are this old now and then
 
 const StreamState* find(const MissionState& state, const std::string& robot, const std::string& topic) {
     const auto said = state.robots.find(robot);

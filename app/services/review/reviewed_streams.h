@@ -13,13 +13,13 @@ namespace leitstand {
 struct RateWindow {
     Time from{}, to{};
 
-    /// Before @p now, in one stretch of what @p index knows to be recorded.
+    /// Returns the window before @p now, within one recorded stretch of @p index.
     [[nodiscard]] static RateWindow before(Time now, const ReviewIndex& index);
 };
 
-/// How what @p robot sends came in, in the order of its description: by what the log has of it in @p state at
-/// the end of @p window and in @p earlier at its begin. What comes at a rate of its own is known by the whole
-/// mission. No log tells what never arrived, how late, or what it took of the link: those are NaN.
+/// Returns how the streams of @p robot came in, in the order of its description. Counts are those in @p state
+/// at the end of @p window, less those in @p earlier at its begin. Whether a stream is steady is judged by
+/// the whole mission. A log does not hold losses, delays and shares of the link: those are NaN.
 [[nodiscard]] std::vector<StreamStatus> reviewedStreams(const RobotDescription& robot,
                                                         const MissionState& earlier,
                                                         const MissionState& state, const RateWindow& window,

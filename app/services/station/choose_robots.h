@@ -8,14 +8,14 @@
 
 namespace leitstand {
 
-/// The robots of @p files: paths, or names of shipped ones. Errors name the file.
+/// Reads the robots of @p files: paths, or names of shipped ones. Errors name the file.
 [[nodiscard]] Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string>& files);
 
-/// Whether the robot of @p file can work beside @p team. Errors name what is in the way.
+/// Checks that the robot of @p file can work beside @p team. Errors name the obstacle.
 [[nodiscard]] Result<void> checkJoins(const std::string& file, std::vector<RobotDescription> team);
 
-/// Writes a first file of @p robot, which was only heard, among the user's own, unless there is one of its
-/// name already; its letter is none of @p team's. Returns the file. Errors name it.
+/// Writes a first file of @p robot, known only by its topics, among the user's own, unless one of its name
+/// exists. Its letter is none of @p team's. Returns the file. Errors name it.
 [[nodiscard]] Result<std::string> writeFirstFile(RobotDescription robot,
                                                  const std::vector<RobotDescription>& team);
 

@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-/// Commands that are wishes: said once, when the operator has them.
+/// Commands that are requests: published once, when the operator makes them.
 constexpr std::array Wishes = {StreamRole::ModeCommand, StreamRole::GoalPose, StreamRole::PanTiltCommand,
                                StreamRole::StreamCommand};
 
@@ -29,7 +29,7 @@ Result<void> RobotLine::open(Node& node, const std::string& station, Driving wit
     for (const StreamRole role : Wishes) {
         const StreamDescription* stream = m_robot.stream(role);
         if (stream == nullptr) continue;
-        // Several wishes of one moment do not push one another out before they are acknowledged.
+        // Several requests of one moment do not displace one another before they are acknowledged.
         Qos qos = stream->qos;
         qos.depth = std::max(qos.depth, 32);
         auto publisher = node.publisher({stream->topic, stream->type, qos, Flow::Immediate});

@@ -17,16 +17,16 @@
 
 namespace leitstand {
 
-/// What a station has of one robot on the wire: the watch on its link, the stream of its drive commands, and
+/// A station's connection to one robot: the watch on its link, the stream of its drive commands, and
 /// publishers of its other commands. Any thread.
 class RobotLine {
 public:
-    /// What the line's streamer asks and tells (DriveStreamerSettings).
+    /// Callbacks of the line's streamer (DriveStreamerSettings).
     struct Driving {
         std::function<DriveConditions()> conditions;
         std::function<void(const GuardPulse&)> onPulse;
     };
-    /// @p watch: onStatus is used by the line itself too. Errors name the robot's topic.
+    /// Opens the line. @p watch: the line uses onStatus, too. Errors name the robot's topic.
     [[nodiscard]] static Result<std::unique_ptr<RobotLine>> create(Node& node, const RobotDescription& robot,
                                                                    const std::string& station,
                                                                    Driving driving, LinkListener watch);
@@ -41,7 +41,7 @@ public:
     /// Null when the robot takes no drive commands.
     [[nodiscard]] DriveStreamer* drive() const { return m_drive.get(); }
     void tell(RobotView& robot) const;  ///< fills link, drive, cameras and joints
-    /// Sends a command other than for driving and stopping. An error when the robot does not take it.
+    /// Publishes a command other than for driving and stopping. Error when the robot does not take it.
     Result<void> say(StreamRole role, const Sample& command);
 
 private:

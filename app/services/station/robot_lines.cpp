@@ -31,7 +31,7 @@ StationBrakes::Hands brakeHands(const RobotLines& lines, const GrantKeeper& gran
     hands.facts = [&](const std::string& robot) { return brakeFactsOf(*lines.at(robot), grants, stops); };
     hands.spaceAhead = [&](const std::string& robot) { return lines.at(robot)->sight().spaceAhead(); };
     hands.push = [&](const std::string& robot, const DriveVelocity& sticks) {
-        // There is room ahead, which was looked at: how old pictures are plays no role.
+        // The space ahead was looked at: the age of pictures plays no role.
         if (DriveStreamer* const drive = lines.at(robot)->drive()) drive->set(sticks, true);
     };
     return hands;

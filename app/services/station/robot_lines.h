@@ -17,7 +17,8 @@ using RobotLines = std::map<std::string, std::unique_ptr<RobotLine>>;
 /// Gives the sticks to @p robot alone; all others stand first. Empty: to none.
 void giveSticks(const RobotLines& lines, const std::string& robot);
 
-/// What brake tests do with robots and learn of them, but for focus, refresh and done. All outlive it.
+/// Returns what brake tests do with robots and ask of them, except focus, refresh and done. All arguments
+/// outlive it.
 [[nodiscard]] StationBrakes::Hands brakeHands(const RobotLines& lines, const GrantKeeper& grants,
                                               const StopSender& stops);
 

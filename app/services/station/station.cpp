@@ -103,7 +103,7 @@ void Station::halt() {
         line->drive()->halt();
         const auto robot = said->robots.find(name);
         if (robot != said->robots.end() && robot->second->mode && robot->second->mode->sample.autonomous)
-            (void)setMode(name, "teleoperation");  // one that takes no modes stands by its sticks alone
+            (void)setMode(name, "teleoperation");  // one that takes no modes stops by its sticks alone
     }
 }
 
@@ -130,7 +130,7 @@ GrantView Station::mapGrant() const {
 
 void Station::giveMap() {
     m_state->grants->answer(MapGrant, true);
-    m_state->grants->ask(MapGrant);  // it goes on here when the other one ends
+    m_state->grants->ask(MapGrant);  // it returns here when the other station ends
 }
 
 void Station::stopAll() {
@@ -146,7 +146,7 @@ Result<void> Station::release(const std::string& robot) {
 }
 
 Result<void> Station::setMode(const std::string& robot, const std::string& mode) {
-    // In teleoperation it goes by the sticks, which are held back by themselves.
+    // In teleoperation it follows the sticks, which are limited by themselves.
     const bool byItself = !mode.ends_with("teleoperation");
     if (auto may = maySend(robot); byItself && !may) return may;
     return m_state->wish(robot, StreamRole::ModeCommand,

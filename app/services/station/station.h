@@ -30,92 +30,94 @@ class StationCameras;
 class StationGuards;
 class StationStreams;
 
-/// A station in a domain.
+/// Settings of a station in a domain.
 struct StationSettings {
     DomainSettings domain = {};
-    /// Where everything is recorded; its robots are those of the station. Its station is set from the memory.
+    /// How everything is recorded; its robots are those of the station. Its station is set from the memory.
     LiveMissionSettings mission = {};
     std::filesystem::path memory;  ///< file of the station's identity and grants (StationFile)
-    std::filesystem::path alarms;  ///< file of AlarmLimits; empty, or none there: the usual ones
-    LiveSettings mapping = {};     ///< how the station that holds the map's grant registers
+    std::filesystem::path alarms;  ///< file of AlarmLimits; empty, or no such file: the usual ones
+    LiveSettings mapping = {};     ///< for the registration by the station that holds the map's grant
 };
 
-/// Who is told what happens. Called on threads of the station's, which they must not hold up; any may be
-/// empty. May call the station's functions, but not destroy it.
+/// Receives what happens. Called on threads of the station, which they must not block; any may be empty. May
+/// call the station's functions, but not destroy it.
 struct StationListener {
     std::function<void(const std::string&)> onMessage = {};  ///< for the operator, in words
     std::function<void(const Event&)> onEvent = {};          ///< as of LiveMission
     std::function<void(const MapPtr&)> onMap = {};           ///< the map has grown or moved
-    std::function<void(const LiveMapPtr&)> onScans = {};     ///< likewise: its scans, and how far they count
+    std::function<void(const LiveMapPtr&)> onScans = {};  ///< its scans have changed, or how far they count
 };
 
 class StationClock;
 class StationMapping;
 
 /// An operator's station on live robots (design, sections 1 and 4): records everything, watches links, holds
-/// grants, drives one robot at a time, stops all. Any thread; nothing waits for network or disk.
+/// grants, drives one robot at a time, stops all. Any thread; no call waits for network or disk.
 class Station {
 public:
-    /// Joins the domain and opens the mission. Errors name what is in the way: network card, identity,
-    /// folder, robot's topic.
+    /// Joins the domain and opens the mission. Errors name the obstacle: network card, identity, folder,
+    /// robot's topic.
     [[nodiscard]] static Result<std::unique_ptr<Station>> open(const StationSettings& settings,
                                                                StationListener listener = {});
-    ~Station();  ///< robots stand, grants are given up but remembered, the mission is self-contained
+    ~Station();  ///< robots stand, grants are released but remembered, the mission is self-contained
     Station(const Station&) = delete;
     Station& operator=(const Station&) = delete;
 
     [[nodiscard]] const std::vector<RobotDescription>& robots() const;
-    /// Of an unknown name: nothing. What is around is asked for apart, since it takes longest.
+    /// Returns the view of a robot; an empty one for an unknown name. Its surroundings are asked for
+    /// separately, since they take longest.
     [[nodiscard]] RobotView robot(const std::string& name) const;
-    /// What is around it now: RobotView::around.
+    /// Returns its surroundings now: RobotView::around.
     [[nodiscard]] std::optional<VirtualScanView> around(const std::string& robot) const;
-    /// When anything of its scans came last, after which what is around it looks otherwise; none: never.
+    /// When any of its scans came last, after which its surroundings look different; empty: never.
     [[nodiscard]] std::optional<SteadyTime> scanned(const std::string& robot) const;
     [[nodiscard]] MissionStatePtr mission() const;
     [[nodiscard]] LiveMissionStatus log() const;
     [[nodiscard]] const std::filesystem::path& folder() const;  ///< of the mission
     [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans
     [[nodiscard]] StationClock& clock();      ///< of the mission
-    /// What the report says of the mission; time and sender are filled in.
+    /// Sets what the report contains on the mission; fills in time and sender.
     Result<void> describe(MissionInfoSample info);
     [[nodiscard]] FindDesk& finds();  ///< files victims and other finds
     /// What was searched with each kind of sensor; null until there is a map.
     [[nodiscard]] std::shared_ptr<const SearchedFloor> searched() const;
     [[nodiscard]] StationAlarms& alarms();                        ///< what the operator has to know
     [[nodiscard]] std::vector<WireComplaint> mismatches() const;  ///< between robots and us
-    [[nodiscard]] std::vector<std::string> limits() const;        ///< of this computer, that cost samples
-    [[nodiscard]] std::vector<SeenTopic> heard() const;           ///< what others say and hear in the domain
+    [[nodiscard]] std::vector<std::string> limits() const;        ///< of this computer, which cost samples
+    [[nodiscard]] std::vector<SeenTopic> heard() const;           ///< what others publish and subscribe to
     [[nodiscard]] const StationSettings& settings() const;        ///< as it was opened
 
-    /// Gives the sticks to one robot: all others stand. Empty: to none.
+    /// Gives the sticks to one robot; all others stand. Empty: to none.
     void focus(const std::string& robot);
-    /// The sticks as they are now, also when neutral; to be told at least ten times a second.
-    /// However they came, the speed is capped by the age of what the driver sees (SightCap), but while
-    /// @p withoutEyes is told with them.
+    /// Sets the sticks as they are now, also when neutral; call it at least ten times a second. The speed is
+    /// capped by the age of what the driver sees (SightCap), wherever the sticks come from, except while
+    /// @p withoutEyes is set.
     void push(const DriveVelocity& sticks, bool withoutEyes = false);
-    /// The robot that has the sticks stands until they were neutral; one that drives itself is asked to obey
-    /// them again.
+    /// Stops the robot that has the sticks until they were neutral; asks one that drives itself to obey them
+    /// again.
     void halt();
-    /// The driver looks at @p robot's surroundings through its camera @p sensor; at first, through its first.
+    /// Sets the camera @p sensor through which the driver looks at @p robot's surroundings; at first, its
+    /// first.
     void lookThrough(const std::string& robot, const std::string& sensor);
 
-    void ask(const std::string& robot);                   ///< for the grant to drive
-    void giveUp(const std::string& robot);                ///< the grant
-    void answer(const std::string& robot, bool consent);  ///< to who asks for a grant of ours
+    void ask(const std::string& robot);                   ///< requests the grant to drive
+    void giveUp(const std::string& robot);                ///< releases the grant
+    void answer(const std::string& robot, bool consent);  ///< answers a request for a grant of ours
 
-    /// Who makes the map; who else would.
+    /// Returns which station makes the map, and which one requests it.
     [[nodiscard]] GrantView mapGrant() const;
-    void giveMap();  ///< to the station that asked for it first; nothing while none did
+    void giveMap();  ///< to the station that requested it first; nothing if none did
     void stopAll();
     void stop(const std::string& robot);
     Result<void> release(const std::string& robot);  ///< as of StopSender
 
-    /// Wishes to a robot; its own time and sender are filled in. Errors: it takes none of that kind; and
-    /// those of maySend(), but for modes of teleoperation.
+    /// Requests @p mode of a robot; fills in time and sender. Errors: it takes no such command; and those of
+    /// maySend(), except for modes of teleoperation.
     Result<void> setMode(const std::string& robot, const std::string& mode);
     /// Whether @p robot may be sent anywhere: not while drive commands are refused for its brakes.
     [[nodiscard]] Result<void> maySend(const std::string& robot) const;
-    /// Errors also as of maySend().
+    /// Sends @p robot to @p goal. Errors also as of maySend().
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
     [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do without commands
     [[nodiscard]] StationGuards& guards();    ///< of robots that go on without commands

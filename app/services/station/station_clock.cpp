@@ -12,9 +12,9 @@ namespace leitstand {
 
 StationClock::StationClock(LiveMission& mission, std::string station, Changed changed)
     : m_mission(mission), m_station(std::move(station)) {
-    if (!mission.state()->clock) (void)run(true);  // what can be wrong with the log, the log tells
-    m_said.reset();                                // what the team's clock says counts more
-    m_changed = std::move(changed);                // that it began by itself is no news to others
+    if (!mission.state()->clock) (void)run(true);  // the log reports what is wrong with it
+    m_said.reset();                                // the team's clock takes precedence
+    m_changed = std::move(changed);                // others need no notice that it began by itself
 }
 
 MissionClock StationClock::now() const {

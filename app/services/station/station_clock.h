@@ -18,7 +18,7 @@ class StationClock {
 public:
     using Changed = std::function<void(const ClockSample&)>;
 
-    /// Starts the clock of a mission that has none yet. @p changed: what the operator does to it.
+    /// Starts the clock of a mission that has none yet. @p changed receives the operator's changes.
     StationClock(LiveMission& mission, std::string station, Changed changed = {});
 
     [[nodiscard]] MissionClock now() const;
@@ -34,7 +34,7 @@ private:
     LiveMission& m_mission;
     const std::string m_station;
     Changed m_changed;
-    mutable std::mutex m_mutex;         ///< one change after the other
+    mutable std::mutex m_mutex;         ///< one change after another
     std::optional<ClockSample> m_said;  ///< by this station, under the mutex; may not be in the state yet
 };
 

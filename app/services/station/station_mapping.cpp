@@ -23,7 +23,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds HeldBack(10);  ///< scans, until it is decided who registers
+constexpr std::chrono::seconds HeldBack(10);  ///< for scans, until it is decided who registers
 
 using Undoing = std::optional<UndoSample> (*)(const MissionState&, const std::string&, Time);
 
@@ -34,9 +34,9 @@ struct StationMapping::State {
     const std::function<bool()> mayMap;
     const std::string station;
     const StationMappingListener listener;
-    std::deque<Event> heldBack;  ///< scans; of the mission's thread
+    std::deque<Event> heldBack;  ///< waiting scans; of the mission's thread
     MapPtr shown;                ///< last; of the mapping's thread
-    mutable std::mutex mutex;    ///< of the following
+    mutable std::mutex mutex;    ///< guards the following
     LiveMapPtr scans = std::make_shared<const LiveMap>();
     std::set<std::string> robots;  ///< names; fixed
     LoopPreviews previews;
@@ -71,8 +71,8 @@ struct StationMapping::State {
     [[nodiscard]] Result<void> granted() const;
     void decide(std::function<Result<ScanPosesSample>(LiveMapper&, Time)> what);
     [[nodiscard]] Result<void> placeable(const std::string& robot) const;
-    /// The newest scan of @p robot as it would lie with the robot at @p baseInMap, where that is in another
-    /// part of the map than the one it is surely in; empty: it is not.
+    /// Returns the newest scan of @p robot as it would lie with the robot at @p baseInMap. Empty unless that
+    /// is in another part of the map than the robot surely is.
     [[nodiscard]] std::optional<ScanPose> inOtherPart(const std::string& robot, const Pose& baseInMap) const;
     [[nodiscard]] Result<void> takeBack(Undoing undoing, const std::string& nothing);
 };
@@ -162,7 +162,7 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
                    poses->station != CarriedStation && !poses->station.starts_with(MapByHandStation);
         });
     for (const auto& [name, robot] : before->robots) {
-        // One that was looked for in vain is nowhere: its place was a guess.
+        // A robot that was looked for in vain has no place: it was a guess.
         const bool vain = robot->place && robot->place->sample.cause == RobotPlaceSample::Cause::Slot &&
                           !robot->place->sample.certain;
         if (robot->place && !vain) earlier.places.emplace(name, robot->place->sample);
@@ -189,7 +189,7 @@ bool StationMapping::makesMap() const {
 void StationMapping::onEvent(const Event& event) {
     State& state = *m_state;
     if (event.robot.empty()) return state.log.onEvent(event);
-    // How robots move, and where their sensors sit, is known before the scans.
+    // How robots move, and where their sensors are, must be known before the scans.
     const bool scan = std::holds_alternative<CloudSample>(event.sample),
                laser = std::holds_alternative<RangesSample>(event.sample);
     if (laser && !state.mayMap()) return;
@@ -344,7 +344,7 @@ std::optional<ScanPose> StationMapping::State::inOtherPart(const std::string& ro
     const auto newest =
         std::find_if(scans->scans.rbegin(), scans->scans.rend(),
                      [&](const LiveKeyScan& scan) { return scan.counts() && scan.scan->robot == robot; });
-    // Of one that is not sure where it is that scan says nothing: it may have been carried.
+    // For a robot at an uncertain place that scan proves nothing: the robot may have been carried.
     const bool sure = now != placed->end() && now->certain;
     if (!sure || newest == scans->scans.rend() || newest->part == partAt(scans->scans, baseInMap))
         return std::nullopt;

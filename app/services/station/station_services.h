@@ -6,10 +6,11 @@
 
 namespace leitstand {
 
-/// The parts of a station that follow its mission: in which order they hear of an event, and come to an end.
+/// The parts of a station that follow its mission, in the order in which they receive an event and are
+/// closed.
 class StationServices {
 public:
-    /// @p service, which outlives this, is the next. Not while events come.
+    /// Adds @p service, which outlives this, as the next one. Not while events come.
     void add(EventSink& service) { m_services.push_back(&service); }
     void onEvent(const Event& event) const {
         for (EventSink* const service : m_services) service->onEvent(event);

@@ -28,14 +28,14 @@ Station::State::~State() {
     for (const auto& [name, line] : lines) {
         if (line->drive() != nullptr) line->drive()->setFocus(false);  // robots stand, whatever the disk does
     }
-    if (cameras) cameras->snapshots().finish();  // they are told in the log
-    if (finds) finds->finish();                  // what the operator saw is in the log
-    // Events that wait still go into the log; what would come of them in the map does not.
+    if (cameras) cameras->snapshots().finish();  // they are noted in the log
+    if (finds) finds->finish();                  // the log has to have what the operator saw
+    // Waiting events still go into the log; their effect on the map is dropped.
     services.close();
-    hearing.reset();  // the alarms looked at it
+    hearing.reset();  // the alarms used it
     if (feed) feed->end();
     clock.reset();
-    mission.reset();  // its thread looks at the lines and hands over to the mapping
+    mission.reset();  // its thread uses the lines and passes events on to the mapping
     mapping.reset();
     victims.reset();
     coverage.reset();
@@ -45,7 +45,7 @@ Station::State::~State() {
     sharing.reset();
     intake.reset();
     lines.clear();
-    guards.reset();  // their thread looks at the lines; they are told that nobody drives
+    guards.reset();  // their thread uses the lines; they learn that nobody drives
     streams.reset();
     brakes.reset();
     stops.reset();
@@ -115,7 +115,7 @@ void Station::State::map(std::vector<KeyScanSample> earlier, std::vector<ScanLin
     listening.onMessage = [this](const std::string& text) { say(text); };
     listening.onMap = listener.onMap;
     listening.onScans = listener.onScans;
-    // Where there can be no such file there can be no log either, which is told.
+    // When there can be no such file there can be no log either, which is reported.
     if (auto pages = PageFile::open(settings.mission.folder))
         settings.mapping.pages = std::move(pages).value();
     mapping = std::make_unique<StationMapping>(
@@ -134,7 +134,7 @@ void Station::State::watch() {
     if (limits)
         setup.limits = *limits;
     else
-        say(limits.error().text);  // the usual ones, then
+        say(limits.error().text);  // the usual ones are used then
     setup.view = [this](const std::string& robot) { return view(robot); };
     setup.mission = [this] { return mission->state(); };
     setup.scans = [this] { return mapping->scans(); };

@@ -33,7 +33,7 @@
 
 namespace leitstand {
 
-/// The station that has it registers; the others would make a second map of the same scans.
+/// The station that holds it registers; the others would make a second map of the same scans.
 inline const GrantId MapGrant{GrantSample::Kind::Map, {}};
 
 /// All parts of a station, put together and taken apart in the right order.
@@ -60,10 +60,10 @@ struct Station::State {
     std::unique_ptr<MissionSharing> sharing;
     std::unique_ptr<MissionFeed> feed;
     std::unique_ptr<HearingWatch> hearing;
-    StationServices services;        ///< of these, who follow the mission; fixed once open
-    std::mutex mutex;                ///< of the next three
-    std::atomic<bool> open = false;  ///< all is there; changed under the mutex
-    std::set<std::string> told;      ///< mismatches; under the mutex
+    StationServices services;        ///< those of the above that follow the mission; fixed once open
+    std::mutex mutex;                ///< guards the next three
+    std::atomic<bool> open = false;  ///< everything is there; changed under the mutex
+    std::set<std::string> told;      ///< reported mismatches; under the mutex
     ScreenTelling screened;          ///< under the mutex
     std::map<VictimSample::Kind, std::uint32_t> filedAgain;  ///< last numbers; of the intake's callers
     HeapKeeper heap;
@@ -81,8 +81,8 @@ struct Station::State {
     void watch();
     void file();
     void share();
-    void follow();                      ///< lets who follow the mission hear of it
-    void fileAgain(VictimSample find);  ///< under the next number: its own is another station's
+    void follow();                      ///< adds the parts that follow the mission to services
+    void fileAgain(VictimSample find);  ///< under the next number, since its own is another station's
     void listen();
     void watchHearing();
     [[nodiscard]] bool isAtRest() const;  ///< nothing moves by this station, and nothing is being stopped

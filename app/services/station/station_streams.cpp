@@ -9,9 +9,9 @@
 namespace leitstand {
 namespace {
 
-/// After which rates, taken over 5 s, are those of a wish.
+/// Rates are taken over 5 s; after this time they are those of a wish.
 constexpr std::chrono::seconds Settling{6};
-constexpr std::uint64_t Enough = 20;  ///< samples, after which a stream's cost is believed
+constexpr std::uint64_t Enough = 20;  ///< samples, after which a stream's cost is trusted
 
 bool comesFrom(const RobotDescription& robot, const std::string& topic) {
     return std::any_of(robot.streams.begin(), robot.streams.end(), [&](const StreamDescription& stream) {
@@ -134,7 +134,7 @@ void StationStreams::share() {
             const auto known = line.costs.find(stream.topic);
             StreamCost cost{.role = stream.role, .topic = stream.topic};
             if (known != line.costs.end()) cost = known->second;
-            // A robot that is not there costs nothing; one whose stream never came has none.
+            // A robot that is not there costs nothing, nor does a stream that never came.
             if (!line.there || (known == line.costs.end() && line.costs.size() > 3)) cost.megabits = 0.0;
             if ((stream.role == StreamRole::Picture || stream.role == StreamRole::Thermal) &&
                 stream.sensor == line.camera)
@@ -185,7 +185,7 @@ bool StationStreams::learn(Line& line, const LinkStatus& link) {
         }
         const auto [known, isNew] = line.costs.try_emplace(stream.topic);
         StreamCost& cost = known->second;
-        // What a thin link just gave back is still on its way up to what it costs.
+        // A stream that a thin link just released is still rising to its full cost.
         const double before = std::max(cost.megabits, 0.0);
         const double measured = onTheWire(stream.megabitsPerSecond, stream.rate);
         const double now = line.thin ? std::max(before, measured) : measured;
@@ -216,7 +216,7 @@ void StationStreams::take(const LinkStatus& link) {
     }
     for (const auto& [topic, off] : paused) m_pause(link.robot, topic, off);
     for (const StreamCommandSample& command : due) {
-        (void)m_send(link.robot, command);  // said again until it is followed
+        (void)m_send(link.robot, command);  // sent again until it is followed
     }
 }
 

@@ -14,41 +14,42 @@
 
 namespace leitstand {
 
-/// What the station wants of the streams of its robots: rates, qualities, what is off; and the thin link,
-/// which asks for less of everything in the stated order (thinWishes()). Wishes are remembered and said again
-/// to a robot that comes back. Robots obey whoever holds the grant to drive them. Any thread.
+/// What the station requests of the streams of its robots: rates, qualities, what is off. A thin link
+/// requests less of everything in the stated order (thinWishes()). Wishes are kept, and sent again to a robot
+/// that comes back. Robots obey whoever holds the grant to drive them. Any thread.
 class StationStreams {
 public:
     /// Sends a command to a robot.
     using Send = std::function<Result<void>(const std::string& robot, const StreamCommandSample& command)>;
-    /// Tells the watch on a robot's link that a stream is off.
+    /// Notifies the watch on a robot's link whether a stream is off.
     using Pause = std::function<void(const std::string& robot, const std::string& topic, bool off)>;
 
     StationStreams(std::vector<RobotDescription> robots, Send send, Pause pause);
     StationStreams(const StationStreams&) = delete;
     StationStreams& operator=(const StationStreams&) = delete;
 
-    /// The operator's wish for a stream. Errors: the robot has no such stream, or takes no wishes.
+    /// Sets the operator's wish for a stream. Errors: the robot has no such stream, or takes no wishes.
     Result<void> wish(const std::string& robot, const std::string& topic, const StreamWish& wish);
     [[nodiscard]] StreamWish own(const std::string& robot, const std::string& topic) const;
-    /// With what the thin link makes of it.
+    /// The wish after the reductions of the thin link.
     [[nodiscard]] StreamWish effective(const std::string& robot, const std::string& topic) const;
-    /// Whether @p robot can be asked at all.
+    /// Whether @p robot takes wishes at all.
     [[nodiscard]] bool takesWishes(const std::string& robot) const;
 
-    /// The link to @p robot (empty: to all) is thin, or is not any more.
+    /// Sets whether the link to @p robot (empty: to all) is thin.
     void thin(const std::string& robot, bool on);
     [[nodiscard]] bool isThin(const std::string& robot) const;  ///< empty: any of them
-    void setThin(const ThinSettings& settings);                 ///< at once
+    void setThin(const ThinSettings& settings);                 ///< takes effect at once
     [[nodiscard]] ThinSettings thinSettings() const;
-    /// Whose camera survives on a thin link: the one that is looked through, its first where none was said.
+    /// Selects the robot whose camera survives on a thin link: the one that is looked through, else its
+    /// first.
     void select(const std::string& robot);
-    /// The driver of @p robot looks through the camera @p sensor.
+    /// Sets the camera @p sensor that the driver of @p robot looks through.
     void lookThrough(const std::string& robot, const std::string& sensor);
 
-    /// The link of a robot as it is now: to be told several times a second; what is due goes out.
+    /// Takes the link of a robot as it is now, and sends what is due; call it several times a second.
     void take(const LinkStatus& link);
-    void add(const RobotDescription& robot);  ///< one more
+    void add(const RobotDescription& robot);  ///< adds one more robot
 
 private:
     /// A wish, and since when it stands.
@@ -61,22 +62,22 @@ private:
         WishBook wishes = WishBook();
         bool thin = false, there = false;
         std::string camera = {};                        ///< sensor that is looked through
-        std::map<std::string, StreamCost> costs = {};   ///< by topic, of what comes while nothing is wished
+        std::map<std::string, StreamCost> costs = {};   ///< by topic, while nothing is wished
         std::map<std::string, Standing> standing = {};  ///< by topic
     };
     [[nodiscard]] Line* find(const std::string& robot);
     [[nodiscard]] const Line* find(const std::string& robot) const;
-    /// Whether what is measured of @p topic is what comes under @p wish.
+    /// Whether what is measured of @p topic already results from @p wish.
     [[nodiscard]] static bool isSettled(Line& line, const std::string& topic, const StreamWish& wish);
-    /// What a reduced stream costs more than was thought; true when it does.
+    /// Raises the cost of a reduced stream that costs more than expected; true when it does.
     [[nodiscard]] static bool correct(Line& line, const StreamStatus& stream, const StreamWish& wish);
-    /// True when a thin link has to be shared anew.
+    /// True when a thin link has to be shared again.
     [[nodiscard]] static bool learn(Line& line, const LinkStatus& link);
-    void share();  ///< the thin link anew
+    void share();  ///< shares the thin link again
 
     const Send m_send;
     const Pause m_pause;
-    mutable std::mutex m_mutex;  ///< of all that follows
+    mutable std::mutex m_mutex;  ///< guards all that follows
     std::vector<Line> m_lines;
     std::string m_selected;
     ThinSettings m_settings;

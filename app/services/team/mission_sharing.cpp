@@ -21,19 +21,19 @@
 namespace leitstand {
 namespace {
 
-constexpr int Kept = 64;        ///< samples a topic, for who was away for a moment
-constexpr int ScansAtOnce = 8;  ///< key scans that are on their way before the others wait for them
-/// Who has not taken them after so long is not waited for: a little, and as a link of 100 kB/s needs.
+constexpr int Kept = 64;        ///< samples per topic, for stations that were away for a moment
+constexpr int ScansAtOnce = 8;  ///< key scans that are under way before the others wait for them
+/// Longest wait for a reader: a base time, plus what a link of 100 kB/s needs.
 constexpr double PatienceAByte = 1e-5, Patience = 2.0;  ///< [s]
-constexpr std::chrono::milliseconds Look(50);           ///< at a time: others have something to say
-constexpr std::chrono::seconds UntilMatched(5);         ///< a reader that was announced
+constexpr std::chrono::milliseconds Look(50);           ///< at a time, since others have something to publish
+constexpr std::chrono::seconds UntilMatched(5);         ///< for a reader that was announced
 
 bool isShared(std::string_view topic) {
     return std::any_of(StationTypes.begin(), StationTypes.end(),
                        [&](const StationType& one) { return one.shared && one.topic == topic; });
 }
 
-/// The station that @p sample names; null where it names none.
+/// Returns the station that @p sample names; null when it names none.
 const std::string* stationOf(const Sample& sample) {
     return std::visit(
         [](const auto& one) -> const std::string* {
@@ -43,7 +43,7 @@ const std::string* stationOf(const Sample& sample) {
         sample);
 }
 
-/// What the undo takes back, or does again, in the end.
+/// Returns what the undo takes back, or does again, in the end; null: unknown.
 const Decision* meantBy(const MissionState& mission, const UndoSample& undo) {
     const Decision* meant = decisionAt(mission, undo.event);
     while (meant != nullptr) {
@@ -60,7 +60,7 @@ struct MissionSharing::Telling {
     std::unique_ptr<BagReader> bag;
     std::set<std::uint64_t> sequences;  ///< of the scans that count
     std::optional<BagCursor> cursor;
-    std::size_t bytes = 0;  ///< on their way
+    std::size_t bytes = 0;  ///< under way
     std::chrono::steady_clock::time_point since = std::chrono::steady_clock::now();
     bool begun = false;
 };
@@ -144,7 +144,7 @@ void MissionSharing::onEvent(const Event& event) {
             if (!stop.stop_requested()) tellUndone(undo);
         });
     }
-    // What the operator says of them comes by say(); what a station says of them at its start is its own.
+    // The operator's changes of them come by say(); what a station logs of them at its start is its own.
     if (event.topic == station_topic::Clock || event.topic == station_topic::Mission) return;
     if (!isShared(event.topic)) return;
     const auto* scan = std::get_if<KeyScanSample>(&event.sample);
@@ -158,12 +158,12 @@ void MissionSharing::onEvent(const Event& event) {
 void MissionSharing::write(const Sample& sample, std::string_view topic) {
     const Sample said = forOthers(sample);
     auto cdr = encode(said, typeOf(said));
-    if (cdr) write(*cdr, topic);  // the log has told what cannot be
+    if (cdr) write(*cdr, topic);  // the log has reported what cannot be encoded
 }
 
 void MissionSharing::write(const Payload& cdr, std::string_view topic) {
     const auto publisher = m_publishers.find(topic);
-    // Not written: the node has left.
+    // A failure means that the node has left.
     if (publisher != m_publishers.end()) static_cast<void>(publisher->second->write(cdr));
 }
 
@@ -175,7 +175,7 @@ void MissionSharing::tellAll(const std::stop_token& stop) {
 }
 
 std::shared_ptr<MissionSharing::Telling> MissionSharing::scansToTell() {
-    if (!m_mission.flush()) return nullptr;  // the log has told why
+    if (!m_mission.flush()) return nullptr;  // the log has reported why
     auto telling = std::make_shared<Telling>();
     const MissionStatePtr mission = m_mission.state();
     for (const auto& [id, scan] : *mission->keyScans) telling->sequences.insert(scan.sequence);
@@ -204,7 +204,7 @@ void MissionSharing::tellScans(std::shared_ptr<Telling> telling, const std::stop
             const std::lock_guard lock(m_mutex);
             announced = m_scanReaders.size();
         }
-        // This station's own log reads, too.
+        // This station's own log is a reader, too.
         const bool all = publisher->second->matched() > static_cast<int>(announced);
         if (!all && waited < toSeconds(UntilMatched)) {
             std::this_thread::sleep_for(Look);
@@ -223,12 +223,12 @@ void MissionSharing::tellScans(std::shared_ptr<Telling> telling, const std::stop
             const auto event = decodeStationEvent(*scan);
             const auto* said = event ? std::get_if<ScanLinksSample>(&event->sample) : nullptr;
             if (said == nullptr) continue;
-            // Who reads it has to tell it from what it says itself.
+            // Readers must distinguish it from what they publish themselves.
             write(ScanLinksSample{said->stamp, m_setup.station, said->links}, station_topic::ScanLinks);
             telling->bytes += scan->cdr->size();
             continue;
         }
-        if (!telling->sequences.contains(scan->sequence)) continue;  // another of its number counts
+        if (!telling->sequences.contains(scan->sequence)) continue;  // another scan of its number counts
         write(scan->cdr, station_topic::KeyScans);
         telling->bytes += scan->cdr->size();
         ++i;
@@ -249,7 +249,7 @@ void MissionSharing::tellMap(const MissionState& mission) {
     }
     if (mission.crop) {
         MapCropSample crop = mission.crop->sample;
-        crop.polygon = areaInMap(mission);  // as the map is that goes along with it
+        crop.polygon = areaInMap(mission);  // as it lies in the map that is sent with it
         crop.station = m_setup.station;
         write(crop, station_topic::MapCrop);
     }
@@ -269,7 +269,7 @@ void MissionSharing::tellMap(const MissionState& mission) {
 }
 
 void MissionSharing::tellClock(const MissionState& mission) {
-    // One that a station let go by itself is the team's where that makes the map.
+    // A clock that began by itself becomes the team's only if this station makes the map.
     if (mission.clock && (m_setup.holdsMap() || !beganByItself(mission.clock->sample)))
         write(mission.clock->sample, station_topic::Clock);
     if (mission.info) write(mission.info->sample, station_topic::Mission);

@@ -22,38 +22,38 @@ namespace leitstand {
 /// What a MissionSharing works with; may be called on any thread.
 struct MissionSharingSetup {
     std::string station;                                ///< persistent identity
-    std::filesystem::path folder;                       ///< of the mission: key scans are read back
+    std::filesystem::path folder;                       ///< of the mission: key scans are read from it
     std::function<bool()> holdsMap = {};                ///< whether this station makes the map
-    std::function<bool(std::uint64_t)> isAdopted = {};  ///< whether a key scan is another station's
+    std::function<bool(std::uint64_t)> isAdopted = {};  ///< whether a key scan came from another station
     std::function<bool()> sharesMap = {};               ///< whether its finds lie in the map that others know
     std::function<RobotsInMapPtr()> robots = {};        ///< never null
     std::function<void(const std::string&)> tell = {};  ///< for the operator, in words
 };
 
-/// Says on station_topic what this station decides, finds and maps, so that other stations show it
-/// (docs/stations.md): each as it enters the log, and everything that counts now to who comes later. Nothing
-/// is written while nobody listens. What the operator took back is said as what counts instead: the numbers
-/// of events are each log's own. Any thread; node and mission outlive it.
+/// Publishes on station_topic what this station decides, finds and maps, so that other stations show it
+/// (docs/stations.md). Publishes each entry as it enters the log, and everything that counts now to stations
+/// that come later. Publishes nothing while nobody listens. After an undo it publishes what counts instead,
+/// because event numbers are each log's own. Any thread; node and mission outlive it.
 class MissionSharing : public EventSink {
 public:
     MissionSharing(Node& node, LiveMission& mission, MissionSharingSetup setup);
     ~MissionSharing() override;  ///< as close()
 
-    /// An event of the log.
+    /// Takes an event of the log.
     void onEvent(const Event& event) override;
-    /// What the operator said of clock or mission.
+    /// Publishes what the operator changed of clock or mission.
     void say(const Sample& sample, std::string_view topic);
-    /// Who listens, or who makes the map, may have changed.
+    /// Checks who listens and who makes the map; call it when either may have changed.
     void look();
-    /// Tells all finds: they lie in a map that others know, too.
+    /// Publishes all finds again: they lie in a map that others know, too.
     void tellFindsAgain();
-    void close() override;  ///< what waits is left
+    void close() override;  ///< drops waiting work
 
 private:
     void submit(const Sample& sample, std::string_view topic);
     void write(const Sample& sample, std::string_view topic);
     void write(const Payload& cdr, std::string_view topic);
-    /// All key scans of the log, on their way to others a few at a time.
+    /// All key scans of the log, published a few at a time.
     struct Telling;
     void tellAll(const std::stop_token& stop);
     void tellScans(std::shared_ptr<Telling> telling, const std::stop_token& stop);
@@ -71,8 +71,8 @@ private:
     std::map<std::string, std::unique_ptr<Publisher>, std::less<>> m_publishers;  ///< by topic; fixed
     mutable std::mutex m_mutex;
     std::set<Guid> m_listeners;    ///< readers of any shared topic; under the mutex
-    std::set<Guid> m_scanReaders;  ///< those of key scans; likewise
-    bool m_heldMap = false;        ///< likewise
+    std::set<Guid> m_scanReaders;  ///< those of key scans; under the mutex
+    bool m_heldMap = false;        ///< under the mutex
     JobQueue m_jobs;
     std::jthread m_thread;  ///< last: joined first
 };

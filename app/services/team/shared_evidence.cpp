@@ -7,7 +7,7 @@
 namespace leitstand {
 namespace {
 
-/// Evidence or cues.
+/// For evidence or cues.
 template <class Look>
 bool takeSequences(std::vector<Look>& looks, const std::vector<Look>& ours) {
     bool any = false;

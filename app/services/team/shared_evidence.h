@@ -5,12 +5,12 @@
 
 namespace leitstand {
 
-/// @p sample as it is for other stations: where its evidence and cues stand in this log says nothing in
-/// theirs, and becomes 0.
+/// Returns @p sample for other stations: the sequences of its evidence and cues mean nothing in their logs,
+/// and become 0.
 [[nodiscard]] Sample forOthers(Sample sample);
 
-/// @p sample of another station with the sequences of evidence and cues that @p mission has of the same find
-/// or candidate, as far as it does. Whether there were any.
+/// Gives @p sample of another station the sequences of evidence and cues that @p mission has of the same find
+/// or candidate, as far as known. Returns whether there were any.
 [[nodiscard]] bool takeOurSequences(Sample& sample, const MissionState& mission);
 
 }  // namespace leitstand

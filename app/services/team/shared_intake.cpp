@@ -14,9 +14,9 @@
 namespace leitstand {
 namespace {
 
-constexpr std::size_t MostOthers = 64;  ///< stations that are remembered, whatever others say
+constexpr std::size_t MostOthers = 64;  ///< stations that are remembered, whatever others publish
 
-/// Whether it lies in the map of whom it is from.
+/// Whether it lies in the map of its sender.
 bool isOfMap(const Sample& sample) {
     return std::holds_alternative<KeyScanSample>(sample) || std::holds_alternative<ScanPosesSample>(sample) ||
            std::holds_alternative<ScanLinksSample>(sample) ||
@@ -29,7 +29,8 @@ bool isPlacedInMap(const Sample& sample) {
            std::holds_alternative<CandidateSample>(sample);
 }
 
-/// The stamp of what the mission has of the same thing as @p sample; empty: nothing, or stamps do not matter.
+/// Returns the stamp of what the mission has of the same thing as @p sample; empty: nothing, or stamps do not
+/// matter.
 std::optional<Time> knownStamp(const MissionState& mission, const Sample& sample) {
     if (const auto* candidate = std::get_if<CandidateSample>(&sample)) {
         const auto known = mission.candidates->find(candidate->id);
@@ -105,7 +106,7 @@ bool SharedIntake::wants(const KeyScanSample& scan, Other& other) {
     const auto known = m_scans.find(scan.id);
     const bool same = known != m_scans.end() && known->second == that;
     if (other.map == Map::Unknown && !m_scans.empty() && !same) {
-        if (known == m_scans.end()) return true;  // nobody can tell yet: it waits
+        if (known == m_scans.end()) return true;  // unknown yet: it waits
         other.map = Map::Other;
         other.waiting.clear();
         tellOtherMap(scan.id);
@@ -151,7 +152,7 @@ bool SharedIntake::wants(const VictimSample& find) {
     if (known == mission->victims->end()) return true;
     const VictimSample& ours = known->second.victim;
     if (ours.found == find.found) return ours.stamp < find.stamp;
-    if (ours.found < find.found) return false;  // who found it files it again, as below
+    if (ours.found < find.found) return false;  // its station files it again, as below
     if (ours.station == m_setup.station && m_setup.fileAgain) m_setup.fileAgain(ours);
     return true;
 }
@@ -182,8 +183,8 @@ void SharedIntake::hearGrant(const RawEvent& event, const Sender& from, SteadyTi
 
 bool SharedIntake::waits(const Sample& sample, const Sender& from, const Other& other) const {
     if (std::holds_alternative<KeyScanSample>(sample)) return other.map == Map::Unknown;
-    if (isOfMap(sample)) return true;  // also what need not, stays behind what was said before
-    // Finds of a map of which nobody knows yet whether it is this one.
+    if (isOfMap(sample)) return true;  // what need not wait also stays behind earlier samples
+    // Finds of a map that may not be this one.
     return isPlacedInMap(sample) && other.map == Map::Unknown && m_maker == from && !m_scans.empty() &&
            !m_setup.holdsMap();
 }
@@ -201,11 +202,11 @@ void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
         if (!ours) hearGrant(event, from, now);
         m_setup.enter(std::move(event));
     } else {
-        decide(now);  // what was said before comes before
+        decide(now);  // earlier samples come first
         hear(std::move(event), from, now);
     }
     decide(now);
-    release(now);  // once a second at least
+    release(now);  // runs at least once a second
 }
 
 void SharedIntake::hear(RawEvent event, const Sender& from, SteadyTime now) {
@@ -247,10 +248,10 @@ void SharedIntake::decide(SteadyTime now) {
         due.push_back(std::move(m_undecided.front()));
         m_undecided.pop_front();
     }
-    if (ours) return;  // what is due then is left out
+    if (ours) return;  // what is due is then left out
     for (Undecided& one : due) {
-        // Another one that meant to make the map was wrong, too. One that made it before this one says
-        // nothing.
+        // Another station that meant to make the map was wrong, too. A maker reported before this sample
+        // proves nothing.
         if (m_maker && m_makerHeard >= one.since && one.from != *m_maker) continue;
         one.event.received = {};  // it enters now
         hear(std::move(one.event), one.from, now);
@@ -276,7 +277,7 @@ void SharedIntake::enter(RawEvent event, Sample sample) {
 }
 
 void SharedIntake::enterLate(Waiting one, Other& other) {
-    // Who makes the map by now has decided since.
+    // A station that makes the map by now has decided since.
     if (other.map != Map::Same || m_setup.holdsMap()) return;
     if (one.scan) {
         if (!m_scans.insert(*one.scan).second) return;

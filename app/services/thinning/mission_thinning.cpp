@@ -40,11 +40,11 @@ std::vector<VictimSample> formsOf(BagReader& bag) {
     return forms;
 }
 
-/// Sequences of all evidence of @p bag's finds, also of those that other stations told.
+/// Returns the sequences of all evidence of @p bag's finds, also of finds of other stations.
 std::set<std::uint64_t> evidenceOf(BagReader& bag, const std::vector<RobotDescription>& robots,
                                    const std::stop_token& stop) {
     std::set<std::uint64_t> all;
-    std::set<std::tuple<std::string, Time, Time>> told;  // topic, stamp, find: each form says it again
+    std::set<std::tuple<std::string, Time, Time>> told;  // topic, stamp, find: each form repeats it
     EventDecoder decoder(robots);
     for (const VictimSample& form : formsOf(bag)) {
         for (const VictimEvidence& one : form.evidence) {
@@ -58,7 +58,7 @@ std::set<std::uint64_t> evidenceOf(BagReader& bag, const std::vector<RobotDescri
     return all;
 }
 
-/// How often a topic of @p role is kept [1/s]; negative: always.
+/// Returns how often a topic of @p role is kept [1/s]; negative: always.
 double rateOf(StreamRole role, const ThinSettings& settings) {
     switch (streamFacts(role).thinnedAs) {
         case ThinnedAs::Kept:
@@ -77,7 +77,7 @@ double rateOf(StreamRole role, const ThinSettings& settings) {
     return -1.0;
 }
 
-/// Decides event by event.
+/// Decides event by event what is kept.
 class Sieve {
 public:
     Sieve(const std::vector<RobotDescription>& robots, std::set<std::uint64_t> evidence,
@@ -106,7 +106,7 @@ public:
 private:
     std::set<std::uint64_t> m_evidence;
     std::map<std::string, double> m_rates;  ///< by topic
-    std::map<std::string, Time> m_last;     ///< kept
+    std::map<std::string, Time> m_last;     ///< last kept event, by topic
 };
 
 }  // namespace
@@ -122,7 +122,7 @@ Result<ThinOutcome> thinMission(const std::filesystem::path& mission, const std:
     ThinOutcome outcome;
     const auto robots = robotsOf(mission, from, outcome.problems);
     Sieve sieve(robots, evidenceOf(from, robots, progress.stop), settings);
-    detail::Unfinished unfinished(out);  // goes after the writer has closed its files
+    detail::Unfinished unfinished(out);  // destroyed after the writer has closed its files
     auto writer = BagWriter::open(out);
     if (!writer) return writer.error();
     if (auto kept = keepRobots(out, robots); !kept) return kept.error();

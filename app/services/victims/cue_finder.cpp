@@ -21,8 +21,8 @@ namespace {
 constexpr double Still = 0.012;          // slower is standing [m/s, rad/s]
 constexpr double StillCamera = 0.004;    // turned less between two pictures [rad]
 constexpr std::size_t MostWaiting = 60;  // pictures and slices
-constexpr double StampJitter = 0.02;     // between a picture and the angles told for it [s]
-constexpr double UnknownPlace = 0.35;    // of a sighting that does not tell how sure it is [m]
+constexpr double StampJitter = 0.02;     // between a picture and its reported angles [s]
+constexpr double UnknownPlace = 0.35;    // of a sighting without a deviation [m]
 
 double angleOf(const CameraInfoSample& camera, double pixels, int width) {
     const double scale = camera.width > 0 && width > 0 ? static_cast<double>(camera.width) / width : 1.0;
@@ -118,7 +118,7 @@ std::optional<CueFinder::View> CueFinder::viewOf(const Event& event, const Pictu
     if (!place) return std::nullopt;
     const Pose& inBase = place->sensorInBase;
     View view;
-    if (camera.before && stamp + std::chrono::seconds(5) < camera.beforeAt) {  // the robot's clock began anew
+    if (camera.before && stamp + std::chrono::seconds(5) < camera.beforeAt) {  // the robot's clock restarted
         camera.before.reset();
         m_movedAt = std::min(m_movedAt, stamp);
     }
@@ -151,7 +151,7 @@ void CueFinder::look(const Event& event) {
     }
     if (event.role == StreamRole::Thermal) return lookForHeat(event, camera, *view);
     if (event.role != StreamRole::Picture) return;
-    // Omnidirectional pictures are too coarse for what is looked for here.
+    // Omnidirectional pictures are too coarse for this search.
     if (!pixelDirection(*camera.info, {1.0, 1.0}, camera.info->width, camera.info->height)) return;
     const Time stamp = stampOf(event, sample.header);
     const bool still = secondsBetween(camera.stoodSince, stamp) > m_settings.standing;
@@ -160,7 +160,7 @@ void CueFinder::look(const Event& event) {
     const bool read = stamp - camera.read >= m_settings.signsEvery || stamp < camera.read;
     if (!compare && !read) return;
     const auto picture = decodePicture(sample);
-    if (!picture) return;  // who looks at it is told
+    if (!picture) return;  // whoever looks at it is notified
     if (compare || stamp < camera.compared) {
         camera.compared = stamp;
         lookForMotion(event, camera, *view, *picture);
@@ -219,7 +219,7 @@ std::optional<PlacedCue> CueFinder::locate(const LookedAt& looked) {
 
 bool CueFinder::shows(const Event& picture, const Eigen::Vector3d& inMap) {
     constexpr double Beam = degrees(2.0);  // half angle
-    constexpr double Thick = 0.6;          // what is so near before the place belongs to it [m]
+    constexpr double Thick = 0.6;          // points this near before the place belong to it [m]
     const auto* sample = std::get_if<PictureSample>(&picture.sample);
     const auto camera = m_cameras.find(picture.sensor);
     if (sample == nullptr || camera == m_cameras.end() || !camera->second.info) return false;
@@ -249,7 +249,7 @@ void CueFinder::lookForHeat(const Event& event, const Camera& camera, const View
         if (blob.kind != HeatBlob::Kind::Body) break;  // bodies come first
         const auto direction = pixelDirection(*camera.info, blob.centre, thermal->width, thermal->height);
         if (!direction) continue;
-        // The points that count are those on warm pixels: beside a head is a wall.
+        // Only points on warm pixels count: beside a head is a wall.
         const Eigen::Matrix3d odomInOptical = view.opticalInOdom.linear().transpose();
         const auto shows = [&](const Eigen::Vector3d& inOdom) {
             const auto pixel = pixelOf(*camera.info, odomInOptical * inOdom, thermal->width, thermal->height);
@@ -327,7 +327,7 @@ void CueFinder::hear(const Event& event, const SightingSample& sightings) {
     const auto base = m_places.baseInMap(m_places.now().stamp);
     const auto inOdom = m_places.baseInOdom(m_places.now().stamp);
     if (!base || !inOdom) {
-        m_unheard = event;  // a robot says them once
+        m_unheard = event;  // a robot sends them once
         return;
     }
     m_unheard.reset();

@@ -20,20 +20,20 @@
 
 namespace leitstand {
 
-/// How closely a robot's samples are looked at.
+/// How closely a robot's samples are searched.
 struct CueSettings {
-    std::chrono::milliseconds motionEvery{180};  ///< pictures of a camera that are compared
-    std::chrono::milliseconds signsEvery{450};   ///< ... that codes and placards are looked for in
+    std::chrono::milliseconds motionEvery{180};  ///< between pictures of a camera that are compared
+    std::chrono::milliseconds signsEvery{450};   ///< ... and that are searched for codes and placards
     std::chrono::milliseconds longestWait{500};  ///< of a picture for odometry
     double fastest = 0.9;                        ///< a camera that turns faster is not looked through [rad/s]
-    double standing = 0.7;                       ///< a camera must stand so long before motion counts [s]
-    double highest = 1.0;       ///< people beyond walls are higher over the robot's ground [m]
+    double standing = 0.7;                       ///< a camera must stand this long before motion counts [s]
+    double highest = 1.0;       ///< people higher over the robot's ground are beyond walls [m]
     double lowest = -0.6;       ///< [m]
     double farthestHeat = 6.0;  ///< [m]
     double farthest = 5.0;      ///< of motion, codes and placards [m]
 };
 
-/// Something in a picture that somebody asks the place of.
+/// Something in a picture whose place is wanted.
 struct LookedAt {
     Event picture;
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< [px]
@@ -41,26 +41,27 @@ struct LookedAt {
     double halfAngle = 0.0;                           ///< of what is meant, as seen [rad]
 };
 
-/// Finds cues in what one robot says and places them in the map. The caller tells where the robot is. Without
-/// thread; one at a time.
+/// Finds cues in what one robot sends and places them in the map. The caller reports where the robot is. Has
+/// no thread; one call at a time.
 class CueFinder {
 public:
     explicit CueFinder(const RobotDescription& robot, const CueSettings& settings = {});
     CueFinder(const CueFinder&) = delete;
     CueFinder& operator=(const CueFinder&) = delete;
 
-    /// Odometry, inertial unit, transforms, scans, pictures, camera infos, gas, sightings of this robot;
-    /// others are passed by.
+    /// Takes odometry, inertial unit, transforms, scans, pictures, camera infos, gas, sightings of this
+    /// robot; ignores others.
     void onEvent(const Event& event);
-    /// Where the robot was; until the first nothing can be placed.
+    /// Sets where the robot was; nothing can be placed before the first call.
     void correct(const MapFix& fix) { m_places.correct(fix); }
-    /// What was found since the last call, without the key scan.
+    /// Cues found since the last call, without the key scan.
     [[nodiscard]] std::vector<PlacedCue> found();
     [[nodiscard]] const RobotInMap& now() const { return m_places.now(); }
-    /// Where @p looked lies, in the map; empty where the picture is too old or nothing was scanned there.
+    /// Returns where @p looked lies, in the map; empty when the picture is too old or nothing was scanned
+    /// there.
     [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
-    /// Whether @p picture of a calibrated camera shows @p inMap [m]: it is within the picture, and nothing
-    /// was scanned before it.
+    /// Whether @p picture of a calibrated camera shows @p inMap [m]: it is within the picture, and no scanned
+    /// point hides it.
     [[nodiscard]] bool shows(const Event& picture, const Eigen::Vector3d& inMap);
 
 private:
@@ -73,9 +74,9 @@ private:
     struct Camera {
         std::optional<CameraInfoSample> info;
         MotionFinder motion;
-        Time compared{}, read{};  ///< pictures last looked at for motion, and for signs
+        Time compared{}, read{};  ///< times of the pictures last searched for motion, and for signs
         Time stoodSince{};
-        std::optional<Pose> before;  ///< in base
+        std::optional<Pose> before;  ///< pose in base, at the last picture
         Time beforeAt{};
     };
     void look(Time now);
@@ -88,7 +89,7 @@ private:
     [[nodiscard]] std::optional<View> viewOf(const Event& event, const PictureSample& picture,
                                              Camera& camera);
     [[nodiscard]] Cue cueOf(const Event& event, const char* kind, Time stamp) const;
-    /// Keeps @p cue where @p pixel of the picture shows it.
+    /// Keeps @p cue at the place that @p pixel of the picture shows; false when nothing was scanned there.
     bool place(PlacedCue cue, const Camera& camera, const View& view, const Eigen::Vector2d& pixel, int width,
                int height, double halfAngle, double farthest);
     [[nodiscard]] std::optional<RayHit> meet(const View& view, const Eigen::Vector3d& direction,
@@ -105,9 +106,9 @@ private:
     std::map<std::string, GasWatch> m_gases;  ///< by sensor
     std::map<std::uint32_t, Sighting> m_sightings;
     std::optional<Event> m_unheard;               ///< sightings of a robot that is not placed yet
-    std::deque<Event> m_waiting;                  ///< pictures, for odometry
-    std::deque<std::pair<Event, Pose>> m_slices;  ///< scans, likewise, and how their sensor sat
-    Time m_movedAt{};                             ///< last, robot's clock
+    std::deque<Event> m_waiting;                  ///< pictures waiting for odometry
+    std::deque<std::pair<Event, Pose>> m_slices;  ///< waiting scans, with their sensor's pose in base
+    Time m_movedAt{};                             ///< time of the last motion, robot's clock
     std::vector<PlacedCue> m_found;
 };
 

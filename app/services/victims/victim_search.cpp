@@ -6,7 +6,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double AboutARobot = 0.45;  // what moves or is warm so near to a robot is the robot [m]
+constexpr double AboutARobot = 0.45;  // motion or heat this near to a robot is the robot [m]
 
 }  // namespace
 
@@ -96,7 +96,7 @@ void VictimSearch::onEvent(const Event& event, bool search) {
     if (finder == m_finders.end()) return;
     if (!search && std::holds_alternative<PictureSample>(event.sample)) return;
     if (!search && std::holds_alternative<SightingSample>(event.sample)) {
-        m_unheard.insert_or_assign(event.robot, event);  // a robot says them once
+        m_unheard.insert_or_assign(event.robot, event);  // a robot sends them once
         return;
     }
     if (search) {

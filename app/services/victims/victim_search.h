@@ -17,44 +17,43 @@
 
 namespace leitstand {
 
-/// What codes say that are tags of victims, by the profile of the score that a mission names.
+/// Which codes are tags of victims, by the score profile that a mission names.
 struct TagsOfProfiles {
     std::map<std::string, TagPatterns> byName;
-    /// Of the profile @p name, else of the newest (last by name), else the usual ones.
+    /// Returns those of the profile @p name, else of the newest (last by name), else the usual ones.
     [[nodiscard]] TagPatterns of(const std::string& name) const;
 };
 
-/// Searches what all robots say for victims, codes and hazards: finds cues, places them in the map and joins
-/// them into candidates. All that it knows of the map is in events too, so it does on a log what it does
-/// live. Without thread; one at a time.
+/// Searches what all robots send for victims, codes and hazards: finds cues, places them in the map and joins
+/// them into candidates. All that it knows of the map is also in events, so it works on a log as it does
+/// live. Has no thread; one call at a time.
 class VictimSearch {
 public:
     VictimSearch(const std::vector<RobotDescription>& robots, const std::string& station,
                  const CueSettings& cues = {}, const CandidateSettings& candidates = {});
 
-    /// All events of a mission, in order. @p search false: only where robots are is followed.
+    /// Takes all events of a mission, in order. @p search false: only follows where robots are.
     void onEvent(const Event& event, bool search = true);
-    /// Where key scans are: of earlier sessions, or after an undo.
+    /// Sets where key scans are: those of earlier sessions, or all after an undo.
     void follow(std::span<const ScanPose> poses);
-    /// Where @p robot was, by every scan that fits: live, more than the key scans tell. Of a robot that is
-    /// none of the search's: nothing.
+    /// Sets where @p robot was, from every scan that fits: live, this is more than key scans show. Ignores
+    /// robots that are not the search's.
     void correct(const std::string& robot, const MapFix& fix);
-    /// Where it takes @p robot to be; null when it is none of its own.
+    /// Returns where it takes @p robot to be; null when it is none of its own.
     [[nodiscard]] const RobotInMap* place(const std::string& robot) const;
-    /// What was told of a candidate in an earlier session.
+    /// Restores a candidate of an earlier session.
     void restore(const CandidateSample& sample) { m_book.take(sample); }
-    void restore(const VictimSample& find);  ///< likewise of a find; after its candidates
-    /// Which codes are tags of victims; the mission's data say by which @p profile, until then it is this
-    /// one.
+    void restore(const VictimSample& find);  ///< of an earlier session; after its candidates
+    /// Sets which codes are tags of victims. @p profile holds until the mission's data name one.
     void setTags(TagsOfProfiles tags, const std::string& profile);
-    /// Where something is that a robot's picture shows; empty: nobody can tell.
+    /// Returns the place of what a robot's picture shows; empty: unknown.
     [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
     /// Whether a robot's picture shows a place [m].
     [[nodiscard]] bool shows(const Event& picture, const Eigen::Vector3d& inMap);
     /// Candidates that are new or changed.
     [[nodiscard]] std::vector<CandidateSample> due(Time now) { return m_book.due(now); }
 
-    /// Told of every cue that counts, before it is joined; for tests and tuning. May be empty.
+    /// Receives every cue that counts, before it is joined; for tests and tuning. May be empty.
     std::function<void(const PlacedCue&)> onCue;
 
 private:
@@ -62,11 +61,11 @@ private:
     [[nodiscard]] std::uint64_t scanFor(const PlacedCue& cue) const;
     [[nodiscard]] bool isRobot(const PlacedCue& cue) const;
 
-    std::map<std::string, CueFinder> m_finders;  ///< fixed
+    std::map<std::string, CueFinder> m_finders;  ///< the set is fixed
     CandidateBook m_book;
     TagsOfProfiles m_tags;
     KeyScanPlaces m_scans;
-    std::map<std::string, Event> m_unheard;  ///< sightings that came while nothing was searched, by robot
+    std::map<std::string, Event> m_unheard;  ///< sightings that came while the search was off, by robot
 };
 
 }  // namespace leitstand

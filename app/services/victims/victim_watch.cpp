@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::milliseconds PicturesEvery(150);  ///< of a camera; thermal ones all
+constexpr std::chrono::milliseconds PicturesEvery(150);  ///< of a camera; thermal pictures are all taken
 constexpr std::size_t MostPictures = 40;                 ///< that wait
 constexpr std::chrono::milliseconds LongestSilence(500);
 
@@ -24,7 +24,7 @@ bool isPicture(const Event& event) {
     return std::holds_alternative<PictureSample>(event.sample);
 }
 
-/// Whether a search wants to know of it at all.
+/// Whether a search uses @p event at all.
 bool isWanted(const Event& event) {
     return isPicture(event) || std::holds_alternative<OdometrySample>(event.sample) ||
            std::holds_alternative<ImuSample>(event.sample) ||

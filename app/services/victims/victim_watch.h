@@ -24,31 +24,31 @@ struct VictimWatchSetup {
     std::string station;                                      ///< persistent identity
     std::function<bool()> maySearch;                          ///< whether the station has the map's grant
     std::function<void(const CandidateSample&)> onCandidate;  ///< on the watch's thread
-    std::function<RobotsInMapPtr()> places;  ///< where the robots are now; without it, key scans alone tell
-    std::function<std::vector<ScanPose>()> poses;      ///< where the mission's key scans are; after an undo
-    std::function<std::vector<VictimSample>()> finds;  ///< that stand in the mission; likewise, and at first
+    std::function<RobotsInMapPtr()> places;        ///< where the robots are now; empty: by key scans alone
+    std::function<std::vector<ScanPose>()> poses;  ///< where the mission's key scans are; used after an undo
+    std::function<std::vector<VictimSample>()> finds;  ///< in the mission; used after an undo, and at first
     std::vector<ScanPose> earlierPoses;                ///< of the mission's earlier sessions
-    std::vector<CandidateSample> earlier;              ///< likewise
+    std::vector<CandidateSample> earlier;              ///< of the mission's earlier sessions
     TagsOfProfiles tags;                               ///< of victims
-    std::string profile;                               ///< of the score, as the mission's data have it by now
+    std::string profile;                               ///< of the score, as the mission's data name it by now
 };
 
-/// VictimSearch on a thread of its own, live. Any thread. Where it cannot keep up, pictures are left out (the
-/// log has them all); nothing else is.
+/// VictimSearch on its own thread, live. Any thread. When it cannot keep up, it leaves out pictures (the log
+/// has them all), and nothing else.
 class VictimWatch : public EventSink {
 public:
     explicit VictimWatch(VictimWatchSetup setup);
     ~VictimWatch() override;
 
-    void onEvent(const Event& event) override;  ///< all events of the mission, in order
-    /// Tells @p answer where what a picture shows is, on the watch's thread, after what waits; empty: nobody
-    /// can tell. Not answered when the watch ends before.
+    void onEvent(const Event& event) override;  ///< takes all events of the mission, in order
+    /// Calls @p answer with the place of what a picture shows, on the watch's thread, after waiting work;
+    /// empty: unknown. Does not call it if the watch ends before.
     void locate(LookedAt looked, std::function<void(const std::optional<PlacedCue>&)> answer);
-    /// Tells @p answer, likewise, which of @p pictures show the place @p inMap [m].
+    /// Calls @p answer, in the same way, with which of @p pictures show the place @p inMap [m].
     void seen(std::vector<Event> pictures, const Eigen::Vector3d& inMap,
               std::function<void(const std::vector<bool>&)> answer);
-    void close() override;  ///< what waits is left; nobody is told anything any more
-    [[nodiscard]] std::chrono::nanoseconds worked() const;  ///< time of the processor so far
+    void close() override;  ///< drops waiting work; no function is called any more
+    [[nodiscard]] std::chrono::nanoseconds worked() const;  ///< processor time so far
     [[nodiscard]] std::size_t waiting() const;              ///< events, with those it works on
 
 private:
@@ -61,13 +61,13 @@ private:
 
     const VictimWatchSetup m_setup;
     VictimSearch m_search;    ///< of the thread
-    RobotsInMapPtr m_places;  ///< likewise: as followed last
+    RobotsInMapPtr m_places;  ///< as followed last; of the thread
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
     std::deque<Event> m_waiting;
     std::vector<Question> m_questions;
     std::map<Camera, Time> m_taken;  ///< newest picture, station's clock
-    std::size_t m_pictures = 0;      ///< that wait
+    std::size_t m_pictures = 0;      ///< waiting pictures
     std::size_t m_atWork = 0;        ///< events that were taken and are not done yet
     std::chrono::nanoseconds m_worked{};
     std::jthread m_thread;  ///< last: joined first

@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Roll, pitch and yaw of @p pose [rad], from which poseFrom() makes its rotation again, also where it looks
-/// straight up or down: there yaw is whatever the rotation has it, and roll takes up the rest.
+/// Returns roll, pitch and yaw of @p pose [rad]; poseFrom() makes the same rotation from them. Where the pose
+/// looks straight up or down, yaw is what the matrix gives, and roll takes up the rest.
 [[nodiscard]] Eigen::Vector3d rollPitchYawOf(const Pose& pose);
 
 }  // namespace leitstand

@@ -10,8 +10,8 @@
 
 namespace leitstand::detail {
 
-/// Numbers the occupied cubes of a grid 0, 1, 2 ... in the order in which they are met: a hash table with
-/// linear probing over 64-bit keys of 21 bits an axis.
+/// Numbers the occupied cubes of a grid 0, 1, 2 ... in the order in which they are met. It is a hash table
+/// with linear probing over 64-bit keys, 21 bits an axis.
 class CellTable {
 public:
     static constexpr std::uint32_t Outside = 0xffffffff;
@@ -31,7 +31,7 @@ public:
         if (!(x >= 0.0 && x < 2 * Half && y >= 0.0 && y < 2 * Half && z >= 0.0 && z < 2 * Half)) {
             return Outside;
         }
-        // All are positive here: cutting off rounds down.
+        // All are positive here: truncation rounds down.
         const std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::int64_t>(x)) << 42 |
                                   static_cast<std::uint64_t>(static_cast<std::int64_t>(y)) << 21 |
                                   static_cast<std::uint64_t>(static_cast<std::int64_t>(z));
@@ -80,7 +80,7 @@ private:
     }
 
     double m_perMetre;
-    Eigen::Vector3d m_from;  ///< what is added [edges]
+    Eigen::Vector3d m_from;  ///< added to scaled coordinates [edges]
     std::vector<Slot> m_slots;
     int m_shift;
     std::uint32_t m_count = 0;

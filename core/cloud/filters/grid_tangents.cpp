@@ -13,13 +13,13 @@
 namespace leitstand {
 namespace {
 
-constexpr float HalfWindow = 0.07F;    ///< reached to both sides where the surface goes on [m]
-constexpr float LeastExtent = 0.10F;   ///< of a window, else there is no tangent [m]
+constexpr float HalfWindow = 0.07F;    ///< reach of a window to each side, where the surface goes on [m]
+constexpr float LeastExtent = 0.10F;   ///< least extent of a window that gives a tangent [m]
 constexpr float NoiseStep = 0.06F;     ///< steps of range up to this are noise, not a jump [m]
-constexpr float SteepStep = 3.0F;      ///< steps of range over the beams' distance that are surely no jump
-constexpr float SteepestStep = 25.0F;  ///< and the most at grazing incidence
+constexpr float SteepStep = 3.0F;      ///< range step over the beams' distance that is surely no jump
+constexpr float SteepestStep = 25.0F;  ///< the most at grazing incidence
 constexpr std::int32_t LongestHalf = 30'000;  ///< of a window [points]
-constexpr std::int32_t LeastSpot = 16;        ///< of points too near to each other to give a tangent
+constexpr std::int32_t LeastSpot = 16;        ///< least number of points too close together to give a tangent
 constexpr std::size_t LineGrain = 32;         ///< lines that a thread takes at once
 
 /// Places in a line of the grid: first and last.
@@ -29,7 +29,7 @@ struct Range {
     [[nodiscard]] std::int32_t size() const { return last - first + 1; }
 };
 
-/// A row or column of the grid; its vectors are reused for the next one.
+/// A row or column of the grid; its vectors are reused for the next line.
 class Line {
 public:
     /// Takes @p count points from @p begin on, @p stride apart.
@@ -59,7 +59,7 @@ private:
 
     // Vectors of four, the last one 0, fit the processor's.
     std::vector<Eigen::Vector4f> m_points;
-    std::vector<Eigen::Vector4d> m_sums;  ///< of all points with an echo before each
+    std::vector<Eigen::Vector4d> m_sums;  ///< sums of all points with an echo before each
     std::vector<float> m_ranges;          ///< NaN: no echo
     std::vector<Step> m_steps;            ///< from each point to the next
     std::vector<Range> m_runs;
@@ -71,7 +71,7 @@ void Line::take(const std::vector<Eigen::Vector3f>& points, std::size_t begin, s
     m_ranges.resize(count);
     m_sums.resize(count + 1);
     m_steps.resize(count);
-    // Scalars and a sum of its own: reading back at once what was just written would stall.
+    // Scalars and running sums: to read back at once what was just written would stall.
     double x = 0.0, y = 0.0, z = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         const Eigen::Vector3f& point = points[begin + i * stride];
@@ -122,7 +122,7 @@ Range Line::window(std::int32_t i, const Range& run, const Range& former) const 
     while (first > run.first && squaredDistance(first, i) < Reach) --first;
     while (last > i && squaredDistance(last - 1, i) >= Reach) --last;
     while (last < run.last && squaredDistance(last, i) < Reach) ++last;
-    // Beside a jump the other side alone has to make up the extent.
+    // Beside a jump, the other side alone makes up the extent.
     if (first == run.first || last == run.last) {
         while (last < run.last && !extended({first, last})) ++last;
         while (first > run.first && !extended({first, last})) --first;
@@ -162,14 +162,14 @@ struct Spot {
     Range places;
 };
 
-/// Tangents along lines, and what they were taken from.
+/// Tangents along lines, and the points that they were fitted to.
 struct Fit {
     std::vector<Eigen::Vector3f> tangents;
     std::vector<Neighbours> neighbours;
     std::vector<Spot> spots;
 };
 
-/// Fits the tangents of lines @p first to @p last, spots apart.
+/// Fits the tangents of the lines from @p first up to @p last, and collects their spots separately.
 void fitLines(const std::vector<Eigen::Vector3f>& points, const Lines& lines, std::size_t first,
               std::size_t last, Fit& result, std::vector<Spot>& spots) {
     Line line;
@@ -179,7 +179,7 @@ void fitLines(const std::vector<Eigen::Vector3f>& points, const Lines& lines, st
             Range window{run.first, run.first};
             bool extended = false;
             for (std::int32_t i = run.first; i <= run.last; ++i) {
-                // Windows change little from point to point: three of four just move on.
+                // Windows change little from point to point: three of four only move on.
                 const bool moves = extended && i % 4 != 0 && window.first + 1 < i && window.last >= i &&
                                    window.last < run.last;
                 if (moves) {
@@ -256,8 +256,8 @@ void smooth(std::vector<Eigen::Vector3f>& tangents, const Lines& lines,
     });
 }
 
-/// Where the axis of the scanner meets a surface, the rows cross in one place and a column is but a spot:
-/// there the rows themselves give both directions, the second one from half a column away.
+/// Where the scanner's axis meets a surface, the rows cross in one place and a column is only a spot. There
+/// the rows give both directions, the second one from half a column away.
 void bridgePoles(GridTangents& tangents, const Lines& columns, const std::vector<Spot>& spots) {
     Sums rows;
     for (const auto& [column, places] : spots) {
@@ -277,7 +277,7 @@ void bridgePoles(GridTangents& tangents, const Lines& columns, const std::vector
 }  // namespace
 
 Eigen::Vector3f GridTangents::normal(std::size_t i, const Eigen::Vector3f& point) const {
-    constexpr float LeastSine = 0.15F;  // of the angle between two directions that tell a plane
+    constexpr float LeastSine = 0.15F;  // of the angle between two directions that span a plane
     const Eigen::Vector3f &a = alongRows[i], &b = alongColumns[i];
     const Eigen::Vector3f cross = a.cross(b);
     const float squared = cross.squaredNorm();

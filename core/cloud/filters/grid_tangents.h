@@ -18,9 +18,9 @@ struct GridTangents {
     [[nodiscard]] Eigen::Vector3f normal(std::size_t i, const Eigen::Vector3f& point) const;
 };
 
-/// Tangents of an organised @p scan, each fitted over at least 10 cm of surface, so that range noise does not
-/// decide, and not across depth jumps; one pair a point, zero where there is less surface than that.
-/// @p threads: 0 is one per core; the result does not depend on them.
+/// Returns the tangents of an organised @p scan, one pair a point; zero where there is too little surface.
+/// Each is fitted over at least 10 cm of surface, so that range noise does not decide, and never across depth
+/// jumps. @p threads: 0 is one per core; the result does not depend on them.
 [[nodiscard]] GridTangents gridTangents(const Scan& scan, int threads = 1);
 
 }  // namespace leitstand

@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t HalfWindow = 3;  // 7 neighbours, the point itself in the middle
 
-/// Points that become one: of one raw scan, later of raw scans that follow each other.
+/// Points that become one: of one raw scan, later of successive raw scans.
 struct Run {
-    std::size_t firstColumn = 0, lastColumn = 0;  // in the last raw scan that took part
+    std::size_t firstColumn = 0, lastColumn = 0;  // in the last raw scan that it has points of
     Eigen::Vector3f first, last;  // first point; last point, or mean of the last raw scan's part
     Eigen::Vector3d points = Eigen::Vector3d::Zero();
     Eigen::Vector3f normals = Eigen::Vector3f::Zero();
@@ -37,7 +37,7 @@ public:
         std::size_t candidate = 0;
         std::vector<bool> taken(m_open.size(), false);
         for (Run& run : now) {
-            // Both lists rise by columns: earlier runs that end before this one begin are of no more use.
+            // Both lists rise by columns: earlier runs that end before this one begin are no longer needed.
             while (candidate < m_open.size() && m_open[candidate].lastColumn < run.firstColumn) ++candidate;
             const std::size_t partner = nearestBefore(run, candidate, taken);
             if (partner == m_open.size()) continue;
@@ -96,14 +96,14 @@ private:
         run.count += 1.0;
     }
 
-    /// Adds the label and normal of the point @p index; those of a replaced outlier are as wrong as its
+    /// Adds the label and normal of the point @p index. Those of a replaced outlier are as wrong as its
     /// range.
     void describe(Run& run, std::size_t index) const {
         if (!m_normals.empty()) run.normals += m_normals[index];
         if (!m_scan.labels.empty()) run.labels.add(m_scan.labels[index]);
     }
 
-    /// The free run of the raw scan before that @p run continues and is nearest to; m_open.size() if there is
+    /// Returns the nearest free run of the raw scan before that @p run continues; m_open.size() if there is
     /// none.
     [[nodiscard]] std::size_t nearestBefore(const Run& run, std::size_t candidate,
                                             const std::vector<bool>& taken) const {
@@ -119,7 +119,7 @@ private:
         return best;
     }
 
-    /// @p before with @p run added; it goes on from @p run.
+    /// Returns @p before with @p run added; it continues from @p run.
     [[nodiscard]] static Run joined(const Run& before, const Run& run) {
         Run sum = run;
         sum.first = before.first;
@@ -141,7 +141,7 @@ private:
     const Scan& m_scan;
     std::span<const Eigen::Vector3f> m_normals;
     const MedianFilterSettings& m_settings;
-    std::vector<Run> m_open;  // of the last raw scan, by columns
+    std::vector<Run> m_open;  // runs of the last raw scan, by columns
     PointCloud m_cloud;
 };
 

@@ -12,21 +12,21 @@ struct MedianFilterSettings {
     double outlier = 0.20;  ///< a range farther than this from the median of its 7 neighbours becomes it [m]
     double joinDistance =
         0.08;  ///< neighbours nearer than this are joined (0.05 leaves a fifth of half-degree scans) [m]
-    double longestRun = 0.20;                ///< a run ends at the latest so far from its first point [m]
-    double minRange = 0.4, maxRange = 30.0;  ///< other points are left out [m]
+    double longestRun = 0.20;                ///< longest distance of a run from its first point [m]
+    double minRange = 0.4, maxRange = 30.0;  ///< points outside are left out [m]
 };
 
 /// The paper's median and reduction filter for organised scans (section 2.2; Surmann, Nuechter & Hertzberg
-/// 2003): along each raw scan an outlier is replaced by the median of its 7 neighbours, then runs of points
-/// close together become one, their mean, with the commonest label, the mean normal and their number as
-/// weight; runs of raw scans that follow each other are joined likewise, so that near surfaces are thinned
-/// both ways. About a tenth of a scan is left. @p normals: empty, or one a point of the scan. An unorganised
-/// scan is only limited to its range.
+/// 2003). Along each raw scan an outlier is replaced by the median of its 7 neighbours. Runs of close points
+/// then become one point: their mean, with the commonest label, the mean normal and their number as weight.
+/// Runs of successive raw scans are joined in the same way, so near surfaces are thinned in both directions.
+/// About a tenth of a scan is left. @p normals: empty, or one a point of the scan. An unorganised scan is
+/// only limited to its range.
 [[nodiscard]] PointCloud medianReduced(const Scan& scan, std::span<const Eigen::Vector3f> normals,
                                        const MedianFilterSettings& settings = {});
 
-/// The ranges along a raw scan with outliers replaced, the first step of medianReduced(). Neighbours without
-/// an echo (NaN) do not count. @p outlier: see MedianFilterSettings [m].
+/// Returns the ranges along a raw scan with outliers replaced: the first step of medianReduced(). Neighbours
+/// without an echo (NaN) do not count. @p outlier: see MedianFilterSettings [m].
 [[nodiscard]] std::vector<float> medianFilteredRanges(std::span<const float> ranges, double outlier);
 
 }  // namespace leitstand

@@ -14,7 +14,7 @@ namespace {
 /// Normal of the plane through @p near of @p points, towards @p sensor; zero if they do not span one.
 Eigen::Vector3f planeNormal(std::span<const Eigen::Vector3f> points, const std::vector<Neighbour>& near,
                             const Eigen::Vector3f& sensor) {
-    constexpr double LeastWidth = 1e-3;  // of what spans a plane over its length, squared
+    constexpr double LeastWidth = 1e-3;  // squared width of a plane over its length
     if (near.size() < 3) return Eigen::Vector3f::Zero();
     const Eigen::Vector3f& origin = points[static_cast<std::size_t>(near.front().index)];
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

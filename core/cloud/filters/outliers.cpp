@@ -14,10 +14,10 @@
 namespace leitstand {
 namespace {
 
-/// A row or column of the grid as the ranges along it.
+/// The ranges along a row or column of the grid.
 class RangeLine {
 public:
-    /// @p count points from @p begin on, @p stride apart; @p ranges: of all points.
+    /// Takes @p count points from @p begin on, @p stride apart; @p ranges: of all points.
     void take(const std::vector<Eigen::Vector3f>& points, const std::vector<float>& ranges, std::size_t begin,
               std::size_t count, std::size_t stride, const MixedPixelSettings& settings) {
         m_leastStep = static_cast<float>(settings.leastStep);
@@ -27,7 +27,7 @@ public:
         for (std::size_t i = 0; i + 1 < count; ++i) {
             const float step = m_ranges[i + 1] - m_ranges[i];
             m_steep[i] = 0;
-            // Most steps are small; without an echo no comparison holds.
+            // Most steps are small. Without an echo no comparison holds.
             if (!(std::abs(step) > m_leastStep)) continue;
             const Eigen::Vector3f edge = points[begin + (i + 1) * stride] - points[begin + i * stride];
             const float across = std::sqrt(std::max(edge.squaredNorm() - step * step, 0.0F));
@@ -39,11 +39,11 @@ public:
     /// Whether the range changes steeply from the place @p i to the next one.
     [[nodiscard]] bool isSteep(std::size_t i) const { return m_steep[i] != 0; }
 
-    /// Whether the @p width points behind the place @p left all hang between it and the one behind them.
+    /// Whether the @p width points after the place @p left all hang between it and the place after them.
     [[nodiscard]] bool hang(std::size_t left, std::size_t width) const {
         const std::size_t right = left + width + 1;
         if (right >= m_ranges.size()) return false;
-        // The range has to rise, or fall, steeply all the way: two points side by side are a face.
+        // The range must rise, or fall, steeply all the way: two points side by side are a face.
         for (std::size_t i = left; i < right; ++i) {
             const bool rises = m_ranges[i + 1] > m_ranges[i];
             if (m_steep[i] == 0 || rises != (m_ranges[right] > m_ranges[left])) return false;
@@ -58,13 +58,13 @@ private:
         const float range = m_ranges[end];
         // On a plane the inverse ranges of beams at even angles are, for small angles, on a line.
         const float expected = 1.0F / (2.0F / range - 1.0F / m_ranges[inner]);
-        if (!(expected > 0.0F)) return true;  // nothing, or the horizon
+        if (!(expected > 0.0F)) return true;  // no surface, or the horizon
         constexpr float SlopeError = 0.2F;
         return std::abs(m_ranges[next] - expected) > m_leastStep + SlopeError * std::abs(expected - range);
     }
 
     std::vector<float> m_ranges;        ///< NaN: no echo [m]
-    std::vector<std::uint8_t> m_steep;  ///< the step from each point to the next one; 0 without echo
+    std::vector<std::uint8_t> m_steep;  ///< whether the step to the next point is steep; 0 without echo
     float m_leastStep = 0.0F;
 };
 
@@ -87,7 +87,7 @@ PointCloud withoutIsolated(const PointCloud& cloud, const IsolationSettings& set
     constexpr std::size_t Grain = 2048;
     const KdTree tree(cloud.points);
     std::vector<std::uint8_t> kept(cloud.size());
-    // The point itself is among the nearest.
+    // The nearest include the point itself.
     const auto wanted = static_cast<std::size_t>(std::max(settings.leastNeighbours, 0)) + 1;
     parallelFor(cloud.size(), Grain, settings.threads, [&](std::size_t first, std::size_t last) {
         std::vector<Neighbour> near;

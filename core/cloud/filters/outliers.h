@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// Which points of a cloud are isolated.
+/// Settings of the search for isolated points.
 struct IsolationSettings {
     double radius = 0.10;  ///< neighbours are nearer than this [m] ...
     double radiusPerRange =
@@ -15,22 +15,22 @@ struct IsolationSettings {
     int threads = 1;          ///< 0: one per core
 };
 
-/// @p cloud, in its sensor's frame, without isolated points: dust, reflections, wires.
+/// Returns @p cloud, in its sensor's frame, without isolated points: dust, reflections, wires.
 [[nodiscard]] PointCloud withoutIsolated(const PointCloud& cloud, const IsolationSettings& settings = {});
 
-/// Which points of an organised scan are mixed pixels.
+/// Settings of the search for mixed pixels in organised scans.
 struct MixedPixelSettings {
-    double leastStep = 0.08;  ///< of range off the surfaces on both sides; less is noise [m]
-    double steepness = 1.5;   ///< of the steps on both sides: change of range over distance across the beams
+    double leastStep = 0.08;  ///< least step of range from the surfaces on both sides; less is noise [m]
+    double steepness = 1.5;   ///< least change of range over distance across the beams, of both steps
     int widest = 2;           ///< points hanging side by side; more are an object of its own
 };
 
-/// Tells the points of an organised @p scan that hang between foreground and background, where a beam was
-/// split by an edge: along a row or a column the surface through them would run along the beams on both
-/// sides, and they continue neither surface there. One a point.
+/// Returns which points of an organised @p scan are mixed pixels, one flag a point. Such a point hangs
+/// between foreground and background, where an edge split the beam. Along a row or a column the surface
+/// through it would run along the beams on both sides, and it continues neither surface there.
 [[nodiscard]] std::vector<bool> mixedPixels(const Scan& scan, const MixedPixelSettings& settings = {});
 
-/// @p scan with its mixed pixels turned into no echo; unorganised scans stay as they are.
+/// Returns @p scan with no echo in place of its mixed pixels; unorganised scans stay as they are.
 [[nodiscard]] Scan withoutMixedPixels(Scan scan, const MixedPixelSettings& settings = {});
 
 }  // namespace leitstand

@@ -13,7 +13,7 @@ PointCloud pointsInRange(const Scan& scan, std::span<const Eigen::Vector3f> norm
     if (!normals.empty()) cloud.normals.reserve(scan.points.size());
     if (labelled) cloud.labels.reserve(scan.points.size());
     for (std::size_t i = 0; i < scan.points.size(); ++i) {
-        // In double: squares of huge floats would be infinite. No comparison holds for NaN.
+        // In double: squares of huge floats would be infinite. NaN fails every comparison.
         const double range = scan.points[i].cast<double>().norm();
         if (!(range >= minRange && range <= maxRange)) continue;
         cloud.points.push_back(scan.points[i]);

@@ -16,9 +16,9 @@ namespace {
 
 using detail::CellTable;
 
-constexpr std::size_t PointsACell = 4;  ///< or more, of most clouds: room for the others is made
+constexpr std::size_t PointsACell = 4;  ///< most clouds have at least so many; for others the tables grow
 
-/// What is gathered of a cube's points.
+/// Sums over the points of a cube.
 struct Sum {
     Eigen::Vector3d points = Eigen::Vector3d::Zero();
     double count = 0.0;
@@ -106,7 +106,7 @@ PointCloud voxelGrid(const PointCloud& cloud, double edge, VoxelPoint kept, cons
     if (!cloud.normals.empty()) {
         result.normals.resize(cells.sums.size());
         std::transform(cells.sums.begin(), cells.sums.end(), result.normals.begin(), [](const Sum& sum) {
-            return sum.normals.normalized();  // leaves a zero as it is
+            return sum.normals.normalized();  // a zero stays zero
         });
     }
     if (!cloud.labels.empty()) result.labels = commonestLabels(cloud, cells);
@@ -114,7 +114,7 @@ PointCloud voxelGrid(const PointCloud& cloud, double edge, VoxelPoint kept, cons
 }
 
 Eigen::Vector3d ownGridOrigin(std::span<const Eigen::Vector3f> points, double edge) {
-    constexpr std::size_t Enough = 16;  // points: noise makes each scan's differ
+    constexpr std::size_t Enough = 16;  // points: noise makes those of each scan differ
     std::uint64_t bits = 0;
     std::size_t taken = 0;
     for (const Eigen::Vector3f& point : points) {

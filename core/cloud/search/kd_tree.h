@@ -51,7 +51,7 @@ public:
 
     /// Number of points in the tree.
     [[nodiscard]] std::size_t size() const { return m_storage.size; }
-    /// Held on the heap [bytes].
+    /// Memory held on the heap [bytes].
     [[nodiscard]] std::size_t memory() const;
 
 private:

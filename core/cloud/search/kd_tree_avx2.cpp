@@ -6,14 +6,14 @@
 
 #include "core/cloud/search/kd_tree_descent.h"
 
-// Without FMA on purpose: a fused step would round otherwise than the plain path. No Eigen type is handled by
-// value here.
+// Without FMA on purpose: a fused step would round differently from the plain path. No Eigen type is passed
+// by value here.
 #define LEITSTAND_AVX2 __attribute__((target("avx2")))
 
 namespace leitstand::detail {
 namespace {
 
-/// Squared distance of a query from @p box, as boxDistance() of the descent has it. @p query: x y z and
+/// Squared distance of a query from @p box, computed like boxDistance() of the descent. @p query: x y z and
 /// anything.
 LEITSTAND_AVX2 inline float boxDistance(const KdBox& box, __m128 query) {
     const __m128 below = _mm_sub_ps(_mm_loadu_ps(box.low.data()), query);
@@ -32,8 +32,8 @@ LEITSTAND_AVX2 inline float least(__m256 values) {
     return _mm_cvtss_f32(_mm_min_ss(four, _mm_shuffle_ps(four, four, 1)));
 }
 
-/// The nearest points so far, one for each of the eight places of a block: joined only at the end, so that no
-/// branch depends on what a leaf holds.
+/// The nearest points so far, one for each of the eight places of a block. They are joined only at the end,
+/// so that no branch depends on the contents of a leaf.
 struct Nearest {
     __m256 distances;
     __m256i blocks;
@@ -95,7 +95,7 @@ LEITSTAND_AVX2 KdFound nearestAvx2(const KdStorage& tree, const Eigen::Vector3f&
             }
         }
         searchLeaf(tree.blocks.data(), ref, blockQuery, best);
-        // What was found shrinks the bound, the bound of the caller never: a point just below it counts.
+        // A found distance is multiplied by shrink, the caller's bound is not: a point just below it counts.
         const float distance = least(best.distances);
         bound = distance < maxSquaredDistance ? distance * shrink : maxSquaredDistance;
         do {

@@ -8,7 +8,7 @@
 namespace leitstand::detail {
 namespace {
 
-constexpr std::size_t LeafSize = 96;  // points: blocks cost less than the steps that would part them
+constexpr std::size_t LeafSize = 96;  // points: blocks cost less than the steps that would split them
 static_assert(LeafSize <= KdRef::MostBlocks * BlockSize);
 constexpr std::size_t AlignedSize = 8 * LeafSize;  // nodes from here down are split at full blocks
 constexpr float Infinity = std::numeric_limits<float>::infinity();
@@ -97,7 +97,7 @@ private:
         return {KdRef(static_cast<std::uint32_t>(node), 0), extent};
     }
 
-    /// Puts the items into two groups and returns the size of the first one: neither is empty.
+    /// Splits the items into two groups and returns the size of the first one; neither is empty.
     static std::size_t split(std::span<Item> items, const Extent& extent, int depth) {
         const std::size_t axis = longestSide(extent);
         const auto less = [axis](const Item& a, const Item& b) { return a.at[axis] < b.at[axis]; };

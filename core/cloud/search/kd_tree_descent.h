@@ -37,8 +37,9 @@ inline std::array<float, BlockSize> blockDistances(const KdBlock& block, const E
     return result;
 }
 
-/// Calls @p leaf(ref) for the leaf of @p query and for all that are nearer than @p bound, nearer ones first;
-/// the bound is read anew after each [m^2]. The search for AVX2 visits the same leaves in the same order.
+/// Calls @p leaf(ref) for the leaf of @p query and for all that are nearer than @p bound [m^2], nearer ones
+/// first. The bound is read again after each call. The search for AVX2 visits the same leaves in the same
+/// order.
 template <class Leaf>
 void descend(const KdStorage& tree, const Eigen::Vector3f& query, const float& bound, Leaf leaf) {
     if (tree.empty()) return;

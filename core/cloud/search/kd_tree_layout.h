@@ -28,10 +28,10 @@ public:
     KdRef(std::uint32_t first, std::uint32_t blocks) : packed(first << 4 | blocks) {}
 
     [[nodiscard]] bool isNode() const { return (packed & MostBlocks) == 0; }
-    [[nodiscard]] std::uint32_t first() const { return packed >> 4; }  ///< of KdStorage::nodes, or of blocks
+    [[nodiscard]] std::uint32_t first() const { return packed >> 4; }  ///< in KdStorage::nodes, or in blocks
     [[nodiscard]] std::uint32_t end() const {
         return (packed >> 4) + (packed & MostBlocks);
-    }  ///< of a leaf's blocks
+    }  ///< end of a leaf's blocks
 
     std::uint32_t packed;  // left unset by default: searches hold arrays of these
 };
@@ -41,8 +41,8 @@ struct KdBox {
     std::array<float, 3> low, negativeHigh;
 };
 
-/// An inner node with the tight boxes of both its children: all that a step of the descent needs is in one
-/// cache line. A point belongs to child 1 if its coordinate is not below the split.
+/// An inner node with the tight boxes of both its children: one cache line holds all that a step of the
+/// descent needs. A point belongs to child 1 if its coordinate is not below the split.
 struct alignas(64) KdNode {
     std::array<KdBox, 2> boxes;
     std::array<KdRef, 2> children;
@@ -54,15 +54,15 @@ struct alignas(64) KdNode {
 struct KdStorage {
     std::vector<KdNode> nodes;
     std::vector<KdBlock> blocks;
-    std::vector<std::int32_t> indices;  ///< of the model's points, one a place of the blocks; -1: unused
+    std::vector<std::int32_t> indices;  ///< model point at each place of the blocks; -1: unused
     KdRef root{};                       ///< without nodes and blocks: an empty tree
     std::size_t size = 0;               ///< points in the tree
 
     [[nodiscard]] bool empty() const { return size == 0; }
 };
 
-/// What a search found: a place in the blocks. @p squaredDistance is the bound it began with if there is
-/// none.
+/// Result of a search: a place in the blocks. Without one, squaredDistance is the bound that the search began
+/// with.
 struct KdFound {
     static constexpr std::uint32_t None = 0xffffffff;
     std::uint32_t place = None;

@@ -6,7 +6,7 @@
 
 namespace leitstand::detail {
 
-/// Finds in @p tree a point nearer to @p query than @p maxSquaredDistance [m^2] such that none is nearer than
+/// Finds a point of @p tree that is nearer to @p query than @p maxSquaredDistance [m^2]. None is nearer than
 /// sqrt(@p shrink) times its distance; 1: the nearest (Arya and Mount 1993: shrink = 1 / (1 + epsilon)^2).
 using KdNearest = KdFound (*)(const KdStorage& tree, const Eigen::Vector3f& query, float maxSquaredDistance,
                               float shrink);

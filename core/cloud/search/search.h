@@ -26,9 +26,9 @@ class Search {
 public:
     virtual ~Search() = default;
 
-    /// The model point nearest to @p query whose squared distance is below @p maxSquaredDistance [m^2]; for a
-    /// forest among the points of kind @p label only: an Unlabelled query finds unlabelled points only, and
-    /// all points of a model without labels are unlabelled. The query must be finite.
+    /// Returns the model point nearest to @p query whose squared distance is below @p maxSquaredDistance
+    /// [m^2]. A forest searches only the points of kind @p label: an Unlabelled query finds unlabelled points
+    /// only. All points of a model without labels are unlabelled. The query must be finite.
     [[nodiscard]] virtual Neighbour nearest(const Eigen::Vector3f& query, Label label,
                                             float maxSquaredDistance) const = 0;
     /// Memory held beyond the model cloud itself [bytes].

@@ -11,7 +11,7 @@ namespace {
 constexpr int Font = cv::FONT_HERSHEY_SIMPLEX;
 constexpr double CapitalHeight = 21.0;  ///< of the font at scale 1 [px]
 
-/// How large and thick the font's lines are for capitals of a height in pixels.
+/// Scale and thickness of the font for capitals of a height in pixels.
 struct Type {
     double scale = 1.0;
     int thick = 1;
@@ -25,12 +25,12 @@ cv::Scalar scalarOf(Rgb colour) {
     return {double(colour.red), double(colour.green), double(colour.blue)};
 }
 
-/// The same pixels, as OpenCV sees them.
+/// Returns the same pixels as an OpenCV matrix.
 cv::Mat matOf(Picture& picture) {
     return {picture.height, picture.width, CV_8UC3, picture.bytes.data()};
 }
 
-/// Sixteenths of pixels, for which OpenCV counts pixels by their middles.
+/// Sixteenths of pixels. OpenCV counts pixels by their middles.
 constexpr int Shift = 4;
 cv::Point fine(const Eigen::Vector2d& pixel) {
     const auto number = [](double value) {
@@ -59,7 +59,7 @@ void MapCanvas::set(int column, int row, Rgb colour) {
     pixel[2] = std::byte{colour.blue};
 }
 
-/// Sets the pixels whose middle, from @p centre [m], is @p inside.
+/// Sets the pixels whose middle, relative to @p centre [m], is @p inside.
 template <class Inside>
 void MapCanvas::fill(const Eigen::Vector2d& centre, double reach, Rgb colour, Inside inside) {
     const Eigen::Vector2d middle = m_map.pixelOf(centre);
@@ -107,7 +107,7 @@ void MapCanvas::line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, dou
 }
 
 void MapCanvas::polyline(const std::vector<Eigen::Vector2d>& points, double wide, Rgb colour) {
-    constexpr double Piece = 0.5;  // long lines go in pieces, so that little is looked at in vain [m]
+    constexpr double Piece = 0.5;  // long lines are painted in pieces, to test few pixels [m]
     const double reach = std::max(wide, m_map.perPixel) / 2 * (1.0 + 1e-9);
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Eigen::Vector2d whole = points[i] - points[i - 1];
@@ -115,7 +115,7 @@ void MapCanvas::polyline(const std::vector<Eigen::Vector2d>& points, double wide
         if (!std::isfinite(length) || length > 1e4) continue;
         const int pieces = std::max(1, static_cast<int>(std::ceil(length / Piece)));
         const Eigen::Vector2d step = whole / pieces;
-        // In pixels: to the right is against y, down is against x.
+        // In pixels, right is -y and down is -x.
         const Eigen::Vector2d half(-step.y() / 2, -step.x() / 2);
         for (int piece = 0; piece < pieces; ++piece) {
             const Eigen::Vector2d middle = points[i - 1] + (piece + 0.5) * step;

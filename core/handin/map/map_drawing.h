@@ -39,9 +39,9 @@ inline constexpr Rgb Path{120, 0, 140};
 inline constexpr Rgb Number{255, 255, 255};
 }  // namespace map_colour
 
-/// Something that was found, as it is marked in a map.
+/// The mark of a find in a map.
 struct MapMark {
-    /// What counts most first: it is painted over others.
+    /// The most important first: it is painted over the others.
     enum class Kind : std::uint8_t { Victim, UnconfirmedVictim, Hazard, Code, Object };
     Kind kind = Kind::Victim;
     std::uint32_t number = 0;  ///< within Victim and UnconfirmedVictim, or within the kind
@@ -50,7 +50,7 @@ struct MapMark {
 /// "V1", "H2", "Q3", "O4".
 [[nodiscard]] std::string nameOf(const MapMark& mark);
 
-/// Where a robot began, and where it looked then.
+/// The place where a robot began, and its heading then.
 struct MapStart {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< in the map [m]
     double heading = 0.0;                             ///< from x to y [rad]
@@ -65,11 +65,12 @@ struct MapDrawing {
     std::vector<MapMark> marks;
 };
 
-/// Part of the map, its corners with the least and the greatest coordinates [m].
+/// A part of the map, by its corners with the least and the greatest coordinates [m].
 struct MapArea {
     Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();
 };
-/// All that @p drawing shows, on whole metres, with a metre around it; 2 m x 2 m where it shows nothing.
+/// Returns the area of all that @p drawing shows, on whole metres, with a metre around it; 2 m x 2 m when it
+/// shows nothing.
 [[nodiscard]] MapArea areaOf(const MapDrawing& drawing);
 
 }  // namespace leitstand

@@ -30,14 +30,14 @@ Rgb checker(double x, double y) {
     return std::fmod(std::abs(sum), 2.0) < 0.5 ? map_colour::UnexploredLight : map_colour::UnexploredDark;
 }
 
-/// Whether the pixel from @p low on, @p perPixel wide, has a line of the grid.
+/// Whether a pixel that begins at @p low and is @p perPixel wide contains a line of the grid.
 bool onGrid(double low, double perPixel) {
     const double line = std::ceil(low / map_size::Grid - 1e-6) * map_size::Grid;
     return line - low < perPixel - 1e-9;
 }
 
-/// What a pixel, whose middle is given, has of @p grid: of many cells one that is occupied, else one that is
-/// explored, so that walls do not vanish between the middles of pixels.
+/// Returns what @p grid shows in a pixel around its middle. Of several cells it takes an occupied one,
+/// otherwise an explored one, so that walls do not vanish between the middles of pixels.
 OccupancyGrid::Cell cellIn(const OccupancyGrid& grid, double x, double y, double perPixel) {
     OccupancyGrid::Cell shown = grid.at(x, y);
     const int across = static_cast<int>(std::lround(perPixel / grid.cell));
@@ -52,7 +52,7 @@ OccupancyGrid::Cell cellIn(const OccupancyGrid& grid, double x, double y, double
     return shown;
 }
 
-/// Unexplored, explored, grid, cleared and walls: what one pixel shows of them.
+/// Returns the colour of one pixel: unexplored, explored, grid, cleared or wall.
 Rgb groundColour(const OccupancyGrid& grid, double x, double y, double perPixel) {
     const OccupancyGrid::Cell cell = cellIn(grid, x, y, perPixel);
     const auto sure = [](float value) { return std::clamp(value, 0.0F, 1.0F); };
@@ -105,14 +105,14 @@ void paintMark(MapCanvas& canvas, const MapMark& mark) {
     }
 }
 
-/// Marks without a number of their own by the rules have their name beside them, as text.
+/// Paints the name beside marks that have no number by the rules, as text.
 void paintName(MapCanvas& canvas, const MapMark& mark) {
     if (mark.kind == MapMark::Kind::Victim || mark.kind == MapMark::Kind::Hazard) return;
     const Eigen::Vector2d beside = mark.place + Eigen::Vector2d(-0.08, -0.26);
     canvas.text(beside, nameOf(mark), 0.16, map_colour::Text);
 }
 
-/// Where marks lie over each other, as a victim's and that of its tag, what counts most is on top; names are
+/// Paints the most important mark on top where marks overlap, such as a victim and its tag. Names are painted
 /// over all of them.
 void paintMarks(MapCanvas& canvas, std::vector<MapMark> marks, bool names) {
     std::stable_sort(marks.begin(), marks.end(),
@@ -122,7 +122,7 @@ void paintMarks(MapCanvas& canvas, std::vector<MapMark> marks, bool names) {
     for (const MapMark& mark : marks) paintName(canvas, mark);
 }
 
-/// A bar of a metre, and which way x and y go: up and to the left.
+/// Paints a bar of a metre, and the directions of x and y: up and to the left.
 void paintScale(MapCanvas& canvas, const Eigen::Vector2d& topLeft) {
     const double wide = 0.04, tip = 0.12;
     const Rgb colour = map_colour::Scale;
@@ -161,8 +161,9 @@ MapPicture blank(const MapArea& area, double perPixel) {
     return map;
 }
 
-/// The finest resolution at which @p area is not too large, of those of which cells of 5 cm, 10 cm and so on
-/// are whole pixels, or pixels whole cells, and 0.5 m of the grid and 1 m too.
+/// Returns the finest resolution at which @p area has at most @p mostPixels. At each of them, cells of 5 cm,
+/// 10 cm and so on are whole pixels or pixels are whole cells. The same holds for 0.5 m of the grid and for 1
+/// m.
 double resolutionFor(const MapArea& area, double mostPixels) {
     const double square = (area.high - area.low).prod();
     for (const double step : {0.01, 0.025, 0.05, 0.1, 0.25, 0.5}) {
@@ -208,7 +209,7 @@ MapArea areaOf(const MapDrawing& drawing) {
     for (const auto& path : drawing.paths) std::for_each(path.begin(), path.end(), take);
     for (const MapStart& start : drawing.starts) take(start.place);
     for (const MapMark& mark : drawing.marks) {
-        // What stands a kilometre off would make the map a point.
+        // A mark a kilometre off would shrink the map to a point.
         if (low.x() <= high.x() &&
             ((mark.place - low).minCoeff() < -100.0 || (mark.place - high).maxCoeff() > 100.0))
             continue;

@@ -11,7 +11,7 @@ namespace leitstand {
 
 /// How a map is painted.
 struct PaintSettings {
-    std::optional<MapArea> area = {};  ///< else all of it, with room for the title above
+    std::optional<MapArea> area = {};  ///< empty: all of it, with room for the title above
     double perPixel = 0.0;             ///< [m]; 0: 0.01, or coarser where that would be more than mostPixels
     double mostPixels = 36e6;
     bool title = true;  ///< with name, scale bar and orientation
@@ -21,14 +21,14 @@ struct PaintSettings {
 /// A picture of a map: x of the map is up, y is left.
 struct MapPicture {
     Picture picture;                                    ///< Rgb8
-    Eigen::Vector2d topLeft = Eigen::Vector2d::Zero();  ///< of the corner of the first pixel, in the map [m]
+    Eigen::Vector2d topLeft = Eigen::Vector2d::Zero();  ///< corner of the first pixel, in the map [m]
     double perPixel = 0.01;                             ///< edge of a pixel [m]
 
-    /// Column and row of a place of the map; may be outside, and between pixels.
+    /// Returns column and row of a place in the map; may be outside, and between pixels.
     [[nodiscard]] Eigen::Vector2d pixelOf(const Eigen::Vector2d& place) const {
         return {(topLeft.y() - place.y()) / perPixel, (topLeft.x() - place.x()) / perPixel};
     }
-    /// Colour of a pixel that is within the picture.
+    /// Returns the colour of a pixel within the picture.
     [[nodiscard]] Rgb at(int column, int row) const;
 };
 

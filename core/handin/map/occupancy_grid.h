@@ -12,13 +12,13 @@
 
 namespace leitstand {
 
-/// Which heights a flat map shows, above the floor where one is [m].
+/// The heights above the local floor that a flat map shows [m].
 struct HeightBand {
     double low = 0.25, high = 0.35;
     std::string name = {};  ///< in words, "0.25 to 0.35 m above the floor"
 };
-/// The two heights of the hand-in: what stops a robot that drives, and what is left of that a metre up,
-/// where steps, boxes and barriers of the arena no longer hide the rooms.
+/// Returns the two heights of the hand-in. The first shows what stops a driving robot. The second shows what
+/// is left of that a metre up, where steps, boxes and barriers of the arena no longer hide the rooms.
 [[nodiscard]] const std::vector<HeightBand>& reportBands();
 
 /// A map seen from above.
@@ -36,16 +36,16 @@ struct OccupancyGrid {
     std::vector<Cell> cells;                           ///< row by row
 
     [[nodiscard]] bool empty() const { return cells.empty(); }
-    /// The cell at a place of the map [m]; an unexplored one outside.
+    /// Returns the cell at a place in the map [m]; an unexplored one outside.
     [[nodiscard]] Cell at(double x, double y) const;
 };
 
-/// The map of what @p evidence has within @p band above @p floor: occupied where any cube of the band is,
-/// free where one was looked through or the floor was seen.
+/// Returns the map of @p evidence within @p band above @p floor. A cell is occupied when any cube of the band
+/// is. It is free when a ray passed through one or the floor was seen.
 [[nodiscard]] OccupancyGrid gridOf(const VoxelEvidence& evidence, const FloorHeights& floor,
                                    const HeightBand& band);
 
-/// Area that is free or occupied [m2].
+/// Returns the area that is free or occupied [m2].
 [[nodiscard]] double exploredArea(const OccupancyGrid& grid);
 
 }  // namespace leitstand

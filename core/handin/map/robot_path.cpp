@@ -11,17 +11,17 @@
 namespace leitstand {
 namespace {
 
-constexpr double MostDisagreement = 1.0;  ///< of two anchors; beyond it the odometry began anew [m]
+constexpr double MostDisagreement = 1.0;  ///< of two anchors; beyond it the odometry was reset [m]
 constexpr double Turned = degrees(10);
-constexpr std::chrono::seconds Beyond{1};  ///< the end of odometry, an anchor tells alone where the robot was
+constexpr std::chrono::seconds Beyond{1};  ///< after the end of odometry, an anchor alone places the robot
 
-/// Where an anchor has the odometry's frame.
+/// The odometry frame in the map, by an anchor.
 struct OdometryInMap {
     Time time{};
     Pose odomInMap = Pose::Identity();
 };
 
-/// The odometry at @p time, interpolated; empty where it is not known within half a second.
+/// Returns the odometry at @p time, interpolated; empty when it is unknown within half a second.
 std::optional<Pose> odometryAt(std::span<const PathPose> odometry, Time time) {
     constexpr auto Gap = std::chrono::milliseconds(500);
     const auto after = std::lower_bound(odometry.begin(), odometry.end(), time,

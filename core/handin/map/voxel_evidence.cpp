@@ -19,7 +19,7 @@ struct Extent {
     [[nodiscard]] bool empty() const { return !(low.x() <= high.x()); }
 };
 
-/// The middle one of where the scans were taken: a few scans far away must not decide what the map is.
+/// Returns the median of the places of scans: a few scans far away must not decide what the map is.
 Eigen::Vector3d middleOf(std::span<const ReportScan> scans) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (int axis = 0; axis < 3; ++axis) {
@@ -57,7 +57,7 @@ Extent extentOf(std::span<const ReportScan> scans, const EvidenceSettings& setti
 
 }  // namespace
 
-/// Which cubes a scan has said something of already.
+/// Which cubes the current scan has counted already.
 struct VoxelEvidence::Marks {
     static constexpr std::uint16_t Last = 32'000;
 
@@ -69,12 +69,12 @@ struct VoxelEvidence::Marks {
         std::fill(of.begin(), of.end(), std::uint16_t{0});
         scan = 1;
     }
-    /// Whether the present scan has not hit @p cube yet; then it has.
+    /// Marks @p cube as hit by the current scan; false when it is hit already.
     [[nodiscard]] bool hit(std::size_t cube) {
         const auto mark = static_cast<std::uint16_t>(2 * scan + 1);
         return std::exchange(of[cube], mark) != mark;
     }
-    /// Whether the present scan has said nothing of @p cube yet; then it is passed.
+    /// Marks @p cube as passed by the current scan; false when it is passed or hit already.
     [[nodiscard]] bool pass(std::size_t cube) {
         const auto mark = static_cast<std::uint16_t>(2 * scan);
         if (of[cube] >= mark) return false;
@@ -88,7 +88,7 @@ void VoxelEvidence::change(std::size_t cube, int by) {
         static_cast<std::int8_t>(std::clamp(m_values[cube] + by, m_settings.least, m_settings.most));
 }
 
-/// All cubes from @p from up to the one before that of @p to (Amanatides & Woo 1987).
+/// Passes all cubes from that of @p from to the one before that of @p to (Amanatides & Woo 1987).
 void VoxelEvidence::castRay(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Marks& marks) {
     const Eigen::Vector3d a = (from - origin()) / m_cell, way = (to - from) / m_cell;
     Eigen::Vector3i cube = a.array().floor().cast<int>();
@@ -138,7 +138,7 @@ void VoxelEvidence::add(const ReportScan& scan, Marks& marks) {
         const Eigen::Vector3i cube = ((end - low) / m_cell).array().floor().cast<int>();
         if ((cube.array() >= m_size.array()).any()) continue;
         const std::size_t here = index(cube.x(), cube.y(), cube.z());
-        if (!marks.hit(here)) continue;  // one ray a cube is enough
+        if (!marks.hit(here)) continue;  // one ray per cube is enough
         change(here, m_settings.hit);
         ends.push_back(end);
     }

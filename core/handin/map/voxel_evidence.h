@@ -12,8 +12,8 @@
 
 namespace leitstand {
 
-/// How rays become evidence; the odds are OctoMap's (Hornung et al. 2013, table 1): the
-/// natural logarithm times 35, which fits into a byte.
+/// How rays become evidence. The odds are OctoMap's (Hornung et al. 2013, table 1): the natural logarithm
+/// times 35, which fits into a byte.
 struct EvidenceSettings {
     double cell = 0.05;      ///< edge of a cube [m]; doubled until the map has at most mostCells
     double maxRange = 12.0;  ///< rays end here without an echo [m]
@@ -22,23 +22,23 @@ struct EvidenceSettings {
     double mostExtent = 400.0;  ///< of the map along an axis; what is farther is left out [m]
 };
 
-/// What rays say of the cubes of a map: above 0 occupied, below 0 free, 0 never seen. A scan counts once a
-/// cube, and an echo in it outweighs rays through it.
+/// Evidence of rays for the cubes of a map: above 0 occupied, below 0 free, 0 never seen. A scan counts once
+/// per cube, and an echo in it outweighs rays through it.
 class VoxelEvidence {
 public:
-    /// The evidence of @p scans, in their order. Empty when no scan has a point.
+    /// Computes the evidence of @p scans, in their order. Empty when no scan has a point.
     [[nodiscard]] static VoxelEvidence of(std::span<const ReportScan> scans,
                                           const EvidenceSettings& settings = {},
                                           const Progress& progress = {});
 
     [[nodiscard]] double cell() const { return m_cell; }                  ///< [m]
     [[nodiscard]] const Eigen::Vector3i& size() const { return m_size; }  ///< cubes along x, y, z
-    /// Number of the first cube along x, y, z: it begins at that times cell() in the map.
+    /// Returns the index of the first cube along x, y, z: the cube begins at that times cell() in the map.
     [[nodiscard]] const Eigen::Vector3i& first() const { return m_first; }
     [[nodiscard]] Eigen::Vector3d origin() const { return m_first.cast<double>() * m_cell; }
     [[nodiscard]] bool empty() const { return m_values.empty(); }
 
-    /// Evidence of the cube (0, 0, 0) and on; 0 outside.
+    /// Returns the evidence of a cube, counted from (0, 0, 0); 0 outside.
     [[nodiscard]] int at(int x, int y, int z) const {
         if (x < 0 || y < 0 || z < 0 || x >= m_size.x() || y >= m_size.y() || z >= m_size.z()) return 0;
         return m_values[index(x, y, z)];

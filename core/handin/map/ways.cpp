@@ -14,16 +14,16 @@ namespace leitstand {
 namespace {
 
 constexpr double Apart = 0.10;      ///< trails are thinned to this [m]
-constexpr double Crossing = 0.3;    ///< trails that come so near meet [m]
-constexpr double SameStorey = 0.3;  ///< ... unless one is so far above the other [m]
+constexpr double Crossing = 0.3;    ///< trails this near to each other meet [m]
+constexpr double SameStorey = 0.3;  ///< ... unless one is this far above the other [m]
 constexpr double Far = std::numeric_limits<double>::infinity();
 
-constexpr double Touching = 0.15;  ///< of a find: what is seen so near is its own surface [m] ...
-constexpr double Own = 0.4;        ///< ... and what goes on from there, up to here [m]
-constexpr double Beside = 0.05;    ///< of a straight piece, what stands so near is in its way [m]
-constexpr double Alike = 0.15;     ///< points that are nearer by less count for as near [m]
+constexpr double Touching = 0.15;  ///< what is seen this near to a find is its own surface [m] ...
+constexpr double Own = 0.4;        ///< ... and so is what continues from there, up to here [m]
+constexpr double Beside = 0.05;    ///< what stands this near to a straight piece is in its way [m]
+constexpr double Alike = 0.15;     ///< distances that differ by less count as equal [m]
 
-/// Whether @p map shows nothing between @p place and @p from but the surface of what is at @p place.
+/// Whether @p map shows nothing between @p place and @p from except the surface of what is at @p place.
 bool isClear(const OccupancyGrid& map, const Eigen::Vector2d& place, const Eigen::Vector2d& from) {
     const double length = (from - place).norm(), step = map.cell / 2;
     if (length < step) return true;
@@ -56,7 +56,7 @@ struct WayFinder::Graph {
         double way = Far;            ///< from a start [m]
         std::ptrdiff_t before = -1;  ///< node; -1: a start
         std::ptrdiff_t trail = -1;   ///< node before it on the trail
-        std::ptrdiff_t gap = -1;     ///< node before it, where nobody knows the way between them
+        std::ptrdiff_t gap = -1;     ///< node before it, across a gap
         std::size_t robot = 0;
     };
     std::vector<Node> nodes;
@@ -83,7 +83,7 @@ struct WayFinder::Graph {
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             if (nodes[i].trail < 0 && nodes[i].gap < 0) reach(i, 0.0, -1);
         }
-        // What no known way leads to is reached straight over the gap.
+        // Nodes that no known way reaches are reached straight over the gap.
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             if (nodes[i].way < Far || nodes[i].gap < 0) continue;
             const Node& before = nodes[static_cast<std::size_t>(nodes[i].gap)];
@@ -94,7 +94,7 @@ struct WayFinder::Graph {
 private:
     using Entry = std::pair<double, std::size_t>;
 
-    /// Reaches @p node by @p way from @p before, and from there all to which that is the shortest way.
+    /// Reaches @p node by @p way from @p before, and from there all nodes to which that is the shortest way.
     void reach(std::size_t node, double way, std::ptrdiff_t before) {
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
         nodes[node].way = way;
@@ -158,7 +158,7 @@ Way WayFinder::to(const Eigen::Vector3d& place, const OccupancyGrid& map, const 
     std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) {
         return std::tie(a.first, a.second->way) < std::tie(b.first, b.second->way);
     });
-    // Of the points that are about as near, the one with the shortest way.
+    // Of about equally near points, takes the one with the shortest way.
     const auto best = [&](auto serves) -> std::optional<Near> {
         std::optional<Near> goal;
         double most = Far;

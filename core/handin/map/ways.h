@@ -13,16 +13,17 @@
 
 namespace leitstand {
 
-/// How to go to a place, along where robots have driven.
+/// A way to a place along the trails of robots.
 struct Way {
     std::vector<Eigen::Vector3d> points;  ///< from the start to the place [m]; empty: no robot drove near it
     double length = 0.0;                  ///< along the points, with the last piece [m]
-    double lastPiece = 0.0;               ///< from where a robot drove to the place, straight [m]
+    double lastPiece = 0.0;               ///< straight, from the trail to the place [m]
     bool clear = false;                   ///< whether the map shows nothing in the way of the last piece
     std::string robot;                    ///< whose start it begins at
 };
 
-/// Shortest ways along the trails of all robots: where trails cross, one may change from one to the other.
+/// Finds the shortest ways along the trails of all robots. Where trails cross, a way may change from one to
+/// the other.
 class WayFinder {
 public:
     explicit WayFinder(std::span<const RobotPath> paths);
@@ -30,11 +31,11 @@ public:
     WayFinder(WayFinder&&) noexcept;
     WayFinder& operator=(WayFinder&&) noexcept;
 
-    /// The way from the nearest start of a robot to @p place: along the trails to the nearest point from
-    /// which
-    /// @p map, at the height that stops robots, shows nothing in between but what @p place itself is, and
-    /// whose floor is on the storey of the floor below it; then straight. Where there is none, to the
-    /// trail's nearest point. Empty when the nearest trail is farther than @p reach [m].
+    /// Returns the way from the nearest start of a robot to @p place: along the trails to the nearest clear
+    /// point, then straight. From a clear point, @p map (at the height that stops robots) shows nothing in
+    /// between except @p place itself. Its floor is on the storey of the floor below the place. Without one,
+    /// the way leads over the trail's nearest point. Empty when the nearest trail is farther than @p reach
+    /// [m].
     [[nodiscard]] Way to(const Eigen::Vector3d& place, const OccupancyGrid& map = {},
                          const FloorHeights& floor = {}, double reach = 5.0) const;
 

@@ -49,13 +49,13 @@ private:
             m_outcome = detail::BagFile::Outcome::End;
             return true;
         }
-        // Salvage may know the topics by other numbers, or more of them.
+        // Salvage may number the topics differently, or find more of them.
         if (!m_query.topics.empty()) m_rowQuery.topics = m_reader.idsOf(m_part, m_query.topics);
         m_outcome = m_reader.fetch(m_part, m_rowQuery, m_rows);
         return true;
     }
 
-    /// What the query means in the part that comes next.
+    /// Sets up the row query for the next part.
     void begin() {
         const detail::BagPart& part = m_reader.parts()[m_part];
         const detail::BagFileFacts& facts = part.file->facts();

@@ -21,18 +21,18 @@ namespace leitstand {
 struct BagWriterSettings {
     std::chrono::milliseconds commitInterval{400};  ///< an event waits at most this long for its commit
     std::size_t commitBytes = 16U << 20U;           ///< a commit holds at most about this much [B]
-    std::size_t droppableQueueBytes = 64U << 20U;   ///< pictures are dropped while more than this waits [B]
-    std::size_t queueBytes = 512U << 20U;           ///< the rest is lost, and told, beyond this [B]
+    std::size_t droppableQueueBytes = 64U << 20U;   ///< pictures are dropped while more is queued [B]
+    std::size_t queueBytes = 512U << 20U;           ///< other events are lost and reported beyond this [B]
     std::chrono::milliseconds metadataInterval{10'000};  ///< between updates of metadata.yaml
     std::chrono::milliseconds retryInterval{500};        ///< between attempts on a full disk
-    double alarmMinutes = 10.0;  ///< an alarm is raised when the disk lasts shorter than this [min]
+    double alarmMinutes = 10.0;  ///< an alarm is raised when the disk lasts less than this [min]
 };
 
-/// What the operator must know about the disk; raised once, and told again when it is over.
+/// A disk problem that the operator must know about. Reported when it begins, and again when it is over.
 struct BagAlarm {
     enum class Kind : std::uint8_t {
-        DiskFilling,  ///< it lasts less than BagWriterSettings::alarmMinutes
-        DiskSlow,     ///< it does not keep up: pictures are being dropped
+        DiskFilling,  ///< the disk lasts less than BagWriterSettings::alarmMinutes
+        DiskSlow,     ///< the disk does not keep up: pictures are dropped
         DiskFull,     ///< nothing can be written; events wait in memory
         EventsLost,   ///< the queue is full: events other than pictures are lost
         Failed,       ///< the file cannot be written for another reason, which the text names
@@ -40,15 +40,15 @@ struct BagAlarm {
     Kind kind = Kind::DiskFilling;
     bool raised = true;        ///< false: over
     double minutesLeft = 0.0;  ///< until the disk is full; infinite when nothing is written [min]
-    std::string text;          ///< with numbers, in English; of one that is over: that it is
+    std::string text;          ///< in English, with numbers; states the end when the alarm is over
 };
 
-/// How the writer is doing.
+/// State and figures of a writer.
 struct BagWriterStatistics {
-    double bytesPerSecond = 0.0;  ///< payload committed, over the last seconds
+    double bytesPerSecond = 0.0;  ///< payload committed, mean over the last seconds
     std::size_t queuedEvents = 0, queuedBytes = 0;
     std::uint64_t writtenEvents = 0, writtenBytes = 0;  ///< committed in this session
-    std::map<std::string, std::uint64_t> dropped;       ///< events a topic that will never be written
+    std::map<std::string, std::uint64_t> dropped;       ///< events per topic that will never be written
     std::uint64_t commits = 0;
     Time lastCommit{};  ///< station's clock; epoch before the first
     double minutesLeft = std::numeric_limits<double>::infinity();
@@ -59,21 +59,20 @@ namespace detail {
 class BagStore;
 }
 
-/// Writes one session of a mission into its folder, a rosbag2 bag (design, section 5; docs/mission-log.md).
-/// One thread of its own writes; every function may be called from any thread, and none but open(), flush()
-/// and close() waits for the disk.
+/// Writes one session of a mission into its folder, a rosbag2 bag (design, section 5; docs/mission-log.md). A
+/// thread of the writer does the writing. Any thread may call any function; only open(), flush() and close()
+/// wait for the disk.
 class BagWriter {
 public:
-    /// Called on a thread of the writer's own; must not call close().
+    /// Called on a thread of the writer; must not call close().
     using AlarmHandler = std::function<void(const BagAlarm&)>;
 
-    /// Opens a new session in folder @p mission, which is made where it is absent; files of earlier sessions
-    /// are read, never written. An error when another writer has the mission, or the folder cannot be
-    /// written.
+    /// Opens a new session in folder @p mission and makes the folder if absent. Reads the files of earlier
+    /// sessions and never writes them. Error when another writer has the mission, or it cannot be written.
     [[nodiscard]] static Result<std::unique_ptr<BagWriter>> open(const std::filesystem::path& mission,
                                                                  const BagWriterSettings& settings = {},
                                                                  AlarmHandler onAlarm = {});
-    /// The same over another store: slow and full disks in tests.
+    /// Writes into @p store instead; for slow and full disks in tests.
     [[nodiscard]] static std::unique_ptr<BagWriter> over(std::unique_ptr<detail::BagStore> store,
                                                          const BagWriterSettings& settings,
                                                          AlarmHandler onAlarm = {});
@@ -81,22 +80,22 @@ public:
     BagWriter(const BagWriter&) = delete;
     BagWriter& operator=(const BagWriter&) = delete;
 
-    /// Announces a topic; one that is written unannounced is stored without its definition.
+    /// Announces a topic. A topic that is not announced is stored without its definition.
     void addTopic(const TopicInfo& topic);
-    /// Queues @p event, whose sequence must rise (0: the writer numbers it). Dropped and counted when the
+    /// Queues @p event, whose sequence must rise (0: the writer numbers it). Drops and counts it when the
     /// queue is too long.
     void write(RawEvent event);
 
     [[nodiscard]] BagWriterStatistics statistics() const;
     /// The file of this session.
     [[nodiscard]] const std::filesystem::path& file() const;
-    /// Last sequence of earlier sessions: this one's events begin after it.
+    /// Last sequence of earlier sessions; the events of this session begin after it.
     [[nodiscard]] std::uint64_t earlierSequence() const;
 
-    /// Waits until everything that was queued before is on the disk; an error when it is not by @p deadline.
+    /// Waits until everything queued before the call is on the disk. Error when it is not by @p deadline.
     [[nodiscard]] Result<void> flush(std::chrono::milliseconds deadline = std::chrono::seconds(10));
     /// Writes what is queued, makes the file self-contained and metadata.yaml final. Events that a full disk
-    /// keeps from being written are lost, which the error tells. Later calls do nothing.
+    /// cannot take are lost; the error reports how many. Later calls do nothing.
     [[nodiscard]] Result<void> close();
 
 private:

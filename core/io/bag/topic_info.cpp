@@ -9,7 +9,7 @@ namespace leitstand {
 
 namespace {
 
-/// A duration as rmw tells it; nothing: infinite.
+/// Formats a duration as rmw does; 0 or less is infinite [s].
 std::string duration(const char* name, double seconds) {
     constexpr std::uint64_t Infinite = 9223372036ULL;
     const bool infinite = !(seconds > 0.0) || seconds >= 9e9;

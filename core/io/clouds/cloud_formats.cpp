@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 std::span<const CloudFormat> cloudFormats() {
     static constexpr std::array<CloudFormat, 4> Formats = {
-        {{".3d", &readUosScan},  // written with its pose beside only (cloud_writer.h)
+        {{".3d", &readUosScan},  // written only together with its pose (cloud_writer.h)
          {".pcd", &readPcd, [](const fs::path& file, const Scan& cloud) { return writePcd(file, cloud); }},
          {".ply", &readPly, [](const fs::path& file, const Scan& cloud) { return writePly(file, cloud); }},
          {".xyz", &readXyz, &writeXyz}}};

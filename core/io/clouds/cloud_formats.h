@@ -12,20 +12,20 @@ namespace leitstand {
 
 /// A format of files that hold one cloud.
 struct CloudFormat {
-    std::string_view ending;  ///< with its dot, in small letters
+    std::string_view ending;  ///< with its dot, in lower case
     Result<ScanReading> (*read)(const std::filesystem::path& file);
-    /// Null: it is read only, a map is not written so.
+    /// Null when the format is only read.
     Result<void> (*write)(const std::filesystem::path& file, const Scan& cloud) = nullptr;
 };
 
-/// All that are read or written.
+/// Returns all formats that are read or written.
 [[nodiscard]] std::span<const CloudFormat> cloudFormats();
-/// By the ending of @p file, in small or capital letters; null: it has none of them.
+/// Returns the format by the ending of @p file, in lower or upper case; null when no format has it.
 [[nodiscard]] const CloudFormat* cloudFormatOf(const std::filesystem::path& file);
 
-/// Which endings are listed.
+/// Which formats to list.
 enum class CloudEndings : std::uint8_t { All, Written };
-/// Of the formats, as for people: ".pcd, .ply or .xyz" by ", " and " or ".
+/// Lists the endings of the formats for people: ".pcd, .ply or .xyz" with ", " and " or ".
 [[nodiscard]] std::string listOf(CloudEndings which, std::string_view between = " ",
                                  std::string_view last = " ");
 

@@ -44,8 +44,8 @@ Scan mergedCloud(const std::vector<PlacedScan>& scans, const CloudRange& range) 
     return merged;
 }
 
-/// Creates @p folder and sees that @p scans scans may be put there: over those of a former map, which have a
-/// .frames, but never over a robot's own.
+/// Creates @p folder and checks that @p scans scans may be written there. Scans of a former map, which have a
+/// .frames, may be overwritten; those of a robot may not.
 Result<void> prepareFolder(const fs::path& folder, std::size_t scans) {
     std::error_code problem;
     fs::create_directories(folder, problem);

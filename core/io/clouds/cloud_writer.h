@@ -10,22 +10,23 @@
 
 namespace leitstand {
 
-/// A scan and where it lies in the map.
+/// A scan and its pose in the map.
 struct PlacedScan {
     ScanPtr scan;
     Pose poseInMap = Pose::Identity();
 };
 
-/// Which points of a scan belong into a cloud of the map.
+/// Range in which points of a scan belong to a cloud of the map.
 struct CloudRange {
-    double min = 0.0;                                      ///< from the sensor on [m]
-    double max = std::numeric_limits<double>::infinity();  ///< up to here [m]
+    double min = 0.0;                                      ///< distance from the sensor [m]
+    double max = std::numeric_limits<double>::infinity();  ///< distance from the sensor [m]
 };
 
-/// Writes a map by @p out's ending. That of a CloudFormat: one cloud in map coordinates of all points in
-/// @p range with an echo, with labels, and with intensities when all scans have them. A folder
-/// (ends in "/", or is one): uos scans scan000.3d, ... with all their points, their poses in the map as .pose
-/// and as .frames; a folder that holds further scans is an error.
+/// Writes a map in the format that the ending of @p out names. With the ending of a CloudFormat, it writes
+/// one cloud in map coordinates of all points in @p range with an echo. That cloud has labels, and
+/// intensities when all scans have them. A folder (ends in "/", or is one) gets uos scans scan000.3d, ...
+/// with all their points. Their poses in the map are written as .pose and as .frames. Error when the folder
+/// holds further scans.
 [[nodiscard]] Result<void> writeMapCloud(const std::filesystem::path& out,
                                          const std::vector<PlacedScan>& scans, const CloudRange& range = {});
 

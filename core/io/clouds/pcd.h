@@ -11,13 +11,13 @@ namespace leitstand {
 /// How the points of a PCD file are stored.
 enum class PcdEncoding : std::uint8_t { Ascii, Binary, BinaryCompressed };
 
-/// Reads a PCD file (0.7): x y z [m], intensity and label where there; a cloud with HEIGHT above 1 is
-/// organised, NaN is no echo. The viewpoint is not used. The body is read in chunks, a compressed one through
-/// pcl_io's LZF.
+/// Reads a PCD file (0.7): x y z [m], and intensity and label if present. A cloud with HEIGHT above 1 is
+/// organised, and NaN is no echo. The viewpoint is ignored. The body is read in chunks, a compressed one
+/// through pcl_io's LZF.
 [[nodiscard]] Result<ScanReading> readPcd(const std::filesystem::path& file);
 
-/// Writes @p scan so that readPcd() gives the same points, grid, intensities and labels. A compressed body is
-/// limited to 2 GB.
+/// Writes @p scan so that readPcd() returns the same points, grid, intensities and labels. A compressed body
+/// is limited to 2 GB.
 [[nodiscard]] Result<void> writePcd(const std::filesystem::path& file, const Scan& scan,
                                     PcdEncoding encoding = PcdEncoding::Binary);
 

@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t BestCompression = 264;  // LZF never turns a byte into more
+constexpr std::uint64_t BestCompression = 264;  // LZF never expands a byte to more
 
-/// The fields of all points one after another, out of the compressed body.
+/// Decompresses the body: the fields of all points, one field after another.
 Result<std::vector<char>> decompressed(detail::InputFile& file, const detail::PcdHeader& header) {
     const auto at = [&](std::uint64_t offset, const std::string& text) {
         return Error{fmt::format("{}: byte {}: expected {}", file.path().string(), offset, text)};
@@ -70,7 +70,7 @@ Result<void> readBody(detail::CloudDecoder& decoder, detail::LineReader& reader,
 
 }  // namespace
 
-// PCL's own readers hold a cloud twice, take text for the number 0 and print: of pcl_io only LZF is used.
+// PCL's own readers hold a cloud twice, read text as the number 0, and print. Only the LZF of pcl_io is used.
 Result<ScanReading> readPcd(const fs::path& path) {
     auto opened = detail::LineReader::open(path);
     if (!opened) return opened.error();

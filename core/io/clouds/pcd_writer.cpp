@@ -36,7 +36,7 @@ std::string headerOf(const Scan& scan, PcdEncoding encoding) {
                        scan.points.size(), data);
 }
 
-/// The fields of all points one after another, as compressed PCD wants them.
+/// Returns the fields of all points, one field after another, as compressed PCD needs them.
 std::vector<char> columnsOf(const Scan& scan) {
     const std::size_t points = scan.points.size();
     const std::size_t fields = 3U + (scan.intensities.empty() ? 0U : 1U) + (scan.labels.empty() ? 0U : 1U);

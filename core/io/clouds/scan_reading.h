@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// What a reader made of a file: the scan, and what the operator should know although it could be read.
+/// A scan read from a file, with warnings for the operator.
 struct ScanReading {
     Scan scan;
     std::vector<std::string> warnings;  ///< each names its file

@@ -42,7 +42,7 @@ Result<std::vector<fs::path>> listScans(const std::vector<fs::path>& sources) {
         if (!fs::exists(status)) {
             return Error{fmt::format("{}: cannot be opened: {}", source.string(), problem.message())};
         }
-        // A folder is one of scans even if it is called x.3d.
+        // A folder is a folder of scans, even if it is called x.3d.
         if (fs::is_directory(status)) {
             auto inside = uosScansIn(source);
             if (!inside) return inside;

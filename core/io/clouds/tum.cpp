@@ -27,7 +27,8 @@ Time fromNanoseconds(std::int64_t nanoseconds) {
     return Time(std::chrono::nanoseconds(nanoseconds));
 }
 
-/// Seconds since the epoch: "12.345" digit by digit, since a double holds today's time only to 0.2 us.
+/// Parses seconds since the epoch. "12.345" is read by its digits: a double holds today's time only to 0.2
+/// us.
 std::optional<Time> toTime(std::string_view field) {
     const bool negative = field.starts_with('-');
     const std::string_view digits = field.substr(negative ? 1 : 0);
@@ -54,7 +55,7 @@ void appendTime(std::string& text, Time time) {
     text += fmt::format("{}{}.{:09}", total < 0 ? "-" : "", size / Nanoseconds, size % Nanoseconds);
 }
 
-/// The pose of a line; a text says what was expected instead.
+/// Parses the pose of a line; returns what was expected instead, if anything.
 std::optional<std::string_view> takePose(std::string_view line, TimedPose& into) {
     constexpr std::string_view Expectation = "t x y z qx qy qz qw";
     const auto time = toTime(detail::takeField(line));

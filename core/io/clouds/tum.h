@@ -15,11 +15,11 @@ struct TimedPose {
     Pose pose = Pose::Identity();
 };
 
-/// Reads a trajectory of lines "t x y z qx qy qz qw" [s, m]; blank lines and comments ('#') are left out. A
-/// quaternion whose length is not 1 within 1 % is an error, smaller differences are removed.
+/// Reads a trajectory of lines "t x y z qx qy qz qw" [s, m]; skips blank lines and comments ('#'). Error when
+/// the length of a quaternion differs from 1 by more than 1 %; smaller differences are removed.
 [[nodiscard]] Result<std::vector<TimedPose>> readTum(const std::filesystem::path& file);
 
-/// Writes @p poses so that readTum() gives the same times, to the nanosecond, and poses.
+/// Writes @p poses so that readTum() returns the same poses and the same times, to the nanosecond.
 [[nodiscard]] Result<void> writeTum(const std::filesystem::path& file, const std::vector<TimedPose>& poses);
 
 }  // namespace leitstand

@@ -10,32 +10,31 @@
 
 namespace leitstand {
 
-/// Reads `scanNNN.3d` of 3DTK's format "uos" (left-handed centimetres: x right, y up, z forward) and the
-/// odometry in `scanNNN.pose` beside it; a missing .pose is a warning. A fourth number is the intensity.
-/// The grid comes from a first line "ROWS x COLUMNS" or else from the geometry; points at the very origin and
-/// NaN are no echo.
+/// Reads `scanNNN.3d` of 3DTK's format "uos" (left-handed centimetres: x right, y up, z forward). Reads the
+/// odometry from `scanNNN.pose` beside it; a missing .pose is a warning. A fourth number is the intensity.
+/// The grid comes from a first line "ROWS x COLUMNS", or else from the geometry. Points exactly at the origin
+/// and NaN are no echo.
 [[nodiscard]] Result<ScanReading> readUosScan(const std::filesystem::path& file3d);
 
-/// Writes @p scan so that readUosScan() gives the same points, grid, intensities and odometry; no echo is
-/// written as "0 0 0", labels are not kept. A .pose left over from a former scan is removed if @p scan has no
-/// odometry.
+/// Writes @p scan so that readUosScan() returns the same points, grid, intensities and odometry. No echo is
+/// written as "0 0 0"; labels are not kept. Removes the .pose of a former scan when @p scan has no odometry.
 [[nodiscard]] Result<void> writeUosScan(const std::filesystem::path& file3d, const Scan& scan);
 
-/// Writes only the points of @p scan, no .pose.
+/// Writes only the points of @p scan, and no .pose.
 [[nodiscard]] Result<void> writeUosPoints(const std::filesystem::path& file3d, const Scan& scan);
 
 /// Reads a .pose: x y z [cm], then rotations about x, y, z [degrees] with R = Rx Ry Rz, left-handed.
 [[nodiscard]] Result<Pose> readUosPose(const std::filesystem::path& file);
 [[nodiscard]] Result<void> writeUosPose(const std::filesystem::path& file, const Pose& pose);
 
-/// A line of a .frames file: where a scan was after a step of its registration.
+/// A line of a .frames file: the pose of a scan after a step of its registration.
 struct UosFrame {
     Pose pose = Pose::Identity();
     int colour = 0;  ///< 3DTK's number for the kind of the step
 };
 
-/// Reads a .frames, 3DTK's result of a registration: 16 numbers of a column-major, left-handed matrix [cm]
-/// and a colour a line. Not empty; the last frame is the final pose.
+/// Reads a .frames, 3DTK's result of a registration. Each line holds 16 numbers of a column-major,
+/// left-handed matrix [cm], and a colour. Not empty; the last frame is the final pose.
 [[nodiscard]] Result<std::vector<UosFrame>> readUosFrames(const std::filesystem::path& file);
 [[nodiscard]] Result<void> writeUosFrames(const std::filesystem::path& file,
                                           const std::vector<UosFrame>& frames);

@@ -29,7 +29,7 @@ Eigen::Matrix3d rotationFromEuler(const Eigen::Vector3d& angles) {
         .toRotationMatrix();
 }
 
-/// Angles about x, y, z with R = Rx Ry Rz [rad]; where y is 90 degrees, z is 0.
+/// Returns angles about x, y, z with R = Rx Ry Rz [rad]; when y is 90 degrees, z is 0.
 Eigen::Vector3d eulerFromRotation(const Eigen::Matrix3d& r) {
     const double cosY = std::hypot(r(0, 0), r(0, 1));
     const double y = std::atan2(r(0, 2), cosY);
@@ -41,7 +41,7 @@ bool withinReach(const Eigen::Vector3d& position) {
     return position.allFinite() && position.cwiseAbs().maxCoeff() <= detail::MaxCoordinate;
 }
 
-/// The pose in 16 numbers of a left-handed, column-major matrix [cm], if they are one.
+/// Returns the pose in 16 numbers of a left-handed, column-major matrix [cm]; empty when they are no pose.
 std::optional<Pose> toPose(const std::array<double, 17>& numbers) {
     const Eigen::Map<const Eigen::Matrix4d> matrix(numbers.data());
     if (!matrix.allFinite()) return std::nullopt;

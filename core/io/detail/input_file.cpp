@@ -23,7 +23,7 @@ Result<InputFile> InputFile::open(const fs::path& path) {
         return Error{
             fmt::format("{}: cannot be opened: {}", path.string(), std::generic_category().message(errno))};
     }
-    std::setvbuf(file.m_file.get(), nullptr, _IONBF, 0);  // readers bring buffers of their own
+    std::setvbuf(file.m_file.get(), nullptr, _IONBF, 0);  // readers have buffers of their own
     file.m_size = fs::file_size(path, problem);
     if (problem) return Error{fmt::format("{}: {}", path.string(), problem.message())};
     return file;

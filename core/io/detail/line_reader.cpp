@@ -11,7 +11,7 @@ namespace leitstand::detail {
 namespace {
 constexpr std::size_t ChunkSize = 1 << 18;
 
-/// Enough for a chunk, or for the whole of a smaller file and the sight of its end.
+/// Returns the size of a chunk; for a smaller file, its size and one byte to detect its end.
 std::size_t bufferFor(const InputFile& file) {
     return static_cast<std::size_t>(std::min<std::uint64_t>(ChunkSize, file.size() + 1));
 }
@@ -65,7 +65,7 @@ bool LineReader::refill() {
         return false;
     }
     m_end += *got;
-    m_atEnd = *got < wanted || wanted == 0;  // none: the file grows while it is read
+    m_atEnd = *got < wanted || wanted == 0;  // no room: the file grows while it is read
     return true;
 }
 

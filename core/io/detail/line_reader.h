@@ -12,27 +12,27 @@
 
 namespace leitstand::detail {
 
-/// Hands out the lines of a text file, ended by LF or CRLF, and holds one chunk of it in memory.
+/// Reads the lines of a text file, ended by LF or CRLF, with one chunk of it in memory.
 class LineReader {
 public:
     static constexpr std::size_t MaxLine = 65'536;  ///< longer lines are an error [bytes]
 
     [[nodiscard]] static Result<LineReader> open(const std::filesystem::path& path);
-    /// Reads on from where @p file stands.
+    /// Reads from the current position of @p file on.
     explicit LineReader(InputFile file);
 
-    /// The next line, valid until the next call; false at the end and on a failure.
+    /// Sets @p line to the next line, valid until the next call; false at the end and on a failure.
     bool next(std::string_view& line);
-    /// Why next() gave up before the end, if it did.
+    /// Why next() stopped before the end; empty when it did not.
     [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
 
     [[nodiscard]] std::size_t lineNumber() const { return m_lineNumber; }  ///< of the last line, from 1
     [[nodiscard]] std::uint64_t bytesTaken() const { return m_taken; }     ///< up to the end of that line
     [[nodiscard]] std::uint64_t fileSize() const { return m_file.size(); }
 
-    /// "FILE:LINE: expected EXPECTATION, found "..."" for the last line.
+    /// Returns "FILE:LINE: expected EXPECTATION, found "..."" for the last line.
     [[nodiscard]] Error mismatch(std::string_view expectation, std::string_view found) const;
-    /// "FILE: expected EXPECTATION" for what the whole file lacks.
+    /// Returns "FILE: expected EXPECTATION" for something missing in the whole file.
     [[nodiscard]] Error incomplete(std::string_view expectation) const;
 
 private:
@@ -40,17 +40,17 @@ private:
 
     InputFile m_file;
     std::vector<char> m_buffer;
-    std::size_t m_begin = 0, m_end = 0;  // what of the buffer is still to be handed out
+    std::size_t m_begin = 0, m_end = 0;  // the part of the buffer still to be read
     bool m_atEnd = false;
     std::size_t m_lineNumber = 0;
     std::uint64_t m_taken = 0;
     std::optional<Error> m_failure;
 };
 
-/// Number of line ends in a file, plus one for a last line without: an upper bound of the lines.
+/// Returns the number of line ends in a file plus one, for a last line without: an upper bound of the lines.
 [[nodiscard]] Result<std::size_t> countLines(const std::filesystem::path& path);
 
-/// @p text fit for a message: cut to 40 characters, what cannot be printed as "\xNN".
+/// Returns @p text for use in a message: cut to 40 characters, unprintable bytes as "\xNN".
 [[nodiscard]] std::string quotable(std::string_view text);
 
 }  // namespace leitstand::detail

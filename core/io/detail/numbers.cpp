@@ -70,7 +70,7 @@ void appendCentimetres(std::string& text, float metres) {
     append(text, static_cast<float>(centimetres));
     const auto back = toNumber(std::string_view(text).substr(before));
     if (back && static_cast<float>(*back / 100.0) == metres) return;
-    // Nine digits tell any two floats apart, in whatever unit.
+    // Nine digits distinguish any two floats, in any unit.
     text.resize(before);
     append(text, centimetres, std::chars_format::general, 9);
 }

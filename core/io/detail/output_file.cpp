@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A hidden name beside @p target that no other writer of this machine uses.
+/// Returns a hidden name beside @p target that no other writer on this machine uses.
 fs::path temporaryFor(const fs::path& target) {
     static std::atomic<unsigned> count = 0;
     return target.parent_path() / fmt::format(".{}.{}-{}", target.filename().string(), getpid(), ++count);

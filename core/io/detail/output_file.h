@@ -11,19 +11,19 @@
 
 namespace leitstand::detail {
 
-/// A file that appears whole or not at all: written beside its target under a temporary name and renamed at
-/// the end.
+/// A file that appears whole or not at all: it is written beside its target under a temporary name and
+/// renamed at the end.
 class OutputFile {
 public:
-    /// Creates the temporary file; an error when the folder is absent or not writable.
+    /// Creates the temporary file. Error when the folder is absent or not writable.
     [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& target);
     OutputFile(OutputFile&&) noexcept = default;
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile();
 
-    /// Appends @p bytes; the first failure is kept and told by commit().
+    /// Appends @p bytes; commit() reports the first failure.
     void write(std::string_view bytes);
-    /// Brings everything to the disk and puts it in the target's place.
+    /// Brings everything to the disk and replaces the target.
     [[nodiscard]] Result<void> commit();
 
 private:

@@ -8,7 +8,7 @@
 namespace leitstand::detail {
 namespace {
 
-constexpr double Farthest = 100'000.0;  ///< of a position, each way [m]
+constexpr double Farthest = 100'000.0;  ///< largest coordinate of a position [m]
 
 }  // namespace
 

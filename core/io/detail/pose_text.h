@@ -7,8 +7,9 @@
 
 namespace leitstand::detail {
 
-/// Takes the pose "x y z qx qy qz qw" [m], with which @p line ends. A text says what was expected instead:
-/// @p expectation where there are other fields. A quaternion whose length is not 1 within 1 % is an error.
+/// Takes the pose "x y z qx qy qz qw" [m], with which @p line ends. Returns what was expected instead, if
+/// anything: @p expectation when the fields differ. Refuses a quaternion whose length differs from 1 by more
+/// than 1 %.
 [[nodiscard]] std::optional<std::string_view> takePose(std::string_view line, Pose& into,
                                                        std::string_view expectation);
 

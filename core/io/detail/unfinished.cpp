@@ -10,7 +10,7 @@ Unfinished::Unfinished(const fs::path& folder) {
     std::error_code problem;
     fs::path whole = fs::absolute(folder, problem).lexically_normal();
     if (!whole.has_filename()) whole = whole.parent_path();
-    // The highest one that is not there: whatever comes below it is ours.
+    // The highest missing folder: everything below it is ours.
     fs::path highest;
     while (!whole.empty() && whole != whole.root_path() && !fs::exists(fs::symlink_status(whole, problem))) {
         highest = whole;

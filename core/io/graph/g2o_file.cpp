@@ -25,7 +25,7 @@ constexpr std::string_view Vertex = "VERTEX_SE3:QUAT", EdgeName = "EDGE_SE3:QUAT
 constexpr std::string_view VertexExpected = "VERTEX_SE3:QUAT id x y z qx qy qz qw";
 constexpr std::string_view EdgeExpected =
     "EDGE_SE3:QUAT from to x y z qx qy qz qw and 21 numbers of the information";
-constexpr double MostFar = 1e7;  // [m]: public graphs are larger than what scans may be
+constexpr double MostFar = 1e7;  // [m]; public graphs are larger than scans may be
 
 std::optional<double> takeNumber(std::string_view& line) {
     const auto number = detail::toNumber(detail::takeField(line));
@@ -156,7 +156,7 @@ private:
     detail::LineReader m_reader;
     PoseGraph m_graph;
     std::set<std::uint64_t> m_ids, m_fixed;
-    std::vector<std::size_t> m_lines;  // of the links
+    std::vector<std::size_t> m_lines;  // line number of each link
 };
 
 void append(std::string& text, const Pose& pose) {

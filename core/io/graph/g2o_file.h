@@ -7,15 +7,15 @@
 
 namespace leitstand {
 
-/// Reads a graph of poses in the text format of g2o (Kuemmerle et al. 2011): lines "VERTEX_SE3:QUAT id x y z
-/// qx qy qz qw", "EDGE_SE3:QUAT from to x y z qx qy qz qw" with the upper triangle of the information row by
-/// row, and "FIX id"; blank lines and comments ('#') are left out. Ids are any whole numbers; nodes come by
-/// rising id, links in the file's order. An edge between nodes that follow each other is odometry, any other
-/// a loop. A quaternion is normalised; an error where it is nearly zero, where a node of an edge is not in
-/// the file, and where an information is not positive semidefinite.
+/// Reads a graph of poses in the text format of g2o (Kuemmerle et al. 2011). Lines are "VERTEX_SE3:QUAT id x
+/// y z qx qy qz qw", "EDGE_SE3:QUAT from to x y z qx qy qz qw" and "FIX id". The upper triangle of the
+/// information follows an edge, row by row. Blank lines and comments ('#') are skipped. Ids are any whole
+/// numbers; nodes are sorted by id, links keep the order of the file. An edge between consecutive ids is
+/// odometry, any other is a loop. Quaternions are normalised. Error when one is nearly zero, when a node of
+/// an edge is not in the file, or when an information is not positive semidefinite.
 [[nodiscard]] Result<PoseGraph> readG2o(const std::filesystem::path& file);
 
-/// Writes @p graph's nodes and active links so that readG2o() gives the same numbers.
+/// Writes the nodes and active links of @p graph so that readG2o() returns the same numbers.
 [[nodiscard]] Result<void> writeG2o(const std::filesystem::path& file, const PoseGraph& graph);
 
 }  // namespace leitstand

@@ -11,7 +11,7 @@
 namespace leitstand {
 namespace {
 
-/// The link of a line; a text says what was expected instead.
+/// Parses the link of a line; returns what was expected instead, if anything.
 std::optional<std::string_view> takeLink(std::string_view line, GivenLink& into) {
     constexpr std::string_view Expectation = "i j tx ty tz qx qy qz qw, or i j no";
     const auto from = detail::toCount(detail::takeField(line));

@@ -8,9 +8,10 @@
 
 namespace leitstand {
 
-/// Reads what somebody says of two scans each, a line: "i j tx ty tz qx qy qz qw", where scan j is in the
-/// frame of scan i [m], or "i j no" where they do not see the same place. Scans are numbered from 0. Blank
-/// lines and comments ('#') are left out. A quaternion whose length is not 1 within 1 % is an error.
+/// Reads statements about two scans each, one per line. "i j tx ty tz qx qy qz qw" gives the pose of scan j
+/// in the frame of scan i [m]. "i j no" means that they do not see the same place. Scans are numbered from 0.
+/// Blank lines and comments ('#') are skipped. Error when the length of a quaternion differs from 1 by more
+/// than 1 %.
 [[nodiscard]] Result<std::vector<GivenLink>> readGivenLinks(const std::filesystem::path& file);
 
 }  // namespace leitstand

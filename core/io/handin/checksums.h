@@ -8,22 +8,22 @@
 
 namespace leitstand {
 
-/// SHA-256 of a file's bytes in small hexadecimal digits.
+/// Returns the SHA-256 of a file's bytes in lower-case hexadecimal digits.
 [[nodiscard]] Result<std::string> sha256Of(const std::filesystem::path& file);
 
-/// Writes `SHA256SUMS` in @p folder over @p names, files in it, in the format of `sha256sum`.
+/// Writes `SHA256SUMS` in @p folder for its files @p names, in the format of `sha256sum`.
 [[nodiscard]] Result<void> writeChecksums(const std::filesystem::path& folder,
                                           const std::vector<std::string>& names);
 
 /// A line of a SHA256SUMS.
 struct Checksum {
     std::string sum;   ///< 64 hexadecimal digits
-    std::string name;  ///< of a file beside it
+    std::string name;  ///< name of a file in the same folder
 };
-/// What @p folder's SHA256SUMS lists; nothing is compared.
+/// Reads the SHA256SUMS of @p folder without comparing anything.
 [[nodiscard]] Result<std::vector<Checksum>> readChecksums(const std::filesystem::path& folder);
 
-/// Compares every file that @p folder's SHA256SUMS lists; the names that are as listed, or what is not.
+/// Compares every file that the SHA256SUMS of @p folder lists. Returns their names; error when one differs.
 [[nodiscard]] Result<std::vector<std::string>> checkChecksums(const std::filesystem::path& folder);
 
 }  // namespace leitstand

@@ -17,7 +17,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Whether spreadsheets take @p text for a formula. Numbers are none, whatever their sign.
+/// Whether spreadsheets treat @p text as a formula. Numbers are none, whatever their sign.
 bool isFormula(std::string_view text) {
     if (text.starts_with('\t') || text.starts_with('\r') || text.starts_with('\n')) return true;
     const auto first = text.find_first_not_of(" \t\r\n\v\f");
@@ -25,19 +25,19 @@ bool isFormula(std::string_view text) {
     const auto number = detail::toNumber(text);
     if (number && std::isfinite(*number)) return false;
     const std::string_view begin = text.substr(first);
-    // The last four are what Japanese keyboards write for the others.
+    // Japanese keyboards write the last four in place of the others.
     constexpr std::array<std::string_view, 8> Signs = {"=", "+", "-", "@", "＝", "＋", "－", "＠"};
     return std::any_of(Signs.begin(), Signs.end(),
                        [&](std::string_view sign) { return begin.starts_with(sign); });
 }
 
-/// Whether @p text is a formula, perhaps behind apostrophes: those are kept apart from ours.
+/// Whether @p text is a formula, also after apostrophes, which must stay distinct from ours.
 bool isKept(std::string_view text) {
     const auto first = text.find_first_not_of('\'');
     return first != std::string_view::npos && isFormula(text.substr(first));
 }
 
-/// Takes the next field and the comma after it off @p rest; the last one leaves @p more false.
+/// Removes the next field and the comma after it from @p rest; the last field sets @p more to false.
 std::string takeField(std::string_view& rest, bool& more) {
     while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t')) rest.remove_prefix(1);
     std::string field;
@@ -61,8 +61,8 @@ std::string takeField(std::string_view& rest, bool& more) {
     return field;
 }
 
-/// @p text as it stands in a field: where a spreadsheet would take it for a formula, an apostrophe goes
-/// before it, which says that a text follows.
+/// Returns @p text as it stands in a field. A text that a spreadsheet would treat as a formula gets an
+/// apostrophe in front, which marks it as text.
 std::string kept(std::string_view text) {
     return (isKept(text) ? "'" : "") + std::string(text);
 }

@@ -11,23 +11,22 @@
 
 namespace leitstand {
 
-/// @p text as a field in quotes (RFC 4180); line ends within become blanks, so that every record is a line. A
-/// text that spreadsheets would calculate ("=HYPERLINK(...)" in a QR code) gets an apostrophe before it,
-/// which CsvReader takes off again; numbers stay numbers.
+/// Returns @p text as a field in quotes (RFC 4180); line ends within become blanks, so that every record is a
+/// line. A text that spreadsheets would calculate ("=HYPERLINK(...)" in a QR code) gets an apostrophe in
+/// front. CsvReader removes it again; numbers stay numbers.
 [[nodiscard]] std::string quotedField(std::string_view text);
-/// Likewise, with quotes only where they are needed.
+/// Returns @p text as a field as quotedField() does, with quotes only when needed.
 [[nodiscard]] std::string csvField(std::string_view text);
 
-/// Reads records of fields that commas part: quotes, CRLF, a byte order mark and blanks about fields are
-/// taken as they come.
+/// Reads records of comma-separated fields. Accepts quotes, CRLF, a byte order mark and blanks around fields.
 class CsvReader {
 public:
     [[nodiscard]] static Result<CsvReader> open(const std::filesystem::path& file);
 
-    /// The fields of the next line; false at the end and on a failure.
+    /// Reads the fields of the next line; false at the end and on a failure.
     bool next(std::vector<std::string>& fields);
     [[nodiscard]] const std::optional<Error>& failure() const { return m_lines.failure(); }
-    /// "FILE:LINE: expected EXPECTATION, found "..."" of the last line.
+    /// Returns "FILE:LINE: expected EXPECTATION, found "..."" for the last line.
     [[nodiscard]] Error mismatch(std::string_view expectation) const {
         return m_lines.mismatch(expectation, m_line);
     }

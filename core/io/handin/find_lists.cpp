@@ -21,7 +21,7 @@
 namespace leitstand {
 namespace {
 
-/// What the rules call a kind of list.
+/// Names of the rules for a kind of list.
 struct Form {
     FindList::Kind kind;
     std::string_view type, version, ending, columns;
@@ -41,7 +41,7 @@ std::string metres(double value) {
     return text == "-0.000" ? "0.000" : text;
 }
 
-/// The columns of a list by their names.
+/// Index of each column of a list, by name.
 using Columns = std::map<std::string, std::size_t>;
 
 std::string fieldOf(const std::vector<std::string>& fields, const Columns& columns, const std::string& name) {
@@ -49,7 +49,7 @@ std::string fieldOf(const std::vector<std::string>& fields, const Columns& colum
     return column == columns.end() || column->second >= fields.size() ? "" : fields[column->second];
 }
 
-/// The find of a row; a text says what was expected instead.
+/// Parses the find of a row; returns what was expected instead, if anything.
 std::optional<std::string> takeFind(const std::vector<std::string>& fields, const Columns& columns,
                                     ListedFind& find) {
     const auto id = detail::toCount(fieldOf(fields, columns, "id"));
@@ -64,7 +64,7 @@ std::optional<std::string> takeFind(const std::vector<std::string>& fields, cons
         const std::string name(1, static_cast<char>('x' + axis));
         const auto number = detail::toNumber(fieldOf(fields, columns, name));
         if (!number || !std::isfinite(*number)) {
-            if (axis == 2 && fieldOf(fields, columns, name).empty()) continue;  // flat lists of older years
+            if (axis == 2 && fieldOf(fields, columns, name).empty()) continue;  // flat lists of earlier years
             return "a number as " + name;
         }
         find.position[axis] = *number;
@@ -72,7 +72,7 @@ std::optional<std::string> takeFind(const std::vector<std::string>& fields, cons
     return std::nullopt;
 }
 
-/// The lines that stand before the columns: type, version, team, country, date, time, mission.
+/// The lines before the columns: type, version, team, country, date, time, mission.
 struct Head {
     std::vector<std::string> lines;
     Columns columns;
@@ -93,7 +93,7 @@ Result<void> readHead(CsvReader& reader, Head& head) {
             }
             return {};
         }
-        // A team or a country that nobody told is an empty line between others.
+        // An unknown team or country is an empty line between others.
         const bool empty = fields.size() == 1 && fields.front().empty();
         if (!empty || !head.lines.empty()) head.lines.push_back(fields.front());
         if (head.lines.size() > 20) break;

@@ -12,18 +12,18 @@
 
 namespace leitstand {
 
-/// A row of a list of what was found.
+/// A row of a list of finds.
 struct ListedFind {
     std::uint32_t id = 0;
     std::string time;  ///< "HH:MM:SS"
-    std::string text;  ///< name of a victim ("V1"), content of a code, what an object is
+    std::string text;  ///< name of a victim ("V1"), content of a code, kind of an object
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the map [m]
     std::string robot = {};                              ///< that found it; not in victim lists
-    std::string mode = {};                               ///< "T" teleoperated, "A" autonomous; likewise
-    std::string type = {};                               ///< of a poi: "victim", "hazmat", "qr", "object"
+    std::string mode = {};  ///< "T" teleoperated, "A" autonomous; not in victim lists
+    std::string type = {};  ///< of a poi: "victim", "hazmat", "qr", "object"
 };
 
-/// A list of what was found, as the rules want it beside the map.
+/// A list of finds, as the rules require it beside the map.
 struct FindList {
     enum class Kind : std::uint8_t { Victims, Codes, Pois };
     Kind kind = Kind::Victims;
@@ -34,15 +34,15 @@ struct FindList {
     std::vector<ListedFind> finds;
 };
 
-/// How the files of a list end: "_victims.csv", "_qr.csv", "_pois.csv".
+/// Returns the file name ending of a list: "_victims.csv", "_qr.csv", "_pois.csv".
 [[nodiscard]] std::string endingOf(FindList::Kind kind);
 
-/// @p list as text: victims 1.0, qr codes 1.1, pois 1.2; lines end with LF, coordinates have millimetres.
+/// Returns @p list as text: victims 1.0, qr codes 1.1, pois 1.2. LF ends lines; coordinates have millimetres.
 [[nodiscard]] std::string textOf(const FindList& list);
 [[nodiscard]] Result<void> writeFindList(const std::filesystem::path& file, const FindList& list);
 
-/// Reads a list leniently: with or without quotes, CRLF, byte order mark, blanks about fields, other orders
-/// of columns, capitals and missing columns of no importance. Errors name file, line and expectation.
+/// Reads a list leniently. Accepts fields with or without quotes, CRLF, a byte order mark, blanks around
+/// fields, capitals, any order of columns and missing minor columns. Errors name file, line and expectation.
 [[nodiscard]] Result<FindList> readFindList(const std::filesystem::path& file);
 
 }  // namespace leitstand

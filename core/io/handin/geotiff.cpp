@@ -34,7 +34,7 @@ void prepare() {
     static std::once_flag once;
     std::call_once(once, [] {
         GDALAllRegister();
-        CPLSetErrorHandler(CPLQuietErrorHandler);  // what is wrong is told by results
+        CPLSetErrorHandler(CPLQuietErrorHandler);  // results report what is wrong
     });
 }
 
@@ -43,7 +43,7 @@ std::string lastProblem() {
     return text == nullptr || *text == '\0' ? "unknown reason" : text;
 }
 
-/// A frame of metres that is nowhere on Earth.
+/// Returns a local frame in metres, without a place on Earth.
 std::string localFrame() {
     const std::unique_ptr<void, void (*)(void*)> frame(OSRNewSpatialReference(nullptr),
                                                        [](void* made) { OSRDestroySpatialReference(made); });
@@ -56,7 +56,7 @@ std::string localFrame() {
     return words;
 }
 
-/// A file that only exists in memory.
+/// A file that exists only in memory.
 class MemoryFile {
 public:
     MemoryFile() {

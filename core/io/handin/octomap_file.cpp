@@ -17,7 +17,7 @@ namespace leitstand {
 Result<void> writeOctomap(const std::filesystem::path& file, const VoxelEvidence& evidence) {
     octomap::OcTree tree(evidence.cell());
     const auto occupied = tree.getClampingThresMaxLog(), free = tree.getClampingThresMinLog();
-    // Keys count cubes from the middle of a tree of 16 levels.
+    // Keys count cubes from the middle of a tree with 16 levels.
     constexpr int Middle = 32768;
     const Eigen::Vector3i first = evidence.first().array() + Middle;
     if ((first.array() < 0).any() || ((first + evidence.size()).array() > 2 * Middle).any())

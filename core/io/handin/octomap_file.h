@@ -8,7 +8,7 @@
 
 namespace leitstand {
 
-/// What an OctoMap has.
+/// Figures of an OctoMap.
 struct OctomapSummary {
     double cell = 0.0;      ///< edge of the smallest cubes [m]
     double occupied = 0.0;  ///< volume [m3]
@@ -16,11 +16,11 @@ struct OctomapSummary {
     std::size_t nodes = 0;  ///< of the tree
 };
 
-/// Writes @p evidence as an OctoMap's binary tree (.bt): cubes that are occupied, free or unknown, equal
-/// neighbours joined. Equal evidence makes equal bytes.
+/// Writes @p evidence as the binary tree of an OctoMap (.bt): cubes are occupied, free or unknown, and equal
+/// neighbours are merged. Equal evidence gives equal bytes.
 [[nodiscard]] Result<void> writeOctomap(const std::filesystem::path& file, const VoxelEvidence& evidence);
 
-/// Reads a .bt through OctoMap; an error names the file.
+/// Reads a .bt through OctoMap. Errors name the file.
 [[nodiscard]] Result<OctomapSummary> readOctomap(const std::filesystem::path& file);
 
 }  // namespace leitstand

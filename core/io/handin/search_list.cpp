@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<std::string_view, 7> Columns = {"sensor", "what", "m2", "percent", "x", "y", "storey"};
 constexpr std::size_t WithoutStorey = Columns.size() - 1;
-constexpr double MostStoreys = 1000.0;  ///< what is beyond is no storey
+constexpr double MostStoreys = 1000.0;  ///< larger numbers are no storeys
 
 }  // namespace
 

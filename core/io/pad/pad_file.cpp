@@ -35,7 +35,7 @@ const std::vector<std::pair<std::string, PadLayout>>& layoutWords() {
     return words;
 }
 
-/// {button: 3} or {axis: 1, towards: -1, rest: 0}
+/// Reads {button: 3} or {axis: 1, towards: -1, rest: 0}.
 PadControl readControl(const YamlFields& fields) {
     const bool button = fields.has("button"), axis = fields.has("axis");
     if (button == axis) {
@@ -71,7 +71,7 @@ void readControls(const YamlPlace& place, PadBindings& bindings, YamlErrors& err
     }
 }
 
-/// "camera.recentre", "view.look-2"
+/// Whether @p text looks like "camera.recentre" or "view.look-2".
 bool isCommandId(std::string_view text) {
     return std::all_of(text.begin(), text.end(), [](unsigned char c) {
         return c < 0x80 && (std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-');
@@ -142,7 +142,7 @@ Result<PadBindings> readPad(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in)
         return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be opened"), file.string())};
-    // One byte more than what is taken, so that too much is found out without reading it all.
+    // Reads one byte more than the limit, which shows that a file is too large without reading all of it.
     std::string text(detail::LargestYaml + 1, '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));
@@ -183,7 +183,7 @@ Result<void> writePad(const PadBindings& bindings, const std::string& pad,
                       const std::filesystem::path& file) {
     std::error_code error;
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-    // A pad calls itself what it likes.
+    // The name of a pad may contain anything.
     std::string name;
     for (const char c : pad.substr(0, 64)) name += c >= 0x20 && c < 0x7F ? c : '?';
     return detail::writeWhole(file, padText(bindings, name));

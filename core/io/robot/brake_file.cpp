@@ -21,7 +21,7 @@ using Verdict = BrakeResult::Verdict;
 
 constexpr auto Stops = BrakeResult::Watchdog::Stops, None = BrakeResult::Watchdog::None;
 
-/// What is not known is not remembered.
+/// Words for verdicts; untested robots are not stored.
 constexpr std::array<std::pair<const char*, Verdict>, 2> Words = {
     {{"passed", Verdict::Passed}, {"failed", Verdict::Failed}}};
 
@@ -46,11 +46,11 @@ std::map<std::string, BrakeResult> readBrakes(const std::filesystem::path& file)
                 if (entry.second["verdict"].as<std::string>() == word) result.verdict = verdict;
             }
             if (result.verdict == Verdict::Untested) continue;
-            if (result.verdict == Verdict::Failed)  // whatever its figures are
+            if (result.verdict == Verdict::Failed)  // even with invalid figures
                 results[entry.first.as<std::string>()].verdict = result.verdict;
             result.seconds = entry.second["seconds"].as<double>();
             result.metres = entry.second["metres"].as<double>();
-            const auto when = entry.second["when"].as<std::uint32_t>();  // seconds, to 2106
+            const auto when = entry.second["when"].as<std::uint32_t>();  // [s], up to 2106
             result.when = Time(std::chrono::seconds(when));
             if (const auto stops = entry.second["stops"]) {
                 result.watchdog = stops.as<bool>() ? Stops : None;
@@ -59,7 +59,7 @@ std::map<std::string, BrakeResult> readBrakes(const std::filesystem::path& file)
             if (isLength(result.seconds) && isLength(result.metres) && std::isfinite(result.brakesAfter))
                 results[entry.first.as<std::string>()] = result;
         } catch (const YAML::Exception&) {
-            continue;  // one entry that makes no sense lets no robot drive that failed
+            continue;  // an invalid entry does not release other robots that failed
         }
     }
     return results;

@@ -9,10 +9,10 @@
 
 namespace leitstand {
 
-/// Results of brake tests by robot, as the station remembers them from run to run (YAML). A file that is not
-/// there, or makes no sense, tells of no test: robots are untested then.
+/// Reads the results of brake tests by robot, which the station keeps between runs (YAML). Empty when the
+/// file is missing or invalid: robots are untested then.
 [[nodiscard]] std::map<std::string, BrakeResult> readBrakes(const std::filesystem::path& file);
-/// Keeps @p results instead of what was; the file is never half written. Errors name it.
+/// Replaces the stored results by @p results; the file is never half written. Errors name it.
 [[nodiscard]] Result<void> writeBrakes(const std::filesystem::path& file,
                                        const std::map<std::string, BrakeResult>& results);
 

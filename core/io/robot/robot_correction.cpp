@@ -9,7 +9,7 @@
 namespace leitstand {
 namespace {
 
-/// Where @p mark is in @p text.
+/// Returns the offset of @p mark in @p text.
 std::size_t placeOf(const std::string& text, const YAML::Mark& mark) {
     std::size_t at = 0;
     for (int i = 0; i < mark.line && at < text.size(); ++i) {
@@ -19,8 +19,8 @@ std::size_t placeOf(const std::string& text, const YAML::Mark& mark) {
     return std::min(at + static_cast<std::size_t>(std::max(0, mark.column)), text.size());
 }
 
-/// @p text with @p line as an entry of the sensor @p of, in place of the one that says the same, if any;
-/// empty: it is written in a way that is not known here.
+/// Returns @p text with @p line as an entry of the sensor @p of, in place of an earlier correction. Empty
+/// when the file is written in a way that is not supported here.
 std::string withLine(std::string text, const YAML::Node& of, const std::string& line) {
     if (!of.IsDefined() || !of.IsMap()) return {};
     for (const auto& entry : of) {

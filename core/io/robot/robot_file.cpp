@@ -20,7 +20,7 @@ using detail::YamlErrors;
 using detail::YamlFields;
 using detail::YamlPlace;
 
-constexpr double LargestSize = 10.0;  ///< of robots and sensor places [m]: more is millimetres
+constexpr double LargestSize = 10.0;  ///< of robots and sensor positions [m]; larger values are millimetres
 
 void readIdentity(const YamlFields& fields, RobotDescription& robot) {
     std::string name, letter;
@@ -51,7 +51,7 @@ void readIdentity(const YamlFields& fields, RobotDescription& robot) {
     fields.text("title", robot.title);
 }
 
-/// "base_link", "kurt3d/base_link"
+/// Reads a frame such as "base_link" or "kurt3d/base_link".
 void readFrame(const YamlFields& fields, const char* key, std::string& frame) {
     std::string found = frame;
     if (!fields.text(key, found)) return;

@@ -6,7 +6,7 @@
 
 namespace leitstand::detail {
 
-// The keys of robot files, map by map; docs/robots.md tells what they mean.
+// The keys of robot files, map by map; docs/robots.md explains them.
 inline constexpr std::string_view RobotKeys[] = {
     "letter", "name",    "title",   "drive",    "frames",    "footprint",   "height",
     "limits", "sensors", "streams", "bindings", "link_loss", "refine_turns"};
@@ -21,7 +21,7 @@ inline constexpr std::string_view StreamKeys[] = {"role",  "sensor",  "topic",  
 inline constexpr std::string_view QosKeys[] = {"reliability", "durability", "depth", "lifespan", "deadline"};
 inline constexpr std::string_view ThermalKeys[] = {"scale", "offset", "measured"};
 
-/// Every key with the way to it: "name", "frames.base", "sensors.NAME.frame", "streams[].qos.depth".
+/// Returns every key with its path: "name", "frames.base", "sensors.NAME.frame", "streams[].qos.depth".
 [[nodiscard]] std::vector<std::string> allRobotKeys();
 
 }  // namespace leitstand::detail

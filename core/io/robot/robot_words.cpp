@@ -5,7 +5,7 @@
 namespace leitstand::detail {
 namespace {
 
-/// The words that core has for the values from the first to @p last.
+/// Returns core's words for the values from the first to @p last.
 template <class T>
 Words<T> wordsUpTo(T last) {
     Words<T> words;

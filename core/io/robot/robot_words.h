@@ -8,7 +8,7 @@
 
 namespace leitstand::detail {
 
-// The words of robot files and what they mean.
+// The words of robot files and their meanings.
 template <class T>
 using Words = std::vector<std::pair<std::string, T>>;
 
@@ -21,7 +21,7 @@ using Words = std::vector<std::pair<std::string, T>>;
 [[nodiscard]] const Words<TfPrefix>& prefixWords();
 [[nodiscard]] const Words<LinkLossRule>& linkLossWords();
 
-/// The word for @p meaning.
+/// Returns the word for @p meaning.
 template <class T>
 [[nodiscard]] const std::string& wordFor(const Words<T>& words, T meaning) {
     for (const auto& [word, one] : words) {

@@ -13,12 +13,12 @@
 namespace leitstand {
 namespace {
 
-/// The shortest text that reads back as @p value.
+/// Returns the shortest text that reads back as @p value.
 std::string number(double value) {
     return fmt::format("{}", value);
 }
 
-/// Degrees for people: what is meant to be 25 is not written as 24.999999999999996.
+/// Returns degrees for people: 25 is not written as 24.999999999999996.
 std::string angle(double radians) {
     return fmt::format("{:.12g}", inDegrees(radians));
 }
@@ -136,8 +136,8 @@ void writeMaps(YAML::Emitter& out, const RobotDescription& robot) {
 
 std::string writeRobot(const RobotDescription& given) {
     RobotDescription robot = given;
-    fillBody(robot);  // what is only guessed has none yet
-    // A camera whose place nobody told yet: here is where to write it.
+    fillBody(robot);  // a guessed robot has no body yet
+    // Adds an entry for a camera without a known place, so that people can write it there.
     for (const StreamDescription& stream : robot.streams) {
         if (!stream.sensor.empty())
             robot.sensors.try_emplace(stream.sensor, SensorDescription{.frame = stream.sensor});

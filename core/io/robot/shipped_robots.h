@@ -8,19 +8,18 @@
 
 namespace leitstand {
 
-/// Folders in which robots' files are looked for by name: the user's (`$XDG_CONFIG_HOME/leitstand/robots`,
-/// else
-/// `~/.config/leitstand/robots`), then those that come with the program (`$LEITSTAND_RESOURCES/robots`, else
-/// ../share/leitstand/robots beside the binary).
+/// Returns the folders in which robots' files are looked up by name. First the user's
+/// (`$XDG_CONFIG_HOME/leitstand/robots`, else `~/.config/leitstand/robots`). Then those that come with the
+/// program (`$LEITSTAND_RESOURCES/robots`, else ../share/leitstand/robots beside the binary).
 [[nodiscard]] std::vector<std::filesystem::path> robotFolders();
 
-/// Names of the robots in @p folders, "kurt3d".
+/// Returns the names of the robots in @p folders, such as "kurt3d".
 [[nodiscard]] std::vector<std::string> shippedRobots(
     const std::vector<std::filesystem::path>& folders = robotFolders());
 
-/// The file that @p nameOrPath means: a path when something is there or when it looks like one (a slash, or
-/// .yaml at its end); otherwise NAME.yaml in the first of @p folders that has it. The error lists the names
-/// that there are.
+/// Returns the file that @p nameOrPath means. It is a path when something exists there, or when it looks like
+/// one (a slash, or .yaml at its end). Otherwise it is NAME.yaml in the first of @p folders that has it.
+/// Error when there is none; it lists the known names.
 [[nodiscard]] Result<std::filesystem::path> findRobotFile(
     const std::string& nameOrPath, const std::vector<std::filesystem::path>& folders = robotFolders());
 

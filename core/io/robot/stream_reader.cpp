@@ -15,9 +15,9 @@ namespace {
 
 constexpr double LongestTime = 86'400.0;  ///< [s]
 constexpr int DeepestHistory = 100'000;
-constexpr std::size_t LongestTopic = 240;  ///< [B]; DDS has 255 with its own prefix
+constexpr std::size_t LongestTopic = 240;  ///< [B]; DDS allows 255 with its own prefix
 
-/// "/kurt3d/left/image": words of letters, digits and _ that begin with no digit.
+/// Whether @p text is like "/kurt3d/left/image": words of letters, digits and _, with no digit first.
 bool isTopic(std::string_view text) {
     if (text.size() < 2 || text.size() > LongestTopic || text.front() != '/' || text.back() == '/')
         return false;
@@ -26,7 +26,7 @@ bool isTopic(std::string_view text) {
         const char before = i == 0 ? 'x' : text[i - 1];
         if (c >= 0x80 || (std::isalnum(c) == 0 && c != '_' && c != '/')) return false;
         if (before == '/' && (c == '/' || std::isdigit(c) != 0)) return false;
-        if (before == '_' && c == '_') return false;  // ROS 2 keeps that to itself
+        if (before == '_' && c == '_') return false;  // reserved by ROS 2
     }
     return true;
 }
@@ -49,7 +49,7 @@ public:
         if (!fields.choice("role", role, roleWords())) return;
         std::string sensor;
         readSensor(fields, role, sensor);
-        // A robot whose name was refused has topics all the same.
+        // A robot whose name was refused still gets topics.
         StreamDescription stream =
             defaultStream(role, m_robot.name.empty() ? "robot" : m_robot.name, sensor, m_robot.tfPrefix);
         readType(fields, stream);
@@ -69,7 +69,7 @@ public:
 private:
     using Lines = std::map<std::string, int>;
 
-    /// @p words tell what was expected, and what of which line was found.
+    /// Reports an error when @p what occurred before. @p words have places for @p what and its earlier line.
     void once(const YamlFields& fields, Lines& lines, const std::string& what, const char* key,
               const char* words) {
         const int line = fields.at(key).line;

@@ -13,14 +13,14 @@
 namespace leitstand::detail {
 namespace {
 
-/// What this program does not take although it is YAML.
+/// Valid YAML that this program does not accept.
 struct Refused : std::runtime_error {
     Refused(const YAML::Mark& mark, const std::string& text)
         : std::runtime_error(text), line(mark.line + 1) {}
     int line;
 };
 
-/// Looks at a document before anything is built of it.
+/// Checks a document before anything is built from it.
 class Guard final : public YAML::EventHandler {
 public:
     void OnDocumentStart(const YAML::Mark& mark) override {
@@ -52,7 +52,7 @@ private:
     static void refuse(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
         if (anchor != 0)
             throw Refused(mark, translate("leitstand::Error", "expected no anchor, found one (&name)"));
-        // "?" and "!" are plain and quoted texts without a tag.
+        // "?" and "!" mark plain and quoted texts without a tag.
         if (!tag.empty() && tag != "?" && tag != "!")
             throw Refused(mark, leitstand::fill(translate("leitstand::Error", "expected no tag, found {}"),
                                                 shown(tag)));
@@ -67,7 +67,7 @@ private:
     int m_depth = 0, m_documents = 0;
 };
 
-/// Bytes of the UTF-8 character that @p text begins with; 0 when it is none.
+/// Returns the length of the UTF-8 character at the beginning of @p text [bytes]; 0 when there is none.
 std::size_t characterLength(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);
@@ -85,8 +85,8 @@ std::size_t characterLength(std::string_view text) {
     return tooLong || noCharacter ? 0 : length;
 }
 
-/// What of @p text is no text at all, or is indented by tabs, which YAML forbids and its readers take for
-/// this or that.
+/// Adds an error for bytes that are no text and for indentation by tabs. YAML forbids such tabs, and its
+/// readers disagree on their meaning.
 void checkText(std::string_view text, YamlErrors& errors) {
     int line = 1;
     bool indentation = true, tab = false;

@@ -11,12 +11,12 @@ namespace leitstand::detail {
 namespace {
 
 constexpr std::size_t LongestQuote = 40;  ///< [B]
-constexpr std::size_t LongestWord = 64;   ///< that is compared with others [B]
-constexpr std::size_t MostErrors = 100;   ///< that are told
-constexpr std::size_t MostKept = 10'000;  ///< of which those are the first
+constexpr std::size_t LongestWord = 64;   ///< of a word to compare with others [B]
+constexpr std::size_t MostErrors = 100;   ///< that are reported
+constexpr std::size_t MostKept = 10'000;  ///< kept, so that the reported ones are the first
 constexpr std::size_t MostAlternatives = 30;
 
-/// Levenshtein's distance.
+/// Returns the Levenshtein distance.
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

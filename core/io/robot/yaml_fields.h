@@ -14,38 +14,39 @@
 
 namespace leitstand::detail {
 
-/// Something in a YAML file: its value and where it stands.
+/// A value in a YAML file and its place.
 struct YamlPlace {
     YAML::Node value;
     std::string path;  ///< "streams[3].qos"
-    int line = 1;      ///< of its key, where it has one
+    int line = 1;      ///< of its key, if it has one
 };
 
-/// A map of a YAML file, read key by key with checks; what is missing keeps the value it had. Every reading
-/// function is false when it told an error, and true otherwise.
+/// A map of a YAML file, read key by key with checks. A missing key leaves the value as it was. Every reading
+/// function returns false when it reported an error, and true otherwise.
 class YamlFields {
 public:
-    /// Tells when @p place is no map, has keys other than @p keys (with the likeliest of them), or one twice.
+    /// Reports an error when @p place is no map, has keys other than @p keys (with the likeliest of them), or
+    /// has a key twice.
     YamlFields(const YamlPlace& place, std::span<const std::string_view> keys, YamlErrors& errors);
-    /// A map with keys of the user's choice, such as names of sensors: 1 to 64 letters, digits and _.
+    /// Reads a map with keys of the user's choice, such as names of sensors: 1 to 64 letters, digits and _.
     YamlFields(const YamlPlace& place, YamlErrors& errors);
 
     [[nodiscard]] bool has(std::string_view key) const { return m_entries.contains(key); }
-    /// Where @p key stands; the map itself when it does not.
+    /// Returns the place of @p key; when it is missing, a null value at the line of the map.
     [[nodiscard]] YamlPlace at(std::string_view key) const;
     /// All entries, by key.
     [[nodiscard]] const std::map<std::string, YamlPlace, std::less<>>& entries() const { return m_entries; }
 
-    /// Printable text of 1 to 128 bytes (0 with @p maybeEmpty).
+    /// Reads printable text of 1 to 128 bytes (0 with @p maybeEmpty).
     bool text(std::string_view key, std::string& value, bool maybeEmpty = false) const;
     bool flag(std::string_view key, bool& value) const;
-    /// A finite number from @p least to @p most, in @p unit (" m"; may be empty).
+    /// Reads a finite number from @p least to @p most, in @p unit (" m"; may be empty).
     bool number(std::string_view key, double& value, double least, double most, const char* unit) const;
     bool count(std::string_view key, int& value, int least, int most) const;
-    /// @p size numbers, each between -@p most and @p most.
+    /// Reads @p size numbers, each between -@p most and @p most.
     bool numbers(std::string_view key, std::vector<double>& values, std::size_t size, double most,
                  const char* unit) const;
-    /// One of the words of @p choices.
+    /// Reads one of the words of @p choices.
     template <class T>
     bool choice(std::string_view key, T& value, const std::vector<std::pair<std::string, T>>& choices) const {
         std::vector<std::string> words;
@@ -54,16 +55,17 @@ public:
         if (chosen < choices.size()) value = choices[chosen].second;
         return chosen <= choices.size();
     }
-    /// The entries of a list.
+    /// Returns the entries of a list.
     [[nodiscard]] std::vector<YamlPlace> list(std::string_view key) const;
 
-    /// Tells that @p key is wrong; false.
+    /// Reports error @p text at @p key; returns false.
     bool fail(std::string_view key, const std::string& text) const;
 
 private:
     void readEntries(const YamlPlace& place);
     [[nodiscard]] std::string pathOf(std::string_view key) const;
-    /// Which of @p words stands there; their number when @p key is missing, and more when it is wrong.
+    /// Returns the index in @p words of the word at @p key; their number when @p key is missing, and more
+    /// when it is wrong.
     [[nodiscard]] std::size_t word(std::string_view key, const std::vector<std::string>& words) const;
 
     std::map<std::string, YamlPlace, std::less<>> m_entries;
@@ -72,9 +74,9 @@ private:
     YamlErrors* m_errors;
 };
 
-/// The number that @p node holds, when it is a finite one.
+/// Reads the finite number that @p node holds; false when it holds none.
 [[nodiscard]] bool isNumber(const YAML::Node& node, double& value);
-/// Letters, digits and _, a letter first, 1 to 64 of them: names of robots, sensors, modes, actions.
+/// Whether @p text names a robot, sensor, mode or action: 1 to 64 letters, digits and _, a letter first.
 [[nodiscard]] bool isName(std::string_view text);
 
 }  // namespace leitstand::detail

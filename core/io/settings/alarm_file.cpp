@@ -22,7 +22,7 @@ struct Key {
     double AlarmLimits::*value;
     double least, most;
     const char* unit;
-    double inUnit = 1.0;  ///< of the file, in that of AlarmLimits
+    double inUnit = 1.0;  ///< unit of the file in units of AlarmLimits
 };
 
 constexpr double Percent = 0.01;

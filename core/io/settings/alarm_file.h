@@ -9,11 +9,11 @@
 
 namespace leitstand {
 
-/// Reads from where on the operator is told (docs/operator.md, "Alarms"): YAML; what is not named keeps its
-/// default. Errors name @p name, line, key and what was expected.
+/// Reads the limits beyond which the operator is alarmed (YAML; docs/operator.md, "Alarms"). A limit that is
+/// not named keeps its default. Errors name @p name, line, key and what was expected.
 [[nodiscard]] Result<AlarmLimits> parseAlarmLimits(std::string_view text, const std::string& name);
 
-/// The same from @p file; a file that is not there names nothing.
+/// Reads the limits from @p file; a missing file leaves all defaults.
 [[nodiscard]] Result<AlarmLimits> readAlarmLimits(const std::filesystem::path& file);
 
 }  // namespace leitstand

@@ -28,7 +28,7 @@ constexpr std::string_view MapKeys[] = {"truth", "finds"};
 constexpr std::string_view ScanKeys[] = {
     "id", "recorded", "again", "uncertain_recorded", "uncertain_again", "fit_recorded", "fit_again"};
 constexpr double Far = 1e5, LongestJob = 1e6;  ///< [m], [s]
-constexpr double NearOne = 1e-3;               ///< of the length of a quaternion
+constexpr double NearOne = 1e-3;               ///< largest deviation of a quaternion's length
 constexpr int Most = 1'000'000;
 
 std::vector<std::pair<std::string, Minimizer>> minimizerKeys() {
@@ -52,7 +52,7 @@ std::string listOf(const std::vector<double>& values) {
     return fmt::format("[{:.9g}]", fmt::join(values, ", "));
 }
 
-/// x y z and the quaternion x y z w, as in TUM lines.
+/// Returns x y z and the quaternion x y z w, as in TUM lines.
 std::string poseText(const Pose& pose) {
     const Eigen::Vector3d& at = pose.translation();
     const Eigen::Quaterniond turn(pose.linear());
@@ -102,7 +102,7 @@ void readFit(const YamlFields& fields, std::string_view key, std::optional<ScanF
     fit = ScanFit{values[0], values[1]};
 }
 
-/// A count and two amounts, none below 0.
+/// Reads a count and two amounts, none below 0.
 bool readAmounts(const YamlFields& fields, std::string_view key, int& count, double& first, double& second) {
     std::vector<double> values;
     if (!fields.has(key) || !fields.numbers(key, values, 3, Far, "")) return false;
@@ -115,7 +115,8 @@ bool readAmounts(const YamlFields& fields, std::string_view key, int& count, dou
     return true;
 }
 
-/// What files had before finds were told apart (three numbers) is left out: it means something else.
+/// Reads the figures of the finds. Skips the three numbers of older files, which did not distinguish finds
+/// and mean something else.
 std::optional<FindsError> readFinds(const YamlFields& fields) {
     std::vector<double> values;
     if (!fields.has("finds") || fields.list("finds").size() == 3) return std::nullopt;

@@ -9,16 +9,18 @@
 
 namespace leitstand {
 
-/// What registering a mission's key scans again made of them, as YAML: settings, figures and where each scan
-/// came to be. Points are the mission's own and not in it.
+/// Returns the result of registering a mission's key scans again, as YAML: settings, figures and the poses of
+/// each scan. Points stay in the mission and are not included.
 [[nodiscard]] std::string writeComparison(const MapComparison& comparison);
-/// The way back: scans have ids, poses and fits, but neither robot nor points; sums are as of sumUp(). @p
-/// name of the file stands in errors with the line and what was expected.
+/// Parses the text of writeComparison(). Scans have ids, poses and fits, but neither robot nor points; sums
+/// are those of sumUp(). Errors contain the file name @p name, the line and what was expected.
 [[nodiscard]] Result<MapComparison> parseComparison(std::string_view text, const std::string& name);
 
-/// Errors also: the file cannot be opened, or is too large to be one.
+/// Reads a comparison from @p file. Errors as in parseComparison(), or when it cannot be opened or is too
+/// large to be one.
 [[nodiscard]] Result<MapComparison> readComparison(const std::filesystem::path& file);
-/// Whole or not at all. Errors: it cannot be written, or has more scans than could be read again.
+/// Writes @p comparison whole or not at all. Error when @p file cannot be written, or when there are more
+/// scans than readComparison() accepts.
 [[nodiscard]] Result<void> saveComparison(const MapComparison& comparison, const std::filesystem::path& file);
 
 }  // namespace leitstand

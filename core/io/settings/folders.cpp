@@ -8,7 +8,7 @@ namespace leitstand {
 namespace fs = std::filesystem;
 namespace {
 
-/// What @p variable of the environment says; empty when it is not there.
+/// Returns the value of environment variable @p variable; empty when it is not set.
 std::string environment(const char* variable) {
     const char* value = std::getenv(variable);
     return value == nullptr ? std::string() : value;

@@ -8,9 +8,9 @@
 
 namespace leitstand {
 
-/// What @p file (YAML) remembers; nothing when it is not there or makes no sense.
+/// Reads the station stored in @p file (YAML); empty when the file is missing or invalid.
 [[nodiscard]] std::optional<LastStation> readLastStation(const std::filesystem::path& file);
-/// Keeps @p station instead of what was. Errors name the file.
+/// Replaces the stored station by @p station. Errors name the file.
 [[nodiscard]] Result<void> writeLastStation(const std::filesystem::path& file, const LastStation& station);
 
 }  // namespace leitstand

@@ -78,7 +78,7 @@ void readSplit(const YamlPlace& place, PaneSplit& split, std::set<std::string>& 
     for (const YamlPlace& part : parts) readSplit(part, split.parts.emplace_back(), seen, errors);
 }
 
-/// Keys to values, both of our own choice.
+/// Reads a map of ids (commands, buttons) to texts.
 void readWords(const YamlFields& fields, std::string_view key, std::map<std::string, std::string>& words,
                YamlErrors& errors) {
     if (!fields.has(key)) return;

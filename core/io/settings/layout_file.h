@@ -9,15 +9,15 @@
 
 namespace leitstand {
 
-/// Reads a layout (YAML; docs/operator.md lists the keys). Its name is the file's. Errors name file, line,
-/// key and what was expected, a line for each.
+/// Reads a layout (YAML; docs/operator.md lists the keys) and names it after the file. The error has a line
+/// for each mistake: file, line, key and what was expected.
 [[nodiscard]] Result<WindowLayout> readLayout(const std::filesystem::path& file);
-/// The same from @p text; errors call it @p name.
+/// Parses a layout from @p text; errors call the file @p name.
 [[nodiscard]] Result<WindowLayout> parseLayout(std::string_view text, const std::string& name);
 
-/// @p layout as a file that parseLayout() takes.
+/// Returns @p layout as a file that parseLayout() accepts.
 [[nodiscard]] std::string writeLayout(const WindowLayout& layout);
-/// Puts it into @p file, whole or not at all; errors name the file.
+/// Writes @p layout to @p file, whole or not at all. Errors name the file.
 Result<void> saveLayout(const WindowLayout& layout, const std::filesystem::path& file);
 
 }  // namespace leitstand

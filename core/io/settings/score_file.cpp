@@ -17,7 +17,7 @@ namespace {
 using detail::YamlErrors;
 using detail::YamlFields;
 
-// JSON is YAML in flow style: the reader of hostile YAML reads it, with line numbers.
+// JSON is YAML in flow style, so the reader of hostile YAML reads it, with line numbers.
 constexpr std::string_view Keys[] = {
     "name",    "title",       "version",    "source",      "areas",      "points",          "hazard",
     "code",    "object",      "area_bump",  "victim_bump", "autonomous", "semi_autonomous", "operators",

@@ -52,7 +52,7 @@ std::optional<HeldGrant> grantOf(const YAML::Node& node) {
     return HeldGrant{{kind->second, robot}, node["term"].as<std::uint64_t>()};
 }
 
-/// What the file says; nothing when it makes no sense.
+/// Parses @p file; empty when it is invalid.
 std::optional<StationIdentity> parse(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string text(LargestFile + 1, '\0');
@@ -90,7 +90,8 @@ Error failed(const std::filesystem::path& file, const char* what) {
     return Error{fmt::format("{}: {}: {}", file.string(), what, std::strerror(errno))};
 }
 
-/// All of @p text in @p file, or what was there before, even when the power goes.
+/// Replaces the content of @p file by @p text. Even after a power failure, the file holds either all of it or
+/// its old content.
 Result<void> replace(const std::filesystem::path& file, const std::string& text) {
     const std::filesystem::path next = file.string() + ".new";
     const int out = ::open(next.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
@@ -107,7 +108,7 @@ Result<void> replace(const std::filesystem::path& file, const std::string& text)
 
 }  // namespace
 
-/// Goes with the process, however it ends.
+/// The lock on an identity; released when the process ends in any way.
 struct StationFile::Lock {
     explicit Lock(int held) : descriptor(held) {}
     ~Lock() { ::close(descriptor); }
@@ -129,7 +130,7 @@ std::string newStationId() {
 Result<StationFile> StationFile::open(const std::filesystem::path& file, const std::string& title) {
     std::error_code error;
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-    // Beside the file, which is replaced by renaming.
+    // A lock file beside it, since the file itself is replaced by renaming.
     const std::filesystem::path beside = file.string() + ".lock";
     const int descriptor = ::open(beside.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     if (descriptor < 0) return failed(beside, "cannot be opened");

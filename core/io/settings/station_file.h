@@ -11,19 +11,19 @@
 
 namespace leitstand {
 
-/// A new identity, 122 random bits: "3f2b8c1e-0d4a-4b6e-9a51-7c0f3d2e8b19" (RFC 4122, version 4).
+/// Returns a new identity of 122 random bits: "3f2b8c1e-0d4a-4b6e-9a51-7c0f3d2e8b19" (RFC 4122, version 4).
 [[nodiscard]] std::string newStationId();
 
-/// What the @p text of a station's file says; nothing when it makes no sense.
+/// Parses the @p text of a station's file; empty when it is invalid.
 [[nodiscard]] std::optional<StationIdentity> parseStation(const std::string& text);
 
-/// Who a station is, kept in a file (YAML) from run to run, with the grants that it held: made when it is
-/// not there. As long as this object lives, the identity is its own: two programs of one identity would both
-/// hold its grants.
+/// The identity of a station and the grants that it held, kept in a file (YAML) between runs. The file is
+/// made when it is missing. While this object lives, no other program can use the identity: two programs of
+/// one identity would both hold its grants.
 class StationFile {
 public:
-    /// Errors name the file: it cannot be written, or another program has it. One that cannot be understood
-    /// is set aside ("<file>.damaged"), and a new identity made: see warning().
+    /// Opens or makes @p file. Error, with the name of the file, when it cannot be written or another program
+    /// has it. An invalid file is moved aside ("<file>.damaged") and a new identity made: see warning().
     [[nodiscard]] static Result<StationFile> open(const std::filesystem::path& file,
                                                   const std::string& title);
 
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] const std::string& warning() const {
         return m_warning;
     }  ///< for people; empty when all is well
-    /// Keeps @p held instead of what was; the file is never half written.
+    /// Replaces the stored grants by @p held; the file is never half written.
     Result<void> remember(const std::vector<HeldGrant>& held) const;
 
 private:

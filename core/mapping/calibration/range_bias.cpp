@@ -19,12 +19,12 @@ constexpr float Alike = 0.9F;                                 ///< cosine betwee
 constexpr double Outlier = 0.02;         ///< pairs farther apart count half, or less (Cauchy) [m]
 constexpr std::size_t LeastPairs = 300;  ///< of points
 constexpr double PairDeviation = 0.015;  ///< of a pair of points, across its surface [m]
-constexpr double Open = 1e-7;            ///< what is known less well, as a share of the best, is not known
-constexpr double MostDeviation = 0.004;  ///< of what a pair of scans tells, by its points [m]
-constexpr std::size_t Enough = 12;       ///< pairs of scans
-constexpr std::size_t Most = 400;        ///< ... that are remembered
+constexpr double Open = 1e-7;  ///< least ratio of the smallest to the largest pivot; below: under-constrained
+constexpr double MostDeviation = 0.004;  ///< largest of the bias by one pair of scans [m]
+constexpr std::size_t Enough = 12;       ///< pairs of scans for an estimate
+constexpr std::size_t Most = 400;        ///< pairs of scans that are kept
 
-/// Median of @p values, which it reorders; not of none.
+/// Returns the median of @p values, which must not be empty, and reorders them.
 double medianOf(std::vector<double>& values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
@@ -89,7 +89,8 @@ std::optional<Estimated> RangeBias::estimate() const {
     std::vector<double> values = m_told;
     const double median = medianOf(values);
     for (double& value : values) value = std::abs(value - median);
-    // Of a median of normally distributed values, their scatter by the median of its absolute values.
+    // For normally distributed values: their deviation by the median absolute deviation, and that of a
+    // median.
     constexpr double OfMedian = 1.2533, OfAbsolute = 1.4826;
     return Estimated{
         median, OfMedian * OfAbsolute * medianOf(values) / std::sqrt(static_cast<double>(values.size()))};

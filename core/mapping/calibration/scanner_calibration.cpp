@@ -6,16 +6,16 @@
 namespace leitstand {
 namespace {
 
-constexpr double NoticedRange = 0.01;         ///< what is less may come of how turns are bent [m]
+constexpr double NoticedRange = 0.01;         ///< smaller ones may come from distorted turns [m]
 constexpr double NoticedLean = degrees(0.2);  ///< [rad]
 constexpr double NoticedShift = 0.01;         ///< [m]
 constexpr double NoticedTurn = degrees(0.3);  ///< of its heading [rad]
 constexpr double NoticedClock = 0.02;         ///< [s]
-constexpr double Sigmas = 3.0;                ///< what is told is certain by so many deviations
-constexpr double Stands = 0.7;                ///< of that, for what was told
-constexpr double SureRange = 0.003;           ///< an estimate that scatters more is none [m]
-constexpr double SureClock = 0.005;           ///< likewise [s] ...
-constexpr double SureShare = 0.1;             ///< ... or by so much of it
+constexpr double Sigmas = 3.0;                ///< a certain value is larger than so many deviations
+constexpr double Stands = 0.7;                ///< share of these bounds that keeps a standing advice
+constexpr double SureRange = 0.003;           ///< largest deviation of a range estimate [m]
+constexpr double SureClock = 0.005;           ///< largest deviation of a clock estimate [s] ...
+constexpr double SureShare = 0.1;             ///< ... or share of the estimate, the larger of both
 
 }  // namespace
 
@@ -46,7 +46,7 @@ std::optional<ScannerCorrection> ScannerCalibration::advised(const std::optional
     };
     share = shareFor(ScannerFault::Clock);
     if (!left.contains(ScannerFault::Clock) && noticed(3, NoticedClock, share)) {
-        // Where it sits waits meanwhile.
+        // Advice on the mount waits for the clock.
         const double late = mount->value[3];
         if (share * mount->deviation[3] > std::max(SureClock, SureShare * std::abs(late)))
             return std::nullopt;
@@ -54,7 +54,7 @@ std::optional<ScannerCorrection> ScannerCalibration::advised(const std::optional
         return more;
     }
     if (left.contains(ScannerFault::Mount)) return std::nullopt;
-    // What is not sure of a scanner that is off stays as it is said.
+    // Values of the mount that are not certain stay as configured.
     const auto stands = [&](double ScannerCorrection::*of) {
         return standing && (*standing).*of != 0.0 ? Stands : 1.0;
     };

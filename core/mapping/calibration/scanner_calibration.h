@@ -12,24 +12,26 @@
 
 namespace leitstand {
 
-/// What an advice is about: each is asked for itself.
+/// The fault that an advice corrects. The operator is asked about each one separately.
 enum class ScannerFault : std::uint8_t { Range, Lean, Clock, Mount };
-/// The first one that @p more corrects.
+/// Returns the first fault that @p more corrects.
 [[nodiscard]] ScannerFault faultOf(const ScannerCorrection& more);
-/// Whether an operator would be asked the same.
+/// Returns whether both ask the operator the same.
 [[nodiscard]] bool asksAlike(const ScannerCorrection& a, const ScannerCorrection& b);
 
-/// What the map tells of a scanner against what is said of it.
+/// What the map shows of a scanner, compared with its configuration.
 struct ScannerCalibration {
-    std::optional<Estimated> range;                           ///< its ranges are too long by [m]
-    Eigen::Vector2d lean = Eigen::Vector2d::Zero();           ///< roll and pitch in the base, beyond [rad]
+    std::optional<Estimated> range;  ///< its ranges are too long by [m]
+    /// Roll and pitch in the base beyond the configured ones [rad].
+    Eigen::Vector2d lean = Eigen::Vector2d::Zero();
     Eigen::Vector2d leanDeviation = Eigen::Vector2d::Zero();  ///< one deviation of each [rad]
 
     std::optional<MountError> mount = {};
 
-    /// What is worth to be corrected and certain. Ranges come first: what is too long bends the floor, which
-    /// looks like a lean; then the lean, the clock, and where it sits and looks.
-    /// @p standing: was advised before, and is while it is not much less. @p left: what is not to be
+    /// Returns the correction that is large and certain enough to be advised; empty: none. Ranges come first:
+    /// ranges that are too long bend the floor, which looks like a lean. The lean, the clock and the mount
+    /// follow.
+    /// @p standing: the advice before, kept while the error is not much smaller. @p left: faults not to be
     /// corrected.
     [[nodiscard]] std::optional<ScannerCorrection> advised(
         const std::optional<ScannerCorrection>& standing = {}, const std::set<ScannerFault>& left = {}) const;

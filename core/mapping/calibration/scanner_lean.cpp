@@ -8,15 +8,14 @@
 namespace leitstand {
 namespace {
 
-constexpr double MostTilt = degrees(3), MostLean = degrees(3);  ///< expected beforehand [rad]
-constexpr double Drift = degrees(0.03);                         ///< of the map's tilt, a scan [rad] ...
-constexpr double DriftOfWay = degrees(0.06);                    ///< ... and a root of a metre [rad]
-constexpr double UnitDeviation = degrees(0.2);                  ///< of what the inertial unit says [rad]
+constexpr double MostTilt = degrees(3), MostLean = degrees(3);  ///< prior deviations [rad]
+constexpr double Drift = degrees(0.03);                         ///< of the map's tilt per scan [rad] ...
+constexpr double DriftOfWay = degrees(0.06);                    ///< ... and per root of a metre [rad]
+constexpr double UnitDeviation = degrees(0.2);                  ///< of the inertial unit's up direction [rad]
 
-/// So much of what a scan is turned by when it enters shows in those after it, which are matched with a
-/// dozen.
+/// Share of a scan's turn on entering the map that shows in the next scans, which are matched with a dozen.
 constexpr double Follows = 0.15;
-constexpr double Knocked = 5.0;  ///< deviations: the scanner was knocked, or the unit is wrong
+constexpr double Knocked = 5.0;  ///< deviations; beyond, the scanner was knocked, or the unit is wrong
 
 }  // namespace
 
@@ -32,7 +31,7 @@ void ScannerLean::add(const Pose& scanInMap, const Pose& sensorInBase, const Eig
     const Eigen::Vector2d disagreement = (scanInMap.linear() * up).head<2>();
     m_covariance.topLeftCorner<2, 2>().diagonal().array() +=
         Drift * Drift + DriftOfWay * DriftOfWay * std::abs(way);
-    // A scanner that is turned by l sees up turned by -l: what is said of it is up + l x up.
+    // A scanner that is turned by l sees up turned by -l: the reported direction is up + l x up.
     Eigen::Matrix<double, 2, 4> seen;
     seen.leftCols<2>().setIdentity();
     for (int axis = 0; axis < 2; ++axis)
@@ -41,7 +40,7 @@ void ScannerLean::add(const Pose& scanInMap, const Pose& sensorInBase, const Eig
         seen * m_covariance * seen.transpose() + UnitDeviation * UnitDeviation * Eigen::Matrix2d::Identity();
     const Eigen::Vector2d unexpected = disagreement - seen * m_state;
     if (unexpected.dot(expected.ldlt().solve(unexpected)) > Knocked * Knocked) {
-        *this = {};  // what was known is not true any more
+        *this = {};  // what was known is no longer true
         return;
     }
     const Eigen::Matrix<double, 4, 2> gain = m_covariance * seen.transpose() * expected.inverse();

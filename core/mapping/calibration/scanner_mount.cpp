@@ -12,21 +12,21 @@
 namespace leitstand {
 namespace {
 
-// A pair ends where the robot has gone or turned so far.
+// A pair ends where the robot has moved or turned so far.
 constexpr double PairWay = 0.35;             // [m]
 constexpr double PairTurn = degrees(12);     // [rad]
 constexpr double MostTurned = degrees(120);  // [rad]
-constexpr std::size_t LeastPairs = 100;      // some 35 m of way
+constexpr std::size_t LeastPairs = 100;      // about 35 m of path
 constexpr std::size_t MostPairs = 400;       // the newest
-constexpr double Place = 0.003;              // deviation of a scan's place in the map [m] ...
+constexpr double Place = 0.003;              // deviation of a scan's position in the map [m] ...
 constexpr double Heading = degrees(0.1);     // ... and of its heading [rad]
-constexpr double OfWay = 0.02;               // wheels slip by that share of the way ...
+constexpr double OfWay = 0.02;               // wheels slip by this share of the distance ...
 constexpr double OfTurn = 0.04;              // ... and of the turn,
-constexpr double SlipInTurn = 0.02;          // and aside by so much in a turn [m/rad]
+constexpr double SlipInTurn = 0.02;          // and sideways by so much in a turn [m/rad]
 constexpr double Outlier = 2.0;              // deviations; what is farther off weighs less (Huber)
 constexpr int Rounds = 8;
 
-/// What is expected beforehand: deviations of the unknowns.
+/// Prior deviations of the unknowns.
 constexpr std::array<double, 6> Expected = {0.1, 0.1, degrees(5), 0.2, 0.1, 0.1};
 
 double yawOf(const Eigen::Matrix3d& rotation) {
@@ -50,7 +50,7 @@ ScannerMount::Pair ScannerMount::pairOf(const ScanMotion& from, const ScanMotion
     const Eigen::Matrix2d lever = Eigen::Matrix2d::Identity() - turned;
     const Eigen::Vector2d way = (mount.linear() * byScans.translation()).head<2>();
     const Eigen::Vector2d base = lever * mount.translation().head<2>() + way;
-    // By how much odometry turned too far it did so all along: half of it shows in the direction of the way.
+    // Odometry turns too far steadily, so half of the error shows in the direction of motion.
     const Eigen::Vector2d went =
         Eigen::Rotation2Dd(-0.5 * tooFar) * Eigen::Vector2d(byOdometry.translation().head<2>());
     Pair pair;
@@ -79,7 +79,7 @@ void ScannerMount::add(const ScanMotion& now) {
     const Pose moved = m_from->sensorInMap.inverse() * now.sensorInMap;
     const double turned = Eigen::AngleAxisd(moved.linear()).angle();
     if (moved.translation().norm() < PairWay && turned < PairTurn) return;
-    // The way of one that turned about between two scans says little.
+    // A pair with a large turn between its scans holds little information.
     if (turned < MostTurned) m_pairs.push_back(pairOf(*m_from, now));
     if (m_pairs.size() > MostPairs) m_pairs.pop_front();
     m_from = now;
@@ -111,8 +111,7 @@ std::optional<MountError> ScannerMount::estimate() const {
         }
         found = information.ldlt().solve(right);
     }
-    // Pairs that follow each other share what odometry and the map are off by: they tell less than as many
-    // that do not.
+    // Consecutive pairs share errors of odometry and map. They hold less information than independent ones.
     constexpr double Shared = 2.0, LeastScatter = 0.5;
     const double scatter = Shared * std::max(LeastScatter, std::sqrt(squares / count));
     const Matrix covariance = information.inverse();

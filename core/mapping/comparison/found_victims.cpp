@@ -7,9 +7,9 @@
 namespace leitstand {
 namespace {
 
-constexpr double Apart = 1e6;  // what a pair costs that is none: more than all others together
+constexpr double Apart = 1e6;  // cost of a pair that is out of reach: more than all others together
 
-/// For each row the column that it gets, so that the sum of @p costs is least. No more rows than columns.
+/// Returns the column of each row so that the sum of @p costs is least. No more rows than columns.
 std::vector<std::size_t> assigned(const std::vector<std::vector<double>>& costs) {
     const std::size_t rows = costs.size(), columns = rows == 0 ? 0 : costs.front().size();
     // Potentials of rows and columns, from 1; 0 is the row that looks for its column.
@@ -62,7 +62,7 @@ FindsError compareFinds(std::span<const Eigen::Vector3d> finds, std::span<const 
                         double reach) {
     FindsError error;
     error.finds = static_cast<int>(finds.size());
-    // Columns enough for finds that are nobody.
+    // Extra columns are for finds without a victim.
     std::vector<std::vector<double>> costs(finds.size(),
                                            std::vector<double>(victims.size() + finds.size(), Apart));
     for (std::size_t i = 0; i < finds.size(); ++i) {

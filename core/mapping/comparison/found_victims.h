@@ -8,20 +8,21 @@
 
 namespace leitstand {
 
-/// A find farther from every true victim is none of them: longer than anybody lies, with a map's error [m].
+/// A find farther from every true victim matches none: a person's length plus a map's error [m].
 inline constexpr double FoundReach = 1.0;
 
 /// How filed victims compare with the true ones, each find with a victim of its own.
 struct FindsError {
     int finds = 0;                   ///< filed victims
-    double mean = 0.0, worst = 0.0;  ///< how far those that are one are off, in the plane [m]
-    int missed = 0;                  ///< true victims that no find is
-    int wrong = 0;                   ///< finds that are no victim, or one that another find is
+    double mean = 0.0, worst = 0.0;  ///< distance of matched finds to their victims, in the plane [m]
+    int missed = 0;                  ///< true victims without a find
+    int wrong = 0;                   ///< finds without a victim, or with one that another find has
     [[nodiscard]] int found() const { return finds - wrong; }
 };
 
-/// Gives each of @p finds a victim of its own of @p victims (both in one frame [m]) within @p reach [m]: as
-/// many as can be, and then as near as can be (Hungarian method, Kuhn 1955). What is not finite is none.
+/// Matches each of @p finds with a victim of its own from @p victims (both in one frame [m]) within @p reach
+/// [m]. The matches are as many as possible, and then as near as possible (Hungarian method, Kuhn 1955).
+/// Points that are not finite match none.
 [[nodiscard]] FindsError compareFinds(std::span<const Eigen::Vector3d> finds,
                                       std::span<const Eigen::Vector3d> victims, double reach = FoundReach);
 

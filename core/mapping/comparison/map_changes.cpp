@@ -18,7 +18,7 @@ namespace {
 using Cell = std::array<int, 3>;
 
 constexpr float Farthest =
-    1e3F;  ///< no scanner sees so far [m]: of what a log says, cells could not be counted
+    1e3F;  ///< no scanner sees so far [m]; a log's farther points would overflow the cells
 
 Cell cellAt(const Eigen::Vector3f& place, double edge) {
     const auto along = [edge](float coordinate) {
@@ -33,7 +33,7 @@ struct Changed {
     std::map<std::uint64_t, int> by;  ///< scans that have points there
 };
 
-/// Compares key scans by what they looked through, which is made once for each.
+/// Compares key scans by the space that they looked through, which is computed once for each.
 class Comparison {
 public:
     Comparison(std::span<const ReportScan> scans, const ChangeSettings& settings)
@@ -41,7 +41,7 @@ public:
         for (const ReportScan& scan : scans) m_scans.emplace(scan.id, &scan);
     }
 
-    /// The cells in which scans @p of have something where scans of @p others looked through.
+    /// Returns the cells in which scans @p of have points where scans of @p others looked through.
     std::map<Cell, Changed> changed(const std::set<std::uint64_t>& of, const std::set<std::uint64_t>& others,
                                     const Progress& progress) {
         std::map<Cell, Changed> cells;
@@ -58,7 +58,7 @@ public:
         return cells;
     }
 
-    /// Scans near which others of the other visit were.
+    /// Number of scans with scans of the other visit nearby.
     [[nodiscard]] std::size_t compared() const { return m_compared; }
 
 private:
@@ -104,7 +104,7 @@ private:
             const Votes others = votesOn(place, judges);
             if (others.through < m_settings.looksThrough || others.through < m_settings.oftener * others.seen)
                 continue;
-            // What others of its own visit looked through walked by.
+            // Something that other scans of its own visit looked through has passed by.
             const Votes mine = votesOn(place, own);
             if (mine.through > mine.seen) continue;
             ++cells.try_emplace(cell, Changed{place.cast<float>(), {}}).first->second.by[scan.id];
@@ -117,7 +117,7 @@ private:
     std::size_t m_done = 0, m_compared = 0;
 };
 
-/// Of @p places along the second of their principal axes [m].
+/// Returns the deviation of @p places along the second of their principal axes [m].
 double secondDeviation(const std::vector<Eigen::Vector3f>& places) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3f& place : places) mean += place.cast<double>();
@@ -132,7 +132,7 @@ double secondDeviation(const std::vector<Eigen::Vector3f>& places) {
     return std::sqrt(std::max(0.0, axes.eigenvalues()[1]));
 }
 
-/// What of @p cells hangs together, and is large enough to be something.
+/// Returns the connected groups of @p cells that are large enough to be a thing.
 std::vector<ChangedThing> thingsOf(std::map<Cell, Changed> cells, bool isNew,
                                    const ChangeSettings& settings) {
     const int reach = static_cast<int>(std::ceil(settings.linked / settings.edge));
@@ -181,7 +181,7 @@ std::string carriedFrom(const std::string& robot) {
 }
 
 Visits visitsOf(std::span<const ReportScan> scans) {
-    std::map<std::string, std::uint64_t> newest;  // id of each mission
+    std::map<std::string, std::uint64_t> newest;  // newest scan of each mission
     for (const ReportScan& scan : scans) {
         std::uint64_t& known = newest[carriedFrom(scan.scan->robot)];
         known = std::max(known, scan.id);
@@ -191,7 +191,7 @@ Visits visitsOf(std::span<const ReportScan> scans) {
     visits.name = std::max_element(newest.begin(), newest.end(), [](const auto& a, const auto& b) {
                       return a.second < b.second;
                   })->first;
-    // Its own scans are newer than all that it goes on in.
+    // The mission's own scans are newer than those of the maps that it continues.
     if (newest.contains({})) visits.name.clear();
     for (const auto& [name, id] : newest) {
         if (name != visits.name) visits.earlier.insert(name);

@@ -16,39 +16,39 @@
 
 namespace leitstand {
 
-/// The mission that a map with scans of @p robot, "kurt3d@monday", was carried from; empty: from none.
+/// Returns the mission that scans of @p robot ("kurt3d@monday") were carried from; empty: none.
 [[nodiscard]] std::string carriedFrom(const std::string& robot);
 
 /// Key scans of a map that were taken on two occasions.
 struct Visits {
     std::set<std::uint64_t> before, after;  ///< ids
-    /// Of the mission that those after were carried here from; empty: of this one.
+    /// The mission that the scans after were carried here from; empty: this one.
     std::string name;
-    std::set<std::string> earlier;  ///< likewise, of those before
+    std::set<std::string> earlier;  ///< missions of the scans before
 };
 
-/// The visits of a map of @p scans: the newest of the missions that it is put together from (behind the @ of
-/// its robots' names; by the numbers of their scans, since robots' clocks may say anything), and those
-/// before. Both are empty where it is of one alone.
+/// Returns the visits of a map of @p scans: those of the newest mission that it is put together from, and
+/// those before. A mission's name is behind the @ of its robots' names. The newest one has the highest scan
+/// numbers, since robots' clocks are not reliable. Both are empty for a map of a single mission.
 [[nodiscard]] Visits visitsOf(std::span<const ReportScan> scans);
 
-/// How a change is told from what is merely seen from elsewhere.
+/// How a change is distinguished from something that is merely seen from elsewhere.
 struct ChangeSettings {
     FreeSpaceSettings looking = {
         .margin = 0.2F, .marginOfRange = 0.03F, .nearest = 0.5F, .beside = false, .rays = 2};
-    double reach = 8.0;      ///< scans so near each other have a say in each other [m]
-    std::size_t scans = 10;  ///< of either visit so many, the nearest
-    double edge = 0.1;       ///< of the grid: one point of each cell of a scan is asked about [m]
-    int looksThrough = 2;    ///< so many scans of the other visit at least looked through ...
-    int oftener = 3;         ///< ... and so many times as many as saw something there
-    double linked = 0.25;    ///< cells so near each other are of one thing [m]
-    std::size_t least = 20;  ///< cells of a thing; less is noise
-    /// Deviation of its cells along its second axis [m]: of what is thinner in two directions scans miss one
-    /// another's edges.
+    double reach = 8.0;      ///< scans so near each other judge each other [m]
+    std::size_t scans = 10;  ///< of either visit that judge a scan, the nearest
+    double edge = 0.1;       ///< of the grid: one point per cell of a scan is judged [m]
+    int looksThrough = 2;    ///< least scans of the other visit that looked through ...
+    int oftener = 3;         ///< ... and least multiple of those that saw something there
+    double linked = 0.25;    ///< cells so near each other belong to one thing [m]
+    std::size_t least = 20;  ///< cells of a thing; fewer are noise
+    /// Least deviation of its cells along its second axis [m]. Of things that are thinner in two directions,
+    /// scans miss each other's edges.
     double thinnest = 0.07;
 };
 
-/// Something that stands in the map of one visit where the other one looked through.
+/// Something in the map of one visit where the other visit looked through.
 struct ChangedThing {
     bool isNew = false;                  ///< else it is gone
     Eigen::AlignedBox3d box;             ///< in the map [m]
@@ -59,14 +59,14 @@ struct ChangedThing {
 /// What changed in a map since the visits before.
 struct MapChanges {
     Visits visits;
-    std::size_t compared = 0;          ///< scans; none: the visits' maps have not met
+    std::size_t compared = 0;          ///< scans; 0: the visits' maps have not met
     std::vector<ChangedThing> things;  ///< largest first
 };
 
-/// What came and what went in a map of @p scans, between its visitsOf(): points of scans of the one where
-/// scans of the other looked through, and which others of its own visit saw, too, or at least did not look
-/// through (after the votes of scans on points: Pomerleau et al. 2014). What nobody looked at the other time
-/// is no change. Cancelled: nothing is compared.
+/// Returns what came and what went in a map of @p scans, between its visitsOf(). A change is a point of one
+/// visit that scans of the other looked through. Other scans of its own visit saw it too, or at least did not
+/// look through it (after the votes of scans on points: Pomerleau et al. 2014). Space that the other visit
+/// did not look at holds no change. Cancelled: nothing is compared.
 [[nodiscard]] MapChanges changesOf(std::span<const ReportScan> scans, const ChangeSettings& settings = {},
                                    const Progress& progress = {});
 

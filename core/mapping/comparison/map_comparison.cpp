@@ -33,7 +33,7 @@ ScanFit fitOf(const Search& target, const PointCloud& source, const Pose& source
     return fit;
 }
 
-/// Of one robot: each scan against the one before it. False when cancelled.
+/// Measures each scan of one robot against the one before it. Returns false when cancelled.
 bool measure(std::vector<ComparedScan*>& scans, const RegistrationSettings& settings,
              const Progress& progress) {
     std::unique_ptr<Search> search;
@@ -52,12 +52,12 @@ bool measure(std::vector<ComparedScan*>& scans, const RegistrationSettings& sett
     return true;
 }
 
-/// The scans of one robot with odometry that leads from each to the next. Where it began anew between two,
-/// since the robot was restarted or carried, the recorded map tells the step.
+/// Returns the scans of one robot with odometry that leads from each to the next. Where odometry restarted
+/// between two, since the robot was restarted or carried, the recorded map gives the step.
 std::vector<ScanPtr> withWholeOdometry(const std::vector<ComparedScan*>& scans) {
     constexpr double Jump = 1.0, Turn = degrees(45);  // between key scans no odometry errs so much [m], [rad]
     std::vector<ScanPtr> whole;
-    Pose shift = Pose::Identity();  // of what odometry says now to what it said at first
+    Pose shift = Pose::Identity();  // from the frame of odometry now to its first one
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const Scan& scan = *scans[i]->scan;
         if (i > 0 && scan.hasOdometry && whole.back()->hasOdometry) {
@@ -78,7 +78,7 @@ std::vector<ScanPtr> withWholeOdometry(const std::vector<ComparedScan*>& scans) 
     return whole;
 }
 
-/// Of one robot; false when cancelled.
+/// Registers the scans of one robot. Returns false when cancelled.
 bool registerScans(std::vector<ComparedScan*>& scans, const RegistrationSettings& settings,
                    const Progress& progress, std::size_t done, std::size_t all) {
     Mapper mapper(settings);
@@ -116,7 +116,7 @@ struct Sum {
     }
 };
 
-/// Grey, and what would hide the rest left out.
+/// Returns @p scan in grey and without the ceiling, which would hide the rest.
 ScanPtr greyed(const Scan& scan) {
     auto grey = std::make_shared<Scan>(scan);
     grey->rows = grey->columns = 0;

@@ -22,54 +22,54 @@ struct ScanFit {
     double overlap = 0.0;  ///< share of its points that have such a partner
 };
 
-/// A key scan of a mission, where it was recorded and where it comes to be when it is registered again.
+/// A key scan of a mission, with its recorded pose and its pose when registered again.
 struct ComparedScan {
     std::uint64_t id = 0;
     std::string robot;
     Time end{};                            ///< of the sweep, robot's clock
     ScanPtr scan;                          ///< never null
-    Pose sensorInBase = Pose::Identity();  ///< then
-    Pose recorded = Pose::Identity();      ///< scan in map
-    Pose again = Pose::Identity();         ///< likewise
+    Pose sensorInBase = Pose::Identity();  ///< at that time
+    Pose recorded = Pose::Identity();      ///< scan in map, as recorded
+    Pose again = Pose::Identity();         ///< scan in map, registered again
     bool uncertainRecorded = false, uncertainAgain = false;
-    std::optional<ScanFit> fitRecorded{}, fitAgain{};  ///< empty: a robot's first, or it has no points
+    std::optional<ScanFit> fitRecorded{}, fitAgain{};  ///< empty: a robot's first scan, or one without points
 };
 
 /// A map in figures.
 struct MapFigures {
-    int uncertain = 0;                       ///< scans
+    int uncertain = 0;                       ///< number of scans
     double rms = 0.0, overlap = 0.0;         ///< means over scans
-    double path = 0.0;                       ///< way of the robots from scan to scan [m]
-    std::optional<double> seconds{};         ///< that registering took; empty: nobody knows
-    std::optional<TrajectoryError> truth{};  ///< empty: the mission does not hold it
-    std::optional<FindsError> finds{};       ///< likewise, or not of its victims
+    double path = 0.0;                       ///< of the robots, from scan to scan [m]
+    std::optional<double> seconds{};         ///< duration of the registration; empty: unknown
+    std::optional<TrajectoryError> truth{};  ///< empty: the mission holds none
+    std::optional<FindsError> finds{};       ///< empty: the mission holds no true victims
 };
 
-/// The map of a mission as it was recorded beside that which other settings make of the same scans.
+/// The recorded map of a mission, beside the map that other settings make of the same scans.
 struct MapComparison {
     RegistrationSettings settings;
     std::vector<ComparedScan> scans;  ///< by id
-    int rejected = 0;                 ///< scans that were set aside; they take no part
+    int rejected = 0;                 ///< scans that were set aside, which take no part
     MapFigures recorded, again;
     double meanMoved = 0.0, mostMoved = 0.0;    ///< of scans, from recorded to again [m]
-    double meanTurned = 0.0, mostTurned = 0.0;  ///< likewise [rad]
+    double meanTurned = 0.0, mostTurned = 0.0;  ///< of scans, from recorded to again [rad]
 };
 using MapComparisonPtr = std::shared_ptr<const MapComparison>;
 
-/// Registers @p scans again, those of each robot for themselves, its first where it was recorded, and
-/// measures both maps with the same yardstick. Nothing when cancelled.
+/// Registers @p scans again, each robot's separately with its first one as recorded, and measures both maps
+/// in the same way. Returns nothing when cancelled.
 [[nodiscard]] std::optional<MapComparison> registeredAgain(std::vector<ComparedScan> scans,
                                                            const RegistrationSettings& settings,
                                                            const Progress& progress = {});
 
-/// Fills in what @p whole's scans sum up to: scans that are uncertain, means, ways, and how far scans moved.
+/// Computes the figures of @p whole from its scans: uncertain scans, means, paths, and how far scans moved.
 void sumUp(MapComparison& whole);
 
 /// Which map of a comparison is shown.
 enum class ComparedMap : std::uint8_t {
     Recorded,
     Again,
-    Both,  ///< the recorded one without labels (grey) and without ceilings, the other one as always
+    Both,  ///< the recorded map in grey, without labels and ceilings, and the other one as always
 };
 [[nodiscard]] MapPtr mapOf(const MapComparison& comparison, ComparedMap which);
 

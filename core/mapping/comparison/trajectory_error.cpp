@@ -7,10 +7,10 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::milliseconds Nearest(250);  ///< poses of the truth that are farther tell nothing
-constexpr double Lever = 0.5;                      ///< of a heading, beside positions [m]
+constexpr std::chrono::milliseconds Nearest(250);  ///< true poses that are farther in time are not used
+constexpr double Lever = 0.5;                      ///< of a heading, weighed against positions [m]
 
-/// Of a pose: where it is, and a point ahead of it.
+/// Returns the position of @p pose and a point ahead of it.
 std::vector<Eigen::Vector3d> pointsOf(const Pose& pose) {
     return {pose.translation(), pose * Eigen::Vector3d(Lever, 0.0, 0.0)};
 }

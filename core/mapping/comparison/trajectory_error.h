@@ -24,18 +24,18 @@ struct PosePair {
 struct TrajectoryError {
     int poses = 0;
     double position = 0.0;               ///< root mean square [m]
-    double rotation = 0.0;               ///< likewise [rad]
+    double rotation = 0.0;               ///< root mean square [rad]
     Pose mapInWorld = Pose::Identity();  ///< where the map fits the truth best: turned about z and shifted
 };
 
-/// Those of @p estimated whose moment @p truth knows: it has a pose within a quarter of a second before and
-/// one after, between which it is interpolated. Both by time.
+/// Returns those of @p estimated whose moment @p truth covers, with the interpolated true pose. It covers a
+/// moment with a pose within a quarter of a second before, and one after. Both are sorted by time.
 [[nodiscard]] std::vector<PosePair> pairsOf(std::span<const StampedPose> estimated,
                                             std::span<const StampedPose> truth);
 
-/// The error of @p pairs after the map, which is level as the world is, was turned about z and shifted to fit
-/// best: in the least squares of positions and of points half a metre ahead of them, so that a robot that
-/// stood or drove straight ahead has a heading too. Empty without pairs.
+/// Returns the error of @p pairs after the map, level like the world, was turned about z and shifted to fit
+/// best. The fit is least squares over positions and points half a metre ahead of them. So a robot that stood
+/// or drove straight ahead also has a heading. Empty without pairs.
 [[nodiscard]] std::optional<TrajectoryError> trajectoryError(std::span<const PosePair> pairs);
 
 }  // namespace leitstand

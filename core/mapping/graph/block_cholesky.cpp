@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t Stride = 8, Side = 6;
 constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-/// Fewest new blocks on elimination, nearly (Amestoy, Davis & Duff 1996).
+/// Returns an elimination order with nearly the fewest new blocks (Amestoy, Davis & Duff 1996).
 std::vector<std::size_t> eliminationOrder(std::size_t size,
                                           std::span<const std::pair<std::size_t, std::size_t>> pairs) {
     using Pattern = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
@@ -34,7 +34,8 @@ std::vector<std::size_t> eliminationOrder(std::size_t size,
     return nodes;
 }
 
-/// The lower factor of a positive definite block, and its inverse; both have zeros above the diagonal.
+/// Replaces a positive definite @p block by its lower factor and computes that one's inverse; both have zeros
+/// above the diagonal. Returns false when it is not positive definite.
 bool factorBlock(std::array<double, 48>& block, std::array<double, 48>& inverse) {
     using Matrix = Eigen::Matrix<double, 6, 6>;
     Matrix whole;
@@ -119,7 +120,7 @@ void BlockCholesky::analyse(std::span<const std::pair<std::size_t, std::size_t>>
 }
 
 bool BlockCholesky::continuesPanel(std::size_t column) const {
-    constexpr std::size_t Widest = 16;  // whose rows stay in the cache
+    constexpr std::size_t Widest = 16;  // of wider ones the rows leave the cache
     const std::size_t before = column - 1, rows = m_begin[column] - m_begin[before];
     return rows == m_begin[column + 1] - m_begin[column] + 1 && m_rows[m_begin[before] + 1] == column &&
            column - m_panels.back() < Widest;
@@ -154,16 +155,16 @@ BlockCholesky::Vector BlockCholesky::diagonal(std::size_t at) const {
     return result;
 }
 
-// Sanitizers are not up yet when the loader chooses a clone.
+// Sanitizers are not initialised yet when the loader chooses a clone.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define LEITSTAND_CLONES __attribute__((target_clones("avx512f", "avx2,fma", "default")))
 #else
 #define LEITSTAND_CLONES
 #endif
 
-/// Subtracts L_i L_j^T from the block of row i and column j of the panel @p to, for all rows j of the panel
-/// @p from, between its @p first and @p last, that are columns of the other, and all rows i from there on.
-/// @p slot: of each row of the matrix, its place in the panel @p to.
+/// Subtracts L_i L_j^T from the block of row i and column j of the panel @p to. Row j is any row of the panel
+/// @p from between @p first and @p last, which are columns of the panel @p to. Row i is any row from j on. @p
+/// slot: the place in the panel @p to of each row of the matrix.
 LEITSTAND_CLONES
 void subtractPanel(const BlockCholesky::Panel& from, std::size_t first, std::size_t last,
                    const BlockCholesky::Panel& to, const std::size_t* slot) {
@@ -187,14 +188,15 @@ void subtractPanel(const BlockCholesky::Panel& from, std::size_t first, std::siz
     }
 }
 
-/// The blocks of @p panel's column below its diagonal, divided by that one's lower factor.
+/// Divides the blocks of @p panel below the diagonal of @p column by the diagonal's lower factor. @p inverse:
+/// that factor's inverse.
 LEITSTAND_CLONES
 void divideColumn(const BlockCholesky::Panel& panel, std::size_t column, const double* inverse) {
     for (std::size_t i = column + 1; i < panel.size; ++i) {
         double* const block = panel.block(i, column).at.data();
         Column divided[Side] = {};
         for (std::size_t c = 0; c < Side; ++c) {
-            // Above the inverse's diagonal there are zeros.
+            // The inverse has zeros above its diagonal.
             for (std::size_t m = 0; m <= c; ++m)
                 divided[c] += *reinterpret_cast<const Column*>(block + m * Stride) * inverse[m * Stride + c];
         }
@@ -204,13 +206,13 @@ void divideColumn(const BlockCholesky::Panel& panel, std::size_t column, const d
     }
 }
 
-/// The factor of @p panel from which all panels before it are subtracted.
+/// Factors @p panel, from which all panels before it are subtracted.
 bool BlockCholesky::factorPanel(const Panel& panel, std::size_t first) {
     for (std::size_t column = 0; column < panel.width; ++column) {
         Padded& inverse = m_inverse[first + column];
         if (!factorBlock(panel.block(column, column).at, inverse.at)) return false;
         divideColumn(panel, column, inverse.at.data());
-        // To the panel's columns that follow it is a panel of one.
+        // For the panel's later columns, this one is a panel of one column.
         Panel done = panel;
         done.begins += column;
         done.rows += column;

@@ -10,15 +10,16 @@
 
 namespace leitstand {
 
-/// A symmetric positive definite matrix of 6 x 6 blocks of which few are not zero, factored as L L^T and
-/// solved for (Davis 2006, chapter 4, block by block). What depends on where the blocks are is worked out
-/// once. One thread; sums are taken in the same order each time.
+/// A symmetric positive definite matrix of 6 x 6 blocks, most of them zero. It is factored as L L^T and
+/// solved (Davis 2006, chapter 4, block by block). What depends on the places of the blocks is computed once.
+/// One thread; sums are taken in the same order each time.
 class BlockCholesky {
 public:
     using Block = Eigen::Matrix<double, 6, 6>;
     using Vector = Eigen::Matrix<double, 6, 1>;
 
-    /// @p size: blocks on the diagonal; @p pairs: those below or above it that are not zero, each once.
+    /// @p size: number of blocks on the diagonal. @p pairs: the blocks below or above it that are not zero,
+    /// each once.
     BlockCholesky(std::size_t size, std::span<const std::pair<std::size_t, std::size_t>> pairs);
 
     /// Sets all blocks to zero.
@@ -28,27 +29,27 @@ public:
     /// Adds to the block in row @p pairs[index].first and column .second, and its mirror.
     void addPair(std::size_t index, const Block& block);
 
-    /// Whether the matrix with each diagonal entry times 1 + @p damping is positive definite; then solve()
-    /// may follow.
+    /// Factors the matrix with each diagonal entry times 1 + @p damping. Returns whether it is positive
+    /// definite; then solve() may follow.
     [[nodiscard]] bool factor(double damping);
-    /// The solution x of the damped matrix times x = @p right.
+    /// Returns the solution x of the damped matrix times x = @p right.
     [[nodiscard]] std::vector<Vector> solve(std::span<const Vector> right) const;
-    /// The diagonal of a block on it, undamped.
+    /// Returns the diagonal of the diagonal block @p at, undamped.
     [[nodiscard]] Vector diagonal(std::size_t at) const;
 
-    /// Blocks of the factor.
+    /// Number of blocks in the factor.
     [[nodiscard]] std::size_t blocks() const { return m_rows.size(); }
 
-    /// Six columns of eight numbers, the last two of which stay zero: whole vectors of eight.
+    /// Six columns of eight numbers, the last two always zero: whole vectors of eight.
     struct alignas(64) Padded {
         std::array<double, 48> at{};
     };
-    /// Columns that follow each other and have the same rows below (a supernode: Ng & Peyton 1993). What they
-    /// take from another panel is worked out at once, and what is read for it serves them all.
+    /// Consecutive columns that have the same rows below (a supernode: Ng & Peyton 1993). Another panel is
+    /// subtracted from all of them at once, and is read once for all.
     struct Panel {
         Padded* factor;
-        const std::size_t* begins;  ///< in the factor, of each of its columns
-        const std::size_t* rows;    ///< of the first one, which begin with its columns
+        const std::size_t* begins;  ///< where each of its columns begins in the factor
+        const std::size_t* rows;    ///< rows of its first column, which begin with the panel's columns
         std::size_t size, width;    ///< rows, columns
         [[nodiscard]] Padded& block(std::size_t row, std::size_t column) const {
             return factor[begins[column] + row - column];
@@ -57,10 +58,10 @@ public:
 
 private:
     void analyse(std::span<const std::pair<std::size_t, std::size_t>> pairs);
-    /// Whether @p column has the rows of the one before, without that one.
+    /// Returns whether @p column has the rows of the one before, without that one.
     [[nodiscard]] bool continuesPanel(std::size_t column) const;
     [[nodiscard]] bool factorPanel(const Panel& panel, std::size_t first);
-    /// Puts panel @p number in the list of the one that its @p row is a column of.
+    /// Adds panel @p number to the list of the panel that has its @p row as a column.
     void wait(std::size_t number, std::size_t row, const Panel& panel);
     static void add(Padded& to, const Block& block, bool turned);
 
@@ -69,12 +70,13 @@ private:
     std::vector<std::size_t> m_begin;           ///< of each column in m_rows, m_matrix and m_factor
     std::vector<std::size_t> m_rows;            ///< places, rising; the first of a column is the diagonal's
     std::vector<Padded> m_matrix, m_factor;
-    std::vector<std::size_t> m_pairEntry;          ///< entry of each pair ...
-    std::vector<bool> m_pairTurned;                ///< ... and whether its mirror is stored
-    std::vector<Padded> m_inverse;                 ///< of the diagonal's factors
-    std::vector<std::size_t> m_panels, m_panelOf;  ///< their first columns, and the end; of each column
-    // While the factor comes about: place of each row in the panel that is worked on; lists of panels by the
-    // one that their next row, the cursor, is a column of.
+    std::vector<std::size_t> m_pairEntry;  ///< entry of each pair ...
+    std::vector<bool> m_pairTurned;        ///< ... and whether its mirror is stored
+    std::vector<Padded> m_inverse;         ///< of the diagonal's factors
+    std::vector<std::size_t> m_panels,
+        m_panelOf;  ///< panels' first columns and the end; panel of each column
+    // Used during factorisation. Place of each row in the current panel; lists of panels by the panel that
+    // has their next row, the cursor, as a column.
     std::vector<std::size_t> m_slot, m_next, m_cursor, m_first;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t Held = static_cast<std::size_t>(-1);
 
-/// A link between nodes by their place in the graph.
+/// A link between nodes, by their places in the graph.
 struct Edge {
     std::size_t link = 0;
     std::size_t from = 0, to = 0;  ///< nodes
@@ -29,10 +29,10 @@ public:
 
     [[nodiscard]] bool empty() const { return m_moving.empty(); }
     [[nodiscard]] double cost() const { return cost(m_poses); }
-    /// One Levenberg-Marquardt run with the links weighed as they are.
+    /// Runs Levenberg-Marquardt once, with the links' current weights.
     void minimise(const GraphSettings& settings, int iterations, const Progress& progress,
                   GraphResult& result);
-    /// e^T Omega e of each edge.
+    /// Returns e^T Omega e of @p edge.
     [[nodiscard]] double disagreement(const Edge& edge) const;
     void finish();
 
@@ -42,7 +42,7 @@ public:
 private:
     [[nodiscard]] double cost(const std::vector<Pose>& poses) const;
     void holdOneOfEachPart(std::vector<bool>& held) const;
-    /// Matrix and gradient at the poses; the cost.
+    /// Computes matrix and gradient at the poses. Returns the cost.
     double linearise();
     [[nodiscard]] std::vector<Pose> moved(const std::vector<LinkVector>& step) const;
 
@@ -215,8 +215,8 @@ void Problem::finish() {
     for (const std::size_t node : m_moving) m_graph.nodes[node].pose = m_poses[node];
 }
 
-/// Weights of the loop links for the surrogate of sharpness @p mu (Yang et al. 2020, equation 14); whether
-/// all are 0 or 1.
+/// Sets the weights of the loop links for the surrogate of sharpness @p mu (Yang et al. 2020, equation 14).
+/// Returns whether all are 0 or 1.
 bool weigh(Problem& problem, const PoseGraph& graph, double mu, double most) {
     bool settled = true;
     for (const Edge& edge : problem.edges) {
@@ -261,7 +261,7 @@ GraphResult solve(PoseGraph& graph, const GraphSettings& settings, const Progres
         return result;
     }
     if (settings.robust) {
-        constexpr double Sharper = 1.4;              // as the authors have it ...
+        constexpr double Sharper = 1.4;              // as in the paper ...
         constexpr double Blunt = 1e-3, Twice = 2.0;  // ... but while weights hardly differ
         constexpr int Rounds = 60, AtFirst = 10, Few = 3;
         const double most = settings.mostDisagreement;

@@ -9,7 +9,7 @@
 namespace leitstand {
 namespace {
 
-/// Lower is surer.
+/// Returns the rank of links of @p kind; lower is surer.
 int rankOf(LinkKind kind) {
     switch (kind) {
         case LinkKind::Match:
@@ -28,10 +28,10 @@ int rankOf(LinkKind kind) {
     return 4;
 }
 
-/// By node, the place of the one that stays and that single links lead to it from.
+/// By node, the place of the node that it follows over single links and that stays.
 using Roots = std::vector<std::size_t>;
 
-/// The surest link between the two earliest parts of @p graph that one joins; null: none is joined.
+/// Returns the surest link between the two earliest parts of @p graph that a link joins; null: none.
 const Link* joining(const PoseGraph& graph, const std::unordered_map<std::uint64_t, std::size_t>& places,
                     const Roots& roots) {
     const Link* best = nullptr;

@@ -4,11 +4,11 @@
 
 namespace leitstand {
 
-/// Puts each node of @p graph to where one link leads to it from a node of a lower id, in that order: of its
-/// active links to lower nodes the surest kind (matches, then the operator's, then odometry, then loops), and
-/// of those the one of the lowest id. What no link leads to, and what is fixed, stays; what came to lie apart
-/// so and is linked nevertheless goes along with its surest link to what stays. So where a solver
-/// begins depends on the links alone, and not on what was solved before.
+/// Moves each node of @p graph to where one active link leads to it from a node of a lower id, in the order
+/// of ids. The surest kind of link is used (matches, then the operator's, then odometry, then loops), and
+/// among these the one with the lowest id. Nodes that are fixed, or that no link leads to, stay. A part that
+/// is separate after this, but linked, follows its surest link to the part that stays. So the start of a
+/// solver depends on the links alone, and not on an earlier solution.
 void startFromLinks(PoseGraph& graph);
 
 }  // namespace leitstand

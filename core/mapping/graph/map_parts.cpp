@@ -8,7 +8,7 @@
 namespace leitstand {
 namespace {
 
-/// That of @p scans, which are by rising id, with @p id; null: there is none.
+/// Returns the one of @p scans, which are by rising id, with @p id; null: none.
 const ScanInPart* scanWith(std::span<const ScanInPart> scans, std::uint64_t id) {
     const auto found =
         std::lower_bound(scans.begin(), scans.end(), id,
@@ -16,7 +16,7 @@ const ScanInPart* scanWith(std::span<const ScanInPart> scans, std::uint64_t id) 
     return found != scans.end() && found->id == id ? &*found : nullptr;
 }
 
-/// ScanInPart::part of what hangs together with @p scan, which begins it.
+/// Returns ScanInPart::part of the part that begins with @p scan.
 std::uint64_t partBeginningWith(const ScanInPart& scan) {
     constexpr double Aside = 1.0;  // the map's first part begins at its origin [m]
     return scan.enteredAt.translation().norm() > Aside ? scan.id : 0;
@@ -69,8 +69,8 @@ void findParts(std::vector<ScanInPart>& scans, const MapParts& parts) {
         if (beginning != nullptr && beginning->begins) {
             scan.part = partBeginningWith(*beginning);
         } else if (const ScanInPart* const matched = scanWith(scans, scan.matched)) {
-            // Links of old missions, and of scans that were decided on, are missing. It comes later than that
-            // one.
+            // Old missions, and scans that were decided on, have no links. A scan comes later than the one it
+            // was matched with.
             scan.part = matched->part;
         }
     }

@@ -12,47 +12,47 @@
 namespace leitstand {
 namespace {
 
-/// Where odometry has less of a say than that share of what matches have, surfaces hold the scan.
+/// Surfaces hold a scan where odometry has less than this share of the information of matches.
 constexpr double Held = 0.05;
-constexpr double LeastWay = 1e-3;  ///< shorter links tell nothing of their direction [m]
+constexpr double LeastWay = 1e-3;  ///< shorter links have no direction [m]
 
-constexpr double WayError = 0.015;    ///< of the length of a run, whatever the length [m]
-constexpr double UsualScale = 0.03;   ///< deviation of a scale of which nothing is known, of ways and turns
-constexpr double MostScale = 0.15;    ///< more than that is no scale
-constexpr double UsualDrift = 0.005;  ///< likewise, of the heading's drift [rad/m] ...
-constexpr double MostDrift = 0.05;    ///< ... [rad/m]
+constexpr double WayError = 0.015;    ///< of the length of a run, however long [m]
+constexpr double UsualScale = 0.03;   ///< prior deviation of the scale of distances and turns
+constexpr double MostScale = 0.15;    ///< largest correction of a scale
+constexpr double UsualDrift = 0.005;  ///< prior deviation of the heading's drift [rad/m] ...
+constexpr double MostDrift = 0.05;    ///< ... and its largest correction [rad/m]
 
-/// Headings are compared over so much of the way, or of a turn: matches err by as much however long it is.
+/// Headings are compared over this distance or turn, since the error of matches does not grow with it.
 constexpr double ComparedWay = 3.0;               ///< [m]
 constexpr double ComparedTurn = 1.0;              ///< [rad]
 constexpr double TurnError = degrees(0.3);        ///< of a match's heading, from end to end [rad] ...
-constexpr double TurnErrorOfTurn = 0.01;          ///< ... and of odometry's, by chance [rad/rad] ...
+constexpr double TurnErrorOfTurn = 0.01;          ///< ... and random, of odometry's [rad/rad] ...
 constexpr double TurnErrorOfWay = degrees(0.15);  ///< ... [rad/m]
 
-/// A step that matches show to be so different is none of odometry's usual errors: wheels slipped.
+/// A step that differs more from matches is no usual error of odometry: wheels slipped.
 constexpr double SlippedWay = 0.1, SlippedOfWay = 0.3;            ///< [m], [m/m]
 constexpr double SlippedTurn = degrees(5), SlippedOfTurn = 0.25;  ///< [rad], [rad/rad]
 
-constexpr double MatchVariance = 2.0 * 0.007 * 0.007;  ///< of a way between two matches [m^2]
-constexpr double UsualRuns = 10.0;                     ///< so many as are usual count beside what is found
+constexpr double MatchVariance = 2.0 * 0.007 * 0.007;  ///< of a distance between two matches [m^2]
+constexpr double UsualRuns = 10.0;                     ///< weight of the usual variance, in runs
 constexpr double MostLess = 0.25, MostMore = 4.0;      ///< weights change by no more than these factors
 
-/// Information on the translation of `to` along @p direction, in the frame of `to`.
+/// Returns the information on the translation of `to` along @p direction, in the frame of `to`.
 double along(const Information& information, const Eigen::Vector3d& direction) {
     return direction.dot(information.topLeftCorner<3, 3>() * direction);
 }
-/// The same of its rotation about @p axis.
+/// Returns the information on its rotation about @p axis.
 double about(const Information& information, const Eigen::Vector3d& axis) {
     return axis.dot(information.bottomRightCorner<3, 3>() * axis);
 }
 
-/// Turn of @p rotation about @p up [rad].
+/// Returns the turn of @p rotation about @p up [rad].
 double turnAbout(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& up) {
     const Eigen::AngleAxisd turn(rotation);
     return turn.angle() * turn.axis().dot(up);
 }
 
-/// How ways of odometry are scaled.
+/// Estimates the scale of odometry's distances.
 class WayScale {
 public:
     void add(double told, double matched) {
@@ -64,18 +64,18 @@ public:
         m_squares += m_told * m_told;
         m_told = m_matched = 0.0;
     }
-    /// The likeliest: near 1 as long as runs are short.
+    /// Returns the likeliest factor: near 1 as long as runs are short.
     [[nodiscard]] double factor() const {
         const double usual = WayError * WayError / (UsualScale * UsualScale);
         return std::clamp((m_products + usual) / (m_squares + usual), 1.0 - MostScale, 1.0 + MostScale);
     }
 
 private:
-    double m_told = 0.0, m_matched = 0.0;  ///< of the run that goes on [m]
+    double m_told = 0.0, m_matched = 0.0;  ///< of the current run [m]
     double m_products = 0.0, m_squares = 0.0;
 };
 
-/// How the heading errs: by a share of turns, and by the way.
+/// Estimates the errors of the heading: a share of turns, and a drift with the distance.
 class HeadingErrors {
 public:
     void add(double way, double told, double matched) {
@@ -92,7 +92,7 @@ public:
         m_right += weight * (m_matched - m_told) * row;
         m_way = m_told = m_matched = 0.0;
     }
-    /// Share of a turn that is missing in what odometry told, and of a way [rad/m].
+    /// Returns the share of a turn that odometry is short of, and its drift with the distance [rad/m].
     [[nodiscard]] Eigen::Vector2d shares() const {
         const Eigen::Vector2d usual(1.0 / (UsualScale * UsualScale), 1.0 / (UsualDrift * UsualDrift));
         const Eigen::Matrix2d normal = m_normal + Eigen::Matrix2d(usual.asDiagonal());
@@ -101,12 +101,12 @@ public:
     }
 
 private:
-    double m_way = 0.0, m_told = 0.0, m_matched = 0.0;  ///< of the run that goes on [m, rad]
+    double m_way = 0.0, m_told = 0.0, m_matched = 0.0;  ///< of the current run [m, rad]
     Eigen::Matrix2d m_normal = Eigen::Matrix2d::Zero();
     Eigen::Vector2d m_right = Eigen::Vector2d::Zero();
 };
 
-/// How much ways err by chance.
+/// Estimates the random error of distances.
 class WayNoise {
 public:
     void add(double told, double matched) {
@@ -121,28 +121,28 @@ public:
         }
         m_way = m_error = 0.0;
     }
-    /// Variance [m^2/m], where @p usual is what nothing that was compared speaks against.
+    /// Returns the variance [m^2/m]; @p usual: the one that is expected before any comparison.
     [[nodiscard]] double variance(double usual) const {
         return (UsualRuns * usual + m_sum) / (UsualRuns + m_runs);
     }
 
 private:
-    double m_way = 0.0, m_error = 0.0;  ///< of the run that goes on [m]
+    double m_way = 0.0, m_error = 0.0;  ///< of the current run [m]
     double m_sum = 0.0, m_runs = 0.0;
 };
 
-/// A link of odometry, and what matches say of the same step.
+/// A link of odometry, and the same step by matches.
 struct OdometryStep {
     std::size_t link = 0;
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();        ///< in the frame of `from`
-    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of the way, there; zero: there is none
-    double way = 0.0, turn = 0.0;                         ///< told [m, rad]
-    double ahead = 0.0;                          ///< the way, negative where the scan looks back along it [m]
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of the motion, in the same frame; zero: none
+    double way = 0.0, turn = 0.0;                         ///< by odometry [m, rad]
+    double ahead = 0.0;  ///< distance, negative where the scan looks back along it [m]
     double matchedWay = 0.0, matchedTurn = 0.0;  ///< along the direction, about up [m, rad]
     bool wayHeld = false, turnHeld = false;      ///< by surfaces
 };
 
-/// Information of the matches with others, by the scan that was matched.
+/// Returns the information of the matches of each scan with others.
 std::unordered_map<std::uint64_t, Information> heldScans(const PoseGraph& graph) {
     std::unordered_map<std::uint64_t, Information> held;
     for (const Link& link : graph.links) {
@@ -153,7 +153,7 @@ std::unordered_map<std::uint64_t, Information> heldScans(const PoseGraph& graph)
     return held;
 }
 
-/// @p held: information of the matches of both ends, where they have any.
+/// Returns the step of @p link. @p held: information of the matches of `to`; null: one of the ends has none.
 OdometryStep stepOf(const Link& link, const Pose& from, const Pose& to, const Information* held) {
     OdometryStep step;
     step.up = from.linear().transpose() * Eigen::Vector3d::UnitZ();
@@ -194,7 +194,7 @@ std::vector<Chain> chainsOf(const PoseGraph& graph) {
         if (before == chainOf.end()) chains.emplace_back();
         const std::size_t at = before == chainOf.end() ? chains.size() - 1 : before->second;
         chainOf[link.from] = chainOf[link.to] = at;
-        // The first scan of all has no matches, and is where it is.
+        // The first scan of all has no matches and stays in place.
         const bool fromHeld = held.contains(link.from) || before == chainOf.end();
         const auto matches = fromHeld ? held.find(link.to) : held.end();
         chains[at].push_back(stepOf(link, graph.nodes[from->second].pose, graph.nodes[to->second].pose,

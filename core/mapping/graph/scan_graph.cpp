@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double ByOdometry = 2.0;  ///< what odometry holds counts as so many times its way: it errs more
+constexpr double ByOdometry = 2.0;  ///< links of odometry count as so many times their length: they err more
 
 std::vector<Link>::iterator placeOf(std::vector<Link>& links, std::uint64_t id) {
     return std::lower_bound(links.begin(), links.end(), id,

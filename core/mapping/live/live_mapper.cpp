@@ -35,7 +35,7 @@ ScannerCalibration LiveMapper::calibration(const std::string& name) const {
 
 void LiveMapper::recalibrate(const std::string& name) {
     const auto robot = m_state->robots.find(name);
-    // The next one may be of a turn that was half over.
+    // The next scan may be of a turn that had begun before.
     if (robot != m_state->robots.end()) robot->second.scanner.restart(m_state->nextId);
 }
 
@@ -91,7 +91,7 @@ bool LiveMapper::leaveOut(std::uint64_t id, std::vector<BodyInScan> bodies) {
     if (scan == nullptr) return false;
     const std::vector<BodyInScan> before = m_state->cropped.bodies(id);
     if (before == bodies) return false;
-    // Also what the area hides now is in the map once that is wider.
+    // Points that the area hides now return to the map once it is wider.
     const ScanPtr whole = scan->kept ? scan->kept->whole() : scan->scan;
     const std::vector<bool> on = onOthers(whole->points, placed(bodies, Pose::Identity()), Pose::Identity());
     if (before.empty() && std::find(on.begin(), on.end(), true) == on.end()) return false;
@@ -172,7 +172,7 @@ bool LiveMapper::State::isKeyScan(RobotTrack& robot, const LiveScan& live, const
     const Pose& scanInMap = found.match.scanInMap;
     // The ground of scans that do not fit stays new.
     const bool stillLost = found.lost && robot.lost;
-    // Also of a robot that stands the operator learns that it is lost; once, not whenever it is in doubt.
+    // The operator also learns that a standing robot is lost, but once, not at every doubt.
     const bool nowLost = found.lost && !robot.lost && !awaitsDecision(live.scan->robot);
     const bool wanted = enters(robot, scanInMap, stillLost ? 0.0 : found.fresh);
     robot.waited = wanted && found.pushed && !robot.waited && canWait(robot, scanInMap, found.fresh);
@@ -206,7 +206,7 @@ void LiveMapper::State::enter(MapUpdate& update, RobotTrack& robot, const LiveSc
     key.odometryFrame = live.odometryFrame;
     key.unspun = robot.unspun;
     key.reduced = matchedOf(key, found.ready.reduced);
-    cropped.fit(key, clouds);  // what was cropped before was seen from the guess
+    cropped.fit(key, clouds);  // until here it is cropped as seen from the guess
     update.keyScan =
         KeyScanSample{key.entered, key.id, found.ready.scan, key.sensorInBase, match.scanInMap, nearest};
     update.poses = ScanPosesSample{now, station, ScanPosesSample::Cause::Registration, {key.pose}};
@@ -249,7 +249,7 @@ void LiveMapper::State::advance(RobotTrack& robot, const LiveScan& live, const R
     robot.odometryFrame = live.odometryFrame;
     robot.odometry = scan.hasOdometry;
     robot.lost = found.lost;
-    // What has too few points tells of nothing, unless nobody knows how the robot came there.
+    // A scan with too few points contradicts nothing, unless it is unknown how the robot came there.
     const bool blind = step.measured && has(match.doubts, ScanDoubt::Points);
     robot.contradicted = found.lost && (robot.contradicted || !blind);
     robot.way = robot.lost ? std::max(robot.way, step.way) : 0.0;
@@ -267,7 +267,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     Localisation& here = update.localisation;
     here.robot = scan.robot;
     here.stamp = scan.end;
-    // A robot with several scanners: what one is off by is not told from what the other is.
+    // With several scanners, the error of one is not separated from that of another.
     if (robot.known && !robot.sensorInBase.isApprox(live.sensorInBase, 1e-3)) recalibrate(scan.robot);
     const auto result = state.registered(live, robot, others);
     if (const auto* doubt = std::get_if<ScanDoubt>(&result)) {
@@ -279,7 +279,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     const Match& match = found.match;
     if (found.lost && robot.beginsPart && !robot.placedInMap &&
         canBegin(live, found.ready.reduced, state.settings.fit)) {
-        robot.known = false;  // and so it begins
+        robot.known = false;  // and so it begins a part
         return add(live, now, others);
     }
     here.doubts = found.lost ? match.doubts : std::uint8_t{0};
@@ -291,7 +291,7 @@ MapUpdate LiveMapper::add(const LiveScan& live, Time now, std::span<const Placed
     here.odomInMap = match.scanInMap * scan.sensorInOdom.inverse();
     update.ready = found.ready.scan;
     update.scanInMap = match.scanInMap;
-    // What a break left of a turn need not be enough, and says nothing then.
+    // The rest of a broken turn may have too few points. Then it holds no information.
     if (match.doubts == static_cast<std::uint8_t>(ScanDoubt::Points) && live.end == TurnEnd::Break)
         return update;
     if (!found.first && match.doubts == 0 && live.levelByUnit) {

@@ -23,67 +23,67 @@
 
 namespace leitstand {
 
-/// Where a robot is in the map, as its newest scan tells.
+/// Where a robot is in the map, by its newest scan.
 struct Localisation {
     std::string robot;
     Time stamp{};                        ///< end of the scan, robot's clock
-    Pose baseInMap = Pose::Identity();   ///< then
+    Pose baseInMap = Pose::Identity();   ///< at that time
     Pose guessInMap = Pose::Identity();  ///< of base_link, by odometry alone since the scan before
-    Pose odomInMap = Pose::Identity();   ///< where odometry's poses lie in the map from then on
+    Pose odomInMap = Pose::Identity();   ///< odometry's frame in the map from then on
     ScanTrust trust = ScanTrust::Certain;
     std::uint8_t doubts = 0;    ///< bits of ScanDoubt
-    std::uint64_t keyScan = 0;  ///< the scan's id where it entered the map; 0: it only localised
+    std::uint64_t keyScan = 0;  ///< the scan's id if it entered the map; 0: it only localised
     IcpResult icp;              ///< meaningless for the first scan
-    double seconds = 0.0;       ///< of computing [s]
+    double seconds = 0.0;       ///< computing time [s]
 };
 
-/// What came of a scan: what the log keeps, in this order, and where the robot is.
+/// The result of a scan: what the log keeps, in this order, and where the robot is.
 struct MapUpdate {
     std::optional<KeyScanSample> keyScan;
-    std::optional<ScanLinksSample> links;  ///< what it was registered against
+    std::optional<ScanLinksSample> links;  ///< to the scans that it was registered against
     std::optional<ScanPosesSample> poses;
-    /// That closed with it: poses follow by LiveMapper::problem(). Links that are not active are a question
-    /// to the operator.
+    /// Links of a loop that closed with it; poses follow by LiveMapper::problem(). Links that are not active
+    /// are a question to the operator.
     std::optional<ScanLinksSample> loop;
     Localisation localisation;
-    ScanPtr ready;  ///< as it would enter: cleaned, labelled and thinned; null where it was not looked at ...
+    ScanPtr ready;  ///< as it would enter: cleaned, labelled and thinned; null: it was not processed ...
     Pose scanInMap = Pose::Identity();  ///< ... and where it was taken
 };
 
-/// Where a robot was at its newest scan, as the map is now: decisions move it too.
+/// Where a robot was at its newest scan, in the map as it is now: decisions move it too.
 struct RobotFix {
     Time stamp{};                       ///< end of that scan, robot's clock
-    Pose baseInMap = Pose::Identity();  ///< then
-    double certainty = 0.0;             ///< 0 to 1: of what meets the map, and of its least certain direction
-    std::uint8_t doubts = 0;            ///< bits of ScanDoubt
-    double spinning = 0.0;              ///< SpinningWheels::way() [m]
-    std::uint64_t part = 0;             ///< LiveKeyScan::part of what it is in
+    Pose baseInMap = Pose::Identity();  ///< at that time
+    double certainty = 0.0;   ///< 0 to 1: by the share that meets the map, and by its least certain direction
+    std::uint8_t doubts = 0;  ///< bits of ScanDoubt
+    double spinning = 0.0;    ///< SpinningWheels::way() [m]
+    std::uint64_t part = 0;   ///< LiveKeyScan::part that it is in
 
-    /// The same at @p now, robot's clock: 0 where no scan came of late, which alone would tell.
+    /// Returns `spinning` at @p now, robot's clock; 0 if no scan came lately, since only scans show it.
     [[nodiscard]] double spinningAt(Time now) const {
-        constexpr std::chrono::seconds Fresh(6);  // two turns of a slow scanner, and some
+        constexpr std::chrono::seconds Fresh(6);  // two turns of a slow scanner, and a margin
         return now - stamp < Fresh ? spinning : 0.0;
     }
 };
 
-/// What came of solving.
+/// The result of solving.
 struct Settled {
-    std::optional<ScanLinksSample> links;  ///< loops that the others speak against: poses do not follow them
+    std::optional<ScanLinksSample> links;  ///< loops that the others contradict: poses do not follow them
     std::optional<ScanPosesSample> poses;  ///< of scans that moved noticeably
-    double largest = 0.0;                  ///< shift of one [m]
+    double largest = 0.0;                  ///< largest shift of a scan [m]
 };
 
-/// How a scan is registered again.
+/// Settings for registering a scan again.
 struct RetrySettings {
-    MatchSettings match;             ///< its wide schedule counts
+    MatchSettings match;             ///< its wide schedule is used
     std::optional<Pose> guessInMap;  ///< of the scan; empty: where it is
 };
 
-/// Registers scans of robots while they drive into one map that is level: each against the key scans near it.
-/// What does not fit enters as uncertain, stands where odometry says, and nothing is built on it until the
-/// operator decides. Results and decisions are samples for the log, from which the same map comes about again
-/// (restore(), follow()); taking one back is an UndoSample there, after which follow() tells the mapper.
-/// Without clock and thread: the caller tells what time it is, on the station's clock. One thread at a time.
+/// Registers scans of robots while they drive into one level map, each against the key scans near it. A scan
+/// that does not fit enters as uncertain, at its pose by odometry. Nothing is built on it until the operator
+/// decides. Results and decisions are samples for the log, from which the same map is made again (restore(),
+/// follow()). Taking one back is an UndoSample there, after which follow() updates the mapper. Without clock
+/// and thread: the caller passes the time of the station's clock. One thread at a time.
 class LiveMapper {
 public:
     /// @p station: persistent identity, for the samples.
@@ -92,116 +92,120 @@ public:
     LiveMapper(LiveMapper&&) noexcept;
     LiveMapper& operator=(LiveMapper&&) noexcept;
 
-    /// What a robot's scans are cleaned of.
+    /// Sets the body that is removed from a robot's scans.
     void setBody(const std::string& robot, RobotBody body);
-    /// Of all scans, also those that are in the map: a wider area brings back what an earlier one left out of
-    /// them, though not what never came in.
+    /// Sets the area of all scans, also of those in the map. A wider area brings back what an earlier one
+    /// left out of them, but not what never came in.
     void setCrop(MapCrop crop);
-    /// It is known now that other robots were where @p bodies say while the key scan @p id was taken: what of
-    /// it is on them is left out, in place of what was left out for other robots before. Whether it has, or
-    /// had, points of them; else nothing is kept.
+    /// Leaves other robots out of the key scan @p id, at @p bodies, where they are now known to have been
+    /// while it was taken. This replaces what was left out for other robots before. Returns whether it has,
+    /// or had, points of them; else nothing is kept.
     bool leaveOut(std::uint64_t id, std::vector<BodyInScan> bodies);
-    /// Other robots that are left out of the key scan @p id since it entered.
+    /// Returns the other robots that are left out of the key scan @p id since it entered.
     [[nodiscard]] std::vector<BodyInScan> bodiesIn(std::uint64_t id) const;
-    /// Where @p robot is when it sends its next scan, roughly: for a second robot, or one that was carried.
+    /// Places @p robot, roughly, for its next scan: for a second robot, or one that was carried.
     void place(const std::string& robot, const Pose& baseInMap);
-    /// The next scan of @p robot that is whole enough begins a part of the map of its own, unless the robot
-    /// is in the map, or placed, by then: nobody knows where it is. That part lies aside until a place is
-    /// found that it and another one have seen: then come a question, and links. One that is in the map
-    /// begins it with its next scan that does not fit.
+    /// Lets @p robot, whose pose is unknown, begin a part of the map with its next scan that is whole enough,
+    /// unless it is in the map or placed before. That part lies aside until a place is found that it and
+    /// another one have seen. Then a question follows, and links. A robot that is in the map begins the part
+    /// with its next scan that does not fit.
     void beginPart(const std::string& robot);
-    /// Whether @p robot, whose scans do not fit any more, may be so far from where odometry has it that
-    /// nothing of what it sees can be built on (FitSettings::mostDeviation), or no odometry tells.
+    /// Returns whether @p robot, whose scans do not fit any more, may be too far from its pose by odometry
+    /// for anything to be built on it (FitSettings::mostDeviation). Also true without odometry.
     [[nodiscard]] bool isAstray(const std::string& robot) const;
 
     /// Registers @p scan. The first one that is whole enough defines the map: level, with its position and
-    /// heading. Scans of another robot do not enter before it is placed, or begins a part. @p others: other
-    /// robots, wherever they were in the map while it was taken; they are left out.
+    /// heading. Scans of another robot do not enter before it is placed, or begins a part. Leaves out @p
+    /// others: other robots, wherever they were in the map while it was taken.
     [[nodiscard]] MapUpdate add(const LiveScan& scan, Time now, std::span<const PlacedBody> others = {});
 
-    /// The operator's decisions on the key scan @p id; errors name it where the map does not have it.
+    /// The operator's decisions on the key scan @p id. Error when the map does not have it, with its id.
     [[nodiscard]] Result<ScanPosesSample> accept(std::uint64_t id, Time now);
     [[nodiscard]] Result<ScanPosesSample> reject(std::uint64_t id, Time now);
-    /// Registers a scan again; it becomes certain where it fits now, and stays where it is otherwise.
+    /// Registers a scan again. It becomes certain if it fits now, and stays where it is otherwise.
     [[nodiscard]] Result<ScanPosesSample> retry(std::uint64_t id, const RetrySettings& settings, Time now);
-    /// Sets aside all scans that entered after @p moment (station's clock); robots go on from what is left.
+    /// Sets aside all scans that entered after @p moment (station's clock); robots continue from what is
+    /// left.
     [[nodiscard]] Result<ScanPosesSample> rewind(Time moment, Time now);
 
-    /// Takes back a key scan of the log, when the station starts again. Its odometry may have begun anew
-    /// since. One that the map has already is left as it is.
+    /// Restores a key scan of the log, when the station starts again. Its odometry may have restarted since.
+    /// A scan that the map has already is left as it is.
     void restore(const KeyScanSample& keyScan);
-    /// The same for a key scan that another station registers now, but that it counts instead of another one
-    /// of its number. Scans that this station enters later get numbers from the next thousand on: the other
-    /// may go on, unheard, with those that follow its own.
+    /// The same for a key scan that another station registers now; it replaces another one of its number.
+    /// Later scans of this station get numbers from the next thousand on: the other station may continue its
+    /// own numbers, unheard.
     void adopt(const KeyScanSample& keyScan);
-    /// Numbers of scans that enter later begin with the next thousand: another station had a part in the map.
+    /// Begins the numbers of later scans with the next thousand: another station took part in the map.
     void beginBlock();
-    /// Takes over where the mission has its key scans and how far they count, after an undo or from another
-    /// station: all of them; those that are missing are set aside.
+    /// Takes the poses and the trust of the mission's key scans, after an undo or from another station: of
+    /// all of them. Scans that are missing are set aside.
     void follow(std::span<const ScanPose> poses);
 
-    /// The same for links of the log, or of another station.
+    /// Restores links of the log, or of another station.
     void restore(const ScanLinksSample& links);
-    /// Links of loops, as they are now: what was taken back is not active.
+    /// Sets links of loops as they are now: what was taken back is not active.
     void followLoops(std::span<const Link> loops);
 
-    /// What was restored stands as the log has it: nothing is solved before something changes.
+    /// Takes what was restored as solved: nothing is solved before something changes.
     void takeAsSolved();
 
-    /// Links that the newest decision made, once: for the log, before its poses. Empty: none.
+    /// Returns the links that the newest decision made, once: for the log, before its poses. Empty: none.
     [[nodiscard]] std::optional<ScanLinksSample> takeLinks();
 
-    /// The newest scan that is to be looked for in the map's earlier part: by recognise(), on any thread;
-    /// where that finds it, then comes recognised(). Empty: there is none.
+    /// Returns the newest scan to be looked for in the map's earlier part, by recognise() on any thread. If
+    /// that finds it, recognised() follows. Empty: none.
     [[nodiscard]] std::optional<SoughtPlace> sought();
-    /// It sees what was seen from @p scanInMap. Links of a loop once enough of them agree, for the log, as
-    /// MapUpdate::loop: a question. Empty: not yet, or the map moved meanwhile.
+    /// Reports that the @p sought scan was taken at @p scanInMap. Returns links of a loop once enough of them
+    /// agree, for the log, as MapUpdate::loop: a question. Empty: not yet, or the map moved meanwhile.
     [[nodiscard]] std::optional<ScanLinksSample> recognised(const SoughtPlace& sought, const Pose& scanInMap,
                                                             Time now);
 
-    /// The operator shows that the key scan @p id was taken at about @p scanInMap, by what an older part of
-    /// the map has there: a question for the log, as MapUpdate::loop. Errors, in words, also where it does
-    /// not fit.
+    /// Proposes a loop that the operator shows: the key scan @p id was taken at about @p scanInMap, by an
+    /// older part of the map. Returns a question for the log, as MapUpdate::loop. Errors, in words, also when
+    /// it does not fit.
     [[nodiscard]] Result<ScanLinksSample> propose(std::uint64_t id, const Pose& scanInMap, Time now);
 
-    /// Since two parts of the map came together: whether scans are left that may see what the other part has
-    /// seen, for meetMore().
+    /// Returns whether scans are left for meetMore(), since two parts of the map came together: they may see
+    /// what the other part saw.
     [[nodiscard]] bool meetsMore() const;
-    /// Looks at one of these; after the last one links for the log, as MapUpdate::loop: of those that agree.
+    /// Checks one of these. After the last one, returns links of those that agree, for the log, as
+    /// MapUpdate::loop.
     [[nodiscard]] std::optional<ScanLinksSample> meetMore(Time now);
     void meetNoMore();  ///< the map is another station's now
 
-    /// The operator has moved the submapOf() @p scan, so that this one was taken at @p scanInMap: links of
-    /// its scans to all others that they fit there, as far as they agree, for the log; poses follow by
-    /// problem(). Errors, in words: too few do.
+    /// Moves the submapOf() @p scan for the operator, so that this scan was taken at @p scanInMap. Returns,
+    /// for the log, links of its scans to all others that they fit there, as far as they agree. Poses follow
+    /// by problem(). Errors, in words: too few agree.
     [[nodiscard]] Result<ScanLinksSample> moveTo(std::uint64_t scan, SubmapKind kind, const Pose& scanInMap,
                                                  Time now);
 
-    /// It is known that scans of one part of the map were taken at about @p scansInMap in another one: their
-    /// links where at least LoopSettings::partsAgree fit there, for the log; poses follow by problem().
-    /// Empty: fewer do.
+    /// Joins two parts of the map: scans of one were taken at about @p scansInMap in the other. Returns their
+    /// links, for the log, if at least LoopSettings::partsAgree fit there. Poses follow by problem(). Empty:
+    /// fewer fit.
     [[nodiscard]] std::optional<ScanLinksSample> join(const std::map<std::uint64_t, Pose>& scansInMap,
                                                       Time now);
 
-    /// What is to be solved since a loop closed or was taken back: by solve(), on any thread; then comes
-    /// settle(). Empty: nothing, or somebody is at it.
+    /// Returns what is to be solved since a loop closed or was taken back: by solve() on any thread, then
+    /// settle() follows. Empty: nothing, or it is being solved.
     [[nodiscard]] std::optional<MapProblem> problem();
-    /// The same if @p links were as they are there: for previewOf(), nothing is settled with it.
+    /// The same as if @p links were in the map: for previewOf(); nothing is settled with it.
     [[nodiscard]] MapProblem problemWith(std::span<const Link> links) const;
-    /// Puts the scans to where @p solution has them. What entered meanwhile goes along with what it was
-    /// registered against. Where decisions came in between it changes nothing, and problem() begins anew.
+    /// Moves the scans to @p solution. Scans that entered meanwhile move with those they were registered
+    /// against. If decisions came in between, it changes nothing, and problem() starts again.
     [[nodiscard]] Settled settle(const MapSolution& solution, Time now);
-    /// What the map tells of @p robot's scanner so far, where it has one.
+    /// Returns what the map shows of @p robot's scanner so far, if it has one.
     [[nodiscard]] ScannerCalibration calibration(const std::string& robot) const;
-    /// What @p robot's scanner says is corrected otherwise from its next scan on.
+    /// Restarts calibration(): @p robot's scanner is corrected differently from its next scan on.
     void recalibrate(const std::string& robot);
-    void leaveUnsettled();  ///< instead, where the map is another station's now: problem() begins anew
+    /// Called instead of settle() if the map is another station's now: problem() starts again.
+    void leaveUnsettled();
 
-    /// Ids of key scans that are nearly certain to lie right to the key scan @p id, itself included.
+    /// Returns ids of key scans whose poses relative to the key scan @p id are nearly certain, itself
+    /// included.
     [[nodiscard]] std::set<std::uint64_t> together(std::uint64_t id) const;
-    /// Empty: nobody knows.
+    /// Returns where @p robot was; empty: unknown.
     [[nodiscard]] std::optional<RobotFix> fix(const std::string& robot) const;
-    /// A snapshot.
+    /// Returns a snapshot.
     [[nodiscard]] LiveMapPtr map() const;
 
 private:

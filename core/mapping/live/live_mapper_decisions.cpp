@@ -11,7 +11,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::uint64_t IdBlock = 1000;  ///< of key scans that stations number without hearing each other
+constexpr std::uint64_t IdBlock = 1000;  ///< of key scan ids, for stations that do not hear each other
 
 Error unknown(std::uint64_t id) {
     return Error{

@@ -12,7 +12,7 @@
 namespace leitstand {
 namespace {
 
-/// Makes those of @p links inactive that nothing follows; their ids.
+/// Deactivates those of @p links that no pose follows. Returns their ids.
 std::set<std::uint64_t> leaveUnheld(std::vector<Link>& links, std::span<const ScanInPart> scans) {
     std::set<std::uint64_t> unheld = unheldLoops(links, scans);
     for (Link& link : links) link.active = link.active && !unheld.contains(link.id);
@@ -31,7 +31,7 @@ std::vector<ScanInPart> LiveMapper::State::scansInParts() const {
 
 void LiveMapper::State::findParts() {
     std::vector<ScanInPart> scans = scansInParts();
-    std::set<std::uint64_t> before, joined;  // parts that were there, and those that are others' now
+    std::set<std::uint64_t> before, joined;  // parts that were there, and those that belong to others now
     for (const ScanInPart& scan : scans) before.insert(scan.part);
     std::vector<Link> links = loops.graph().links();
     loops.setUnheld(leaveUnheld(links, scans));
@@ -44,7 +44,7 @@ void LiveMapper::State::findParts() {
         if (was != 0 && before.contains(scans[i].part)) joined.insert(was);
     }
     if (!changed) return;
-    // What came apart does not meet any more; what came together may have seen the same elsewhere, too.
+    // Parts that came apart do not meet any more. Parts that came together may see the same elsewhere, too.
     meeting.clear();
     (void)loops.forgetMet();
     for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -90,11 +90,11 @@ void LiveMapper::State::link(MapUpdate& update, const RobotTrack& robot,
     for (const std::uint64_t id : against) {
         if (const LiveKeyScan* const other = find(id)) others.push_back(*other);
     }
-    // One that was put somewhere may have been carried, of which its odometry knows nothing; and what begins
-    // a part hangs together with nothing.
+    // A robot that was placed may have been carried, which its odometry does not know. A scan that begins a
+    // part is connected with nothing.
     const bool apart = robot.key == 0 || robot.placedInMap || key.part == key.id;
     const LiveKeyScan* before = apart ? nullptr : find(robot.key);
-    // What odometry alone holds must not hang on a scan that may be rejected.
+    // A scan that odometry alone holds must not depend on a scan that may be rejected.
     if (before != nullptr && !before->counts() && key.counts() && match.doubts != 0) {
         const auto counts = std::find_if(map.scans.rbegin(), map.scans.rend(), [&](const LiveKeyScan& one) {
             return one.counts() && one.id != key.id && one.scan->robot == key.scan->robot &&
@@ -158,7 +158,7 @@ std::optional<SoughtPlace> LiveMapper::sought() {
     const std::uint64_t id = std::exchange(state.sought, 0);
     const LiveKeyScan* const scan = id == 0 ? nullptr : state.find(id);
     if (scan == nullptr || !scan->counts()) return std::nullopt;
-    // In turns, where a place of its own part may be far off, too.
+    // In turns, if a place of its own part may be far off, too.
     const bool elsewhere =
         inParts(state.map) && !(state.soughtElsewhere && state.loops.mayErrFar(*scan, state.map));
     state.soughtElsewhere = elsewhere;
@@ -170,7 +170,7 @@ std::optional<ScanLinksSample> LiveMapper::recognised(const SoughtPlace& sought,
     State& state = *m_state;
     const LiveKeyScan* const scan = state.find(sought.scan);
     if (scan == nullptr || !scan->counts()) return std::nullopt;
-    // Where the map moved meanwhile the place is looked for again with a later scan.
+    // If the map moved meanwhile, the place is looked for again with a later scan.
     for (const LiveKeyScan& before : sought.map->scans) {
         const LiveKeyScan* const after = state.find(before.id);
         if (after == nullptr || before.pose.trust != after->pose.trust ||
@@ -230,7 +230,7 @@ Result<ScanLinksSample> LiveMapper::moveTo(std::uint64_t scan, SubmapKind kind, 
     State& state = *m_state;
     const LiveKeyScan* const chosen = state.find(scan);
     const Pose moved = chosen != nullptr ? scanInMap * chosen->pose.scanInMap.inverse() : Pose::Identity();
-    // Of the map as it is: what entered while it was moved comes along.
+    // By the map as it is: scans that entered while it was moved come along.
     const std::set<std::uint64_t> submap = submapOf(state.map, scan, kind);
     std::map<std::uint64_t, Pose> scansInMap;
     for (const LiveKeyScan& one : state.map.scans) {
@@ -251,7 +251,7 @@ MapProblem LiveMapper::State::problem(std::span<const Link> instead) const {
     problem.revision = revision;
     std::set<std::uint64_t> counting;
     for (const LiveKeyScan& scan : map.scans) {
-        // What begins a part lies where it entered, unless a link leads to it.
+        // A scan that begins a part lies where it entered, unless a link leads to it.
         const bool aside = scan.begins() && scan.id != map.scans.front().id;
         if (scan.pose.trust != ScanTrust::SetAside)
             problem.graph.nodes.push_back({scan.id, aside ? scan.enteredAt : scan.pose.scanInMap, false});
@@ -263,14 +263,13 @@ MapProblem LiveMapper::State::problem(std::span<const Link> instead) const {
         const auto known =
             std::find_if(links.begin(), links.end(), [&](const Link& one) { return one.id == link.id; });
         if (known == links.end())
-            links.push_back(link);  // another station's, which comes here in a moment
+            links.push_back(link);  // from another station; it will be received here in a moment
         else
             *known = link;
     }
     (void)leaveUnheld(links, scansInParts());
     for (Link& link : links) {
-        // A decision may have taken away what a scan was matched with; then odometry tells where it is, as
-        // before.
+        // A decision may have removed what a scan was matched with. Then odometry places it, as before.
         const bool counts = counting.contains(link.to);
         if (link.kind == LinkKind::Match) link.active = link.active && counts && counting.contains(link.from);
         if (link.kind == LinkKind::Odometry) link.active = link.active || !counts;
@@ -302,8 +301,8 @@ Settled LiveMapper::settle(const MapSolution& solution, Time now) {
     if (!contradicted.empty()) settled.links = ScanLinksSample{now, state.station, contradicted};
     std::map<std::uint64_t, Pose> solved;
     for (const GraphNode& node : solution.nodes) solved.emplace(node.id, node.pose);
-    std::map<std::uint64_t, Pose> corrections;  // of scans, before their poses
-    std::map<std::string, Pose> newest;         // of those, by robot
+    std::map<std::uint64_t, Pose> corrections;  // to put before the poses of scans
+    std::map<std::string, Pose> newest;         // the newest of these, by robot
     std::vector<ScanPose> moved;
     for (LiveKeyScan& scan : state.map.scans) {
         const Pose before = scan.pose.scanInMap;
@@ -321,11 +320,11 @@ Settled LiveMapper::settle(const MapSolution& solution, Time now) {
         state.cropped.fit(scan, state.clouds);
         moved.push_back(scan.pose);
     }
-    // Only now what came together lies so.
+    // Parts that came together lie so only now.
     state.findParts();
     if (moved.empty()) return settled;
     state.loops.moved();
-    // What was seen of others in the map as it was, is looked at once more.
+    // Scans that were compared with others in the map as it was are compared again.
     const std::vector<std::uint64_t> again = state.loops.forgetMet();
     state.meeting.insert(state.meeting.begin(), again.begin(), again.end());
     for (auto& [name, track] : state.robots) {

@@ -11,24 +11,24 @@
 
 namespace leitstand {
 
-/// Where a robot is in the map now, a snapshot for views: its newest place in the map, carried on by its
+/// Where a robot is in the map now, a snapshot for views: its newest place in the map, continued by its
 /// odometry.
 struct RobotInMap {
     std::string robot;
-    bool placed = false;  ///< whether the map's frame means anything to it: else no more is said
+    bool placed = false;                ///< whether it has a pose in the map; else the rest is not valid
     Pose baseInMap = Pose::Identity();  ///< base_link, level by the inertial unit
     Time stamp{};                       ///< of its newest odometry, robot's clock
-    /// Where its odometry's poses lie in the map: of the moment of baseInMap too; empty while nobody knows.
+    /// Odometry's frame in the map, also at the moment of baseInMap; empty where it is unknown.
     std::optional<Pose> odomInMap = {};
-    /// When a 3D scan of its own was laid onto the map last, station's clock; where another station makes the
-    /// map, when one came in that is laid onto it there; empty: none was yet.
+    /// When a 3D scan of its own was last registered to the map, station's clock. If another station makes
+    /// the map: when the last one was received that is registered there. Empty: none so far.
     std::optional<Time> matched = {};
     double certainty = 0.0;  ///< 0 to 1
-    bool certain = false;    ///< its newest scan fits; else its odometry alone carries it on
-    std::string how;         ///< it came there, or why that is doubted, in words, in English
-    TrailPtr trail = std::make_shared<const Trail>();  ///< some 10 cm from place to place; never null
-    double spinning = 0.0;  ///< way that its wheels turned while its scans say that it stands [m]
-    bool afterGap = false;  ///< nobody knows the way to baseInMap from the trail's end
+    bool certain = false;    ///< its newest scan fits; else its odometry alone continues its pose
+    std::string how;         ///< how it came there, or why that is doubted, in words, in English
+    TrailPtr trail = std::make_shared<const Trail>();  ///< about 10 cm from place to place; never null
+    double spinning = 0.0;  ///< distance that its wheels turned while its scans show it at rest [m]
+    bool afterGap = false;  ///< the path to baseInMap from the trail's end is unknown
 };
 /// All robots of the station by name, immutable.
 using RobotsInMap = std::vector<RobotInMap>;

@@ -10,7 +10,7 @@ namespace leitstand {
 namespace {
 
 constexpr double FirstSpacing = 0.099;      ///< of a trail [m]
-constexpr std::size_t LongestTrail = 4000;  ///< points; then every other one goes
+constexpr std::size_t LongestTrail = 4000;  ///< points; beyond, every other one is removed
 
 }  // namespace
 
@@ -80,7 +80,7 @@ void RobotTracker::refresh() {
     m_now.stamp = *m_newest;
     if (!m_now.odomInMap) return;
     if (m_motion.frameAt(*m_newest) != m_frame) {
-        // It stands where it was seen last, and goes on from there by the odometry that began anew.
+        // It stays where it was seen last, and continues from there by the odometry that restarted.
         m_waiting = m_now.baseInMap;
         m_now.odomInMap.reset();
         m_now.certain = false;

@@ -18,23 +18,23 @@
 
 namespace leitstand {
 
-/// Where a robot was, by its scans.
+/// Where a robot was in the map, by its scans.
 struct MapFix {
     Time stamp{};                       ///< robot's clock
-    Pose baseInMap = Pose::Identity();  ///< then
+    Pose baseInMap = Pose::Identity();  ///< at that time
     double certainty = 0.0;             ///< 0 to 1
     bool certain = false;
     std::string how;  ///< in words
 };
 
-/// What a stretch of a robot's way is known by: a scan of its own that is in the map.
+/// A robot's own scan in the map, which anchors the stretch of its path that follows.
 struct TrailAnchor {
     Time since{};                       ///< robot's clock
     int frame = 0;                      ///< of its odometry
-    Pose odomInMap = Pose::Identity();  ///< as the scan tells
+    Pose odomInMap = Pose::Identity();  ///< by the scan
 };
 
-/// Carries a robot's place in the map on by its odometry, and keeps its trail. One thread at a time.
+/// Continues a robot's pose in the map by its odometry, and keeps its trail. One thread at a time.
 class RobotTracker {
 public:
     explicit RobotTracker(std::string robot);
@@ -42,22 +42,22 @@ public:
     /// Samples without a stamp count as taken @p now.
     void add(const OdometrySample& odometry, Time now);
     void add(const ImuSample& imu, const Pose& unitInBase, Time now);
-    /// The robot was there then. Where the odometry does not know that moment, it stands there until it
-    /// moves.
+    /// Sets where the robot was at a moment. If the odometry does not cover that moment, the robot stands
+    /// there until it moves.
     void correct(const MapFix& fix);
-    /// Scans moved in the map: each place of the trail moves with the newest of @p anchors before it; what
-    /// none tells stays.
+    /// Moves the trail after scans moved in the map: each place moves with the newest of @p anchors before
+    /// it. A place without one stays.
     void layTrail(std::span<const TrailAnchor> anchors);
-    /// Places of the map moved: the robot and its trail go with them.
+    /// Moves the robot and its trail with the places of the map.
     void move(const MovedPlaces& places);
-    /// Nobody knows where the robot is any more.
+    /// Notes that the robot's pose is not known any more.
     void lose();
 
     [[nodiscard]] const MotionBuffer& motion() const { return m_motion; }
     [[nodiscard]] bool placed() const { return m_now.odomInMap.has_value(); }
-    /// base_link in the map at @p stamp; empty where nobody knows.
+    /// Returns base_link in the map at @p stamp; empty where it is unknown.
     [[nodiscard]] std::optional<Pose> baseInMap(Time stamp) const;
-    /// Where the odometry's frame lies in the map; empty where nobody knows.
+    /// Returns the odometry's frame in the map; empty where it is unknown.
     [[nodiscard]] const std::optional<Pose>& odomInMap() const { return m_now.odomInMap; }
     [[nodiscard]] const RobotInMap& now() const { return m_now; }
 
@@ -76,12 +76,12 @@ private:
     void tellTrail();
 
     MotionBuffer m_motion;
-    std::optional<Time> m_newest;   ///< odometry
+    std::optional<Time> m_newest;   ///< stamp of the odometry
     std::optional<Pose> m_waiting;  ///< base_link in the map: the fix came before the odometry
-    int m_frame = 0;                ///< of the odometry that odomInMap is of
+    int m_frame = 0;                ///< of the odometry of odomInMap
     std::vector<Footstep> m_trail;
     double m_spacing;                      ///< of the trail [m]
-    std::optional<Time> m_followed;        ///< odometry that told its place in the map, the newest
+    std::optional<Time> m_followed;        ///< stamp of the newest odometry that gave its pose in the map
     std::chrono::nanoseconds m_unheard{};  ///< longest silence of the odometry since the trail's end
     RobotInMap m_now;
 };

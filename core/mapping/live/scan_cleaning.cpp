@@ -11,12 +11,12 @@ namespace {
 
 const Eigen::Vector3f NoEcho = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
 
-constexpr double Ground = 0.05;  ///< what is lower belongs to the world [m]
-constexpr double Above = 0.3;    ///< what is taller than a robot has points so near above it [m]
-constexpr double Bare = 0.03;    ///< about a footprint nothing else has room [m]
-constexpr double Column = 0.08;  ///< edge of a column that such a thing stands in [m]
+constexpr double Ground = 0.05;  ///< lower points belong to the world [m]
+constexpr double Above = 0.3;    ///< a thing taller than a robot has points so near above it [m]
+constexpr double Bare = 0.03;    ///< nothing else has room so near to a footprint [m]
+constexpr double Column = 0.08;  ///< edge of a column in which such a thing stands [m]
 
-/// Whether @p point is within the polygon @p corners (crossings of a ray along x).
+/// Returns whether @p point is within the polygon @p corners (crossings of a ray along x).
 bool within(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& point) {
     bool inside = false;
     for (std::size_t i = 0, before = corners.size() - 1; i < corners.size(); before = i++) {
@@ -41,7 +41,7 @@ bool nearTo(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& 
     return false;
 }
 
-/// Columns about a robot in which something is taller than it, seen from above.
+/// Columns around a robot that hold something taller than it, seen from above.
 class TallColumns {
 public:
     void add(const Eigen::Vector2d& place) {
@@ -60,13 +60,13 @@ private:
     std::set<std::pair<int, int>> m_cells;
 };
 
-/// A point about a robot, in its base frame.
+/// A point near a robot, in its base frame.
 struct NearPoint {
     std::size_t index;
     Eigen::Vector2d place;
 };
 
-/// Those of @p points, in a frame that lies at @p inBase, which are on or within @p other.
+/// Returns those of @p points, in a frame at @p inBase, that are on or within @p other.
 std::vector<std::size_t> pointsOn(const PlacedBody& other, std::span<const Eigen::Vector3f> points,
                                   const Pose& inBase) {
     const RobotBody& body = other.body;
@@ -76,7 +76,7 @@ std::vector<std::size_t> pointsOn(const PlacedBody& other, std::span<const Eigen
     box.extend(box.min() - Eigen::Vector2d::Constant(other.margin));
     box.extend(box.max() + Eigen::Vector2d::Constant(other.margin));
     const double top = body.height + PlacedBody::Certain;
-    // Most points are far: no need to look at them closely.
+    // Most points are far and need no closer look.
     const double corner = std::max(box.min().norm(), box.max().norm()) + 0.5 * box.diagonal().norm();
     const auto reach = static_cast<float>(std::hypot(corner, top + Above));
     const Eigen::Vector3f centre = inBase.inverse().translation().cast<float>();

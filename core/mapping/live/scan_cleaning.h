@@ -13,44 +13,45 @@
 
 namespace leitstand {
 
-/// What a robot takes up, base frame.
+/// The space that a robot takes up, base frame.
 struct RobotBody {
     std::vector<Eigen::Vector2d> footprint;  ///< counter-clockwise [m]
     double height = 0.0;                     ///< [m]
 };
 
-/// Another robot that stands in the map.
+/// Another robot in the map.
 struct PlacedBody {
     static constexpr double Certain = 0.1;  ///< margin of a robot whose place is certain [m]
 
     RobotBody body;
     Pose baseInMap = Pose::Identity();
-    double margin = Certain;  ///< it may be so far from there; more than Certain: its place is doubted [m]
+    double margin = Certain;  ///< it may be so far from there [m]; more than Certain: its pose is doubted
 };
 
-/// Where the robots of @p bodies are in the map while the scan is at @p scanInMap.
+/// Returns where the robots of @p bodies are in the map while the scan is at @p scanInMap.
 [[nodiscard]] std::vector<PlacedBody> placed(std::span<const BodyInScan> bodies, const Pose& scanInMap);
-/// @p bodies of @p robot, as a scan at @p scanInMap has them.
+/// Returns @p bodies of @p robot relative to a scan at @p scanInMap.
 [[nodiscard]] std::vector<BodyInScan> inScan(const std::string& robot, std::span<const PlacedBody> bodies,
                                              const Pose& scanInMap);
 
-/// What of the world belongs into the map: spectators stand around it.
+/// The part of the world that belongs to the map: spectators stand around it.
 struct MapCrop {
     std::vector<Eigen::Vector2d> polygon;                      ///< map frame [m]; empty: everything
-    double ceiling = std::numeric_limits<double>::infinity();  ///< what is higher is left out, map frame [m]
+    double ceiling = std::numeric_limits<double>::infinity();  ///< higher points are left out, map frame [m]
 
     [[nodiscard]] bool contains(const Eigen::Vector3d& pointInMap) const;
     [[nodiscard]] bool open() const { return polygon.empty() && !(ceiling < 1e9); }
 };
 
-/// Whether @p place (base frame, seen from above) is on or within @p body's footprint, grown by @p margin
-/// [m].
+/// Returns whether @p place (base frame, seen from above) is on or within @p body's footprint, grown by @p
+/// margin [m].
 [[nodiscard]] bool onFootprint(const RobotBody& body, const Eigen::Vector2d& place, double margin);
-/// Turns points of @p scan on or within @p body, grown by @p margin [m], into no echo; not those of the
+/// Turns points of @p scan on or within @p body, grown by @p margin [m], into no echo, except those of the
 /// ground that it stands on.
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin = 0.05);
-/// Which of @p points, seen from @p scanInMap, are on or within one of @p others. What goes on above a
-/// robot's height, a wall or a post, is none, but on the footprint of a robot whose place is certain.
+/// Returns which of @p points, seen from @p scanInMap, are on or within one of @p others. A thing that
+/// continues above a robot's height, a wall or a post, is left, except on the footprint of a robot whose pose
+/// is certain.
 [[nodiscard]] std::vector<bool> onOthers(std::span<const Eigen::Vector3f> points,
                                          std::span<const PlacedBody> others, const Pose& scanInMap);
 /// Turns points of @p scan, taken at @p scanInMap, on or within other robots into no echo.

@@ -21,10 +21,10 @@ namespace leitstand {
 
 namespace {
 
-constexpr double Finer = 0.5;     ///< of the grid of what is matched
-constexpr std::size_t Few = 400;  ///< points: a scan that sees less is matched by that
+constexpr double Finer = 0.5;     ///< of the grid for matching
+constexpr std::size_t Few = 400;  ///< points; a scan with fewer is matched on the finer grid
 
-/// All of @p scan but its points, and how they lay in the scanner's grid.
+/// Returns all of @p scan but its points, and how they lay in the scanner's grid.
 Scan headOf(const Scan& scan) {
     Scan head;
     head.name = scan.name;
@@ -37,8 +37,8 @@ Scan headOf(const Scan& scan) {
     return head;
 }
 
-/// The first point of each cube of edge @p edge [m] among those of @p scan in range, with all that is known
-/// of it.
+/// Returns the first point of each cube of edge @p edge [m] among those of @p scan in range, with all its
+/// values.
 Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
     std::vector<std::size_t> kept;
     detail::CellTable cells(edge, scan.points.size() / 2);
@@ -50,21 +50,21 @@ Scan thinned(const Scan& scan, const MatchSettings& settings, double edge) {
     return selected(scan, kept);
 }
 
-/// @p cloud, without labels that nothing asks for, on a grid of @p edge [m] that begins at its own place.
+/// Returns @p cloud without labels, which are not used, on a grid of @p edge [m] with an origin of its own.
 PointCloud onOwnGrid(PointCloud cloud, double edge) {
     cloud.labels.clear();
     return voxelGrid(cloud, edge, VoxelPoint::Centroid, ownGridOrigin(cloud.points, edge));
 }
 
-/// What is matched of @p cloud. Close before a wall there is little to see: it counts more finely.
+/// Returns the cloud for matching of @p cloud. Close to a wall little is seen, so the grid is finer.
 PointCloud onMatchGrid(const PointCloud& cloud, double edge) {
     PointCloud reduced = onOwnGrid(cloud, edge);
     return reduced.size() < Few ? onOwnGrid(cloud, Finer * edge) : reduced;
 }
 
-/// Turns @p normals of the organised @p scan to where each point was seen from: its rows follow each other in
-/// time, and its sensor came in a straight line from @p began. A robot that drove through a door within the
-/// turn saw the wall about it from both sides.
+/// Turns @p normals of the organised @p scan towards where each point was seen from. Its rows follow each
+/// other in time, and its sensor came in a straight line from @p began. A robot that drove through a door
+/// within the turn saw the wall around it from both sides.
 void faceSensor(std::vector<Eigen::Vector3f>& normals, const Scan& scan, const Eigen::Vector3d& began) {
     const auto columns = static_cast<std::size_t>(scan.columns);
     const auto last = static_cast<double>(std::max(1, scan.rows - 1));
@@ -75,7 +75,7 @@ void faceSensor(std::vector<Eigen::Vector3f>& normals, const Scan& scan, const E
     }
 }
 
-/// What odometry tells after @p step, for the match.
+/// Returns the prior by odometry after @p step, for the match.
 GuessPrior priorOf(const Step& step, const MatchSettings& settings) {
     GuessPrior prior;
     prior.openBelow = settings.openBelow;
@@ -83,8 +83,8 @@ GuessPrior priorOf(const Step& step, const MatchSettings& settings) {
     return prior;
 }
 
-/// Whether a scan that fits at @p found instead of at @p guess came to lie there because wheels spun: it is
-/// on the way that odometry tells, less far along, and not far aside.
+/// Returns whether a scan fits at @p found instead of @p guess because wheels spun. Then it is on odometry's
+/// path, less far along, and not far aside.
 bool isShortOf(const Eigen::Vector3d& found, const Eigen::Vector3d& guess, const Step& step,
                const FitSettings& fit) {
     const double told = step.moved.norm();
@@ -132,7 +132,7 @@ Scan selected(const Scan& scan, const std::vector<std::size_t>& kept) {
     const bool intensities = scan.intensities.size() == scan.points.size();
     const bool labels = scan.labels.size() == scan.points.size();
     const bool shades = scan.shades.size() == scan.points.size();
-    result.points.reserve(kept.size());  // an hour has hundreds of scans: no spare room in any
+    result.points.reserve(kept.size());  // an hour has hundreds of scans, so none has spare room
     if (labels) result.labels.reserve(kept.size());
     if (intensities) result.intensities.reserve(kept.size());
     if (shades) result.shades.reserve(kept.size());
@@ -220,10 +220,10 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     for (const std::vector<double>* schedule : schedules) {
         Match one = match(cloud, local, guess, step, up, settings, fit, *schedule);
         if (schedule == schedules.front()) first = one;
-        // One that fits worse has only not found what the first one did.
+        // One that fits worse has only missed what the first one found.
         if (one.doubts != 0 || one.icp.overlap < first.icp.overlap) continue;
         if (!one.spun) return one;
-        if (!spun) spun = one;  // unless one fits where odometry says
+        if (!spun) spun = one;  // unless one fits at odometry's pose
     }
     return spun.value_or(first);
 }
@@ -250,7 +250,7 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     result.icp = align(local.cloud, *local.search, cloud, guess, icp);
     const IcpResult& found = result.icp;
     const bool open = found.stop == IcpStop::Degenerate;
-    // What surfaces leave open, odometry holds for a while.
+    // Odometry holds open directions for a while.
     const bool held = !open && step.measured && found.open > 0 &&
                       settings.odometry.share * std::min(step.openWay, fit.openWay) <= fit.mostDeviation;
     doubtIf(!open && !found.converged, ScanDoubt::Diverged);
@@ -262,7 +262,7 @@ Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, c
     const double jump = distanceBetween(guess, found.pose), turn = angleBetween(guess, found.pose);
     const bool turned = turn > fit.turn + fit.turnOfTurn * step.turn + fit.turnOfWay * step.way;
     const bool jumped = jump > fit.jump + fit.jumpOfWay * step.way;
-    // A robot that a wall holds drives on by its odometry.
+    // A robot that a wall holds continues to drive by its odometry.
     result.spun = jumped && !turned && result.doubts == 0 && found.open == 0 &&
                   found.certainty >= settings.openBelow && found.overlap >= fit.spunOverlap &&
                   isShortOf(found.pose.translation(), guess.translation(), step, fit);

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double Jump = 1.0;                ///< of odometry or of its place in the map [m]
 constexpr std::chrono::seconds Silence(3);  ///< of the odometry
-constexpr double Unseen = 0.5;  ///< what a robot may go meanwhile on a way that is still known [m]
+constexpr double Unseen = 0.5;  ///< a robot may go so far meanwhile on a path that is still known [m]
 
 }  // namespace
 

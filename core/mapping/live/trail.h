@@ -8,21 +8,21 @@
 
 namespace leitstand {
 
-/// A place where a robot was.
+/// A place on a robot's trail.
 struct TrailPlace {
     Eigen::Vector3f inMap = Eigen::Vector3f::Zero();  ///< base_link [m]
-    bool afterGap = false;                            ///< nobody knows the way to it from the place before
+    bool afterGap = false;                            ///< the path to it from the place before is unknown
 
     bool operator==(const TrailPlace&) const = default;
 };
 
-/// A robot's way through the map, oldest place first; immutable once shared.
+/// A robot's path through the map, oldest place first; immutable once shared.
 using Trail = std::vector<TrailPlace>;
 using TrailPtr = std::shared_ptr<const Trail>;
 
-/// Whether nobody knows the way between two places of a robot that are @p away from each other [m]: nothing
-/// was heard of it for @p unheard, 3 s and more, and it is half a metre away then; or it jumped by a metre.
-/// @p apart: so far from each other are places of a way that is known [m].
+/// Returns whether the path between two places of a robot is unknown; they are @p away from each other [m].
+/// Either nothing was received from it for @p unheard, 3 s and more, and it is half a metre away then. Or it
+/// jumped by a metre. @p apart: distance between places of a known path [m].
 [[nodiscard]] bool isGap(double away, std::chrono::nanoseconds unheard, double apart = 0.0);
 
 }  // namespace leitstand

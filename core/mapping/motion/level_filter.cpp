@@ -10,16 +10,16 @@
 namespace leitstand {
 namespace {
 
-constexpr double Slow = 6.0;             ///< time constant of gravity's say, while it agrees [s]
+constexpr double Slow = 6.0;             ///< time constant of gravity while it agrees [s]
 constexpr double Fast = 0.25;            ///< ... and when it disagrees wholly: a gyro missed something [s]
-constexpr double Agrees = degrees(0.6);  ///< up to here
+constexpr double Agrees = degrees(0.6);  ///< up to this difference [rad]
 constexpr double Disagrees = degrees(2.0);
-constexpr std::chrono::seconds LongestStep(1);  ///< between measurements; beyond, the filter begins anew
-constexpr std::chrono::milliseconds BackwardStep(500);  ///< stamps that go back farther are no disorder
+constexpr std::chrono::seconds LongestStep(1);          ///< between measurements; beyond, the filter restarts
+constexpr std::chrono::milliseconds BackwardStep(500);  ///< stamps that go back farther are a clock jump
 constexpr std::chrono::seconds ForwardStep(5);          ///< stamps that go ahead farther are doubted at first
-constexpr std::chrono::seconds StrayFits(1);            ///< a doubted one is right when the next is so near
+constexpr std::chrono::seconds StrayFits(1);            ///< a doubted one is right if the next one is so near
 
-/// A fixed direction in a frame that turned by @p turning.
+/// Returns the fixed direction @p up in a frame that turned by @p turning [rad].
 Eigen::Vector3d carried(const Eigen::Vector3d& up, const Eigen::Vector3d& turning) {
     const double angle = turning.norm();
     if (!(angle > 0.0)) return up;
@@ -64,7 +64,7 @@ void LevelFilter::add(Time stamp, const std::optional<Eigen::Vector3d>& up,
         const Eigen::Vector3d measured = up->normalized();
         const double off = std::atan2(now.cross(measured).norm(), now.dot(measured));
         const double doubt = std::clamp((off - Agrees) / (Disagrees - Agrees), 0.0, 1.0);
-        // At first the mean of what was measured so far.
+        // At first the mean of the measurements so far.
         const double patience = std::min(Slow, std::max(toSeconds(m_settled), step));
         const double constant = patience * std::pow(std::min(1.0, Fast / patience), doubt);
         now = (now + (1.0 - std::exp(-step / constant)) * (measured - now)).normalized();

@@ -12,15 +12,15 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds BackwardStep(500);         ///< stamps that go back farther are no disorder
+constexpr milliseconds BackwardStep(500);         ///< stamps that go back farther are a clock jump
 constexpr std::chrono::seconds ForwardStep(5);    ///< stamps that go ahead farther are doubted at first
-constexpr milliseconds StrayFits(1000);           ///< a doubted stamp is right when the next is so near
-constexpr double FastestMove = 4.0, Leap = 0.3;   ///< a robot moves no faster than [m/s], [m]
-constexpr double FastestTurn = 8.0, Swing = 0.5;  ///< likewise [rad/s], [rad]
-constexpr milliseconds SpeedOver(80);             ///< time from which the present speed is told
+constexpr milliseconds StrayFits(1000);           ///< a doubted stamp is right if the next one is so near
+constexpr double FastestMove = 4.0, Leap = 0.3;   ///< a robot moves no farther in a time [m/s], [m] ...
+constexpr double FastestTurn = 8.0, Swing = 0.5;  ///< ... and turns no farther [rad/s], [rad]
+constexpr milliseconds SpeedOver(80);             ///< least time over which the present speed is measured
 
-/// The motion from @p a to @p b, @p share times (may be above 1); @p turn: about its own upright axis instead
-/// of the one that share gives [rad].
+/// Moves @p b on by @p share times the motion from @p a to @p b; the share may be above 1. The @p turn about
+/// its own upright axis replaces the motion's [rad].
 Pose continued(const Pose& a, const Pose& b, double share, const std::optional<double>& turn) {
     const Pose step = a.inverse() * b;
     const Eigen::AngleAxisd turned(step.linear());
@@ -53,7 +53,7 @@ void MotionBuffer::keep(Time stamp, const Pose& baseInOdom) {
     } else if (at != m_entries.begin() && std::prev(at)->stamp == stamp) {
         return;
     }
-    // What comes out of order is of the frame of those about it.
+    // A sample that is out of order belongs to the frame of its neighbours.
     const int frame = at == m_entries.end() ? m_frame : at->frame;
     m_entries.insert(at, {stamp, baseInOdom, frame});
     while (m_entries.size() > 2 && m_entries.back().stamp - m_entries.front().stamp > Memory)
@@ -104,7 +104,7 @@ void MotionBuffer::add(const ImuSample& imu, const Pose& unitInBase) {
     if (turning)
         m_gyro.add(imu.header.stamp,
                    turning->dot(m_level.at(imu.header.stamp).value_or(Eigen::Vector3d::UnitZ())));
-    // Where no odometry comes that would have it forget.
+    // Without odometry nothing else forgets old measurements.
     const Time now = newest.value_or(imu.header.stamp);
     if (m_entries.empty() || now - m_entries.back().stamp > Memory) {
         m_level.forgetBefore(now - Memory);
@@ -151,7 +151,7 @@ std::optional<Motion> MotionBuffer::at(Time stamp) const {
     const auto before = std::prev(next);
     const auto step = next->stamp - before->stamp;
     if (before->frame != next->frame || step > LongestBridge) {
-        // The frames have nothing to do with each other: the nearer pose counts.
+        // The frames are unrelated: the nearer pose counts.
         const bool first = stamp - before->stamp <= next->stamp - stamp;
         const Entry& nearer = first ? *before : *next;
         if ((first ? stamp - before->stamp : next->stamp - stamp) > LongestStep) return std::nullopt;
@@ -166,7 +166,7 @@ std::optional<Motion> MotionBuffer::at(Time stamp) const {
 Pose MotionBuffer::turnedByGyro(const Pose& pose, const Entry& before, const Entry& after, Time stamp) const {
     const auto soFar = m_gyro.turned(before.stamp, stamp), whole = m_gyro.turned(before.stamp, after.stamp);
     if (!soFar || !whole) return pose;
-    // What gyros drift shows at the end, where odometry tells the heading.
+    // The drift of the gyros shows at the end, where odometry measures the heading.
     const double begin = headingOf(before.baseInOdom);
     const double drift = std::remainder(headingOf(after.baseInOdom) - begin - *whole, 2.0 * std::numbers::pi);
     const double share = toSeconds(stamp - before.stamp) / toSeconds(after.stamp - before.stamp);

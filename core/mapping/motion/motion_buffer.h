@@ -13,31 +13,32 @@
 
 namespace leitstand {
 
-/// How a pose of MotionBuffer came about.
+/// The source of a pose of MotionBuffer.
 enum class MotionSource : std::uint8_t {
     Measured,      ///< between two poses of the odometry
-    Bridged,       ///< between two that are far apart: nobody knows the way between, at most how it turned
-    Extrapolated,  ///< beyond the newest, as it moved last, and turned as its gyros say
+    Bridged,       ///< between two that are far apart: at most the turn in between is known
+    Extrapolated,  ///< beyond the newest, with its last velocity, and turned by its gyros
 };
 
-/// Whether no robot moves from @p a to @p b, in its odometry's frame, in @p time [s]: that began anew.
+/// Returns whether no robot moves from @p a to @p b, in its odometry's frame, in @p time [s]: the odometry
+/// restarted.
 [[nodiscard]] bool leaps(const Pose& a, const Pose& b, double time);
 
-/// Where a robot was.
+/// The pose of a robot at a moment.
 struct Motion {
-    Pose baseInOdom = Pose::Identity();  ///< level by the inertial unit where there is one
+    Pose baseInOdom = Pose::Identity();  ///< level by the inertial unit if there is one
     MotionSource source = MotionSource::Measured;
 };
 
-/// How far a robot went, to and fro.
+/// How far a robot went, forward and back.
 struct Travel {
     double way = 0.0;   ///< [m]
     double turn = 0.0;  ///< of its heading [rad]
 };
 
-/// How a robot moved in the last minutes: position and heading by its odometry, level by gyros and gravity;
-/// heading by the gyros where odometry is missing.
-/// Stamps are the robot's clock, which may jump, and the odometry may begin anew. One thread at a time.
+/// How a robot moved in the last minutes: position and heading by its odometry, level by gyros and gravity.
+/// The gyros measure the heading where odometry is missing. Stamps are the robot's clock, which may jump, and
+/// the odometry may restart. One thread at a time.
 class MotionBuffer {
 public:
     static constexpr std::chrono::seconds Memory{150};
@@ -46,22 +47,23 @@ public:
     static constexpr std::chrono::milliseconds LongestGuess{500};  ///< beyond the newest pose
 
     void add(const OdometrySample& odometry);
-    /// @p unitInBase: how the inertial unit sits.
+    /// @p unitInBase: mount of the inertial unit.
     void add(const ImuSample& imu, const Pose& unitInBase);
 
-    /// Where the robot was at @p stamp; empty where that cannot be told.
+    /// Returns where the robot was at @p stamp; empty where that is unknown.
     [[nodiscard]] std::optional<Motion> at(Time stamp) const;
-    /// Whether odometry of @p stamp or later came.
+    /// Returns whether odometry of @p stamp or later was received.
     [[nodiscard]] bool covers(Time stamp) const;
-    /// What the odometry went between the two stamps; nothing where it began anew.
+    /// Returns how far the odometry went between the two stamps, without the steps where it restarted.
     [[nodiscard]] Travel travelled(Time from, Time to) const;
-    /// The direction upwards in base_link, by the inertial unit; empty without one.
+    /// Returns the up direction in base_link, by the inertial unit; empty without one.
     [[nodiscard]] std::optional<Eigen::Vector3d> up(Time stamp) const { return m_level.at(stamp); }
-    /// Whether a unit ever told it: then the odometry's level is no substitute, it may know no slopes.
+    /// Whether a unit ever measured it. Then the odometry's level is no substitute: it may know no slopes.
     [[nodiscard]] bool hasUnit() const { return m_hasUnit; }
-    /// Rises when the robot's clock jumped back: what was told before is of another time.
+    /// Rises when the robot's clock jumps back: earlier samples are of another time.
     [[nodiscard]] int clockJumps() const { return m_clockJumps; }
-    /// The number of the odometry at @p stamp: rises when it began anew, so that its frame is another one.
+    /// Returns the number of the odometry at @p stamp. It rises when the odometry restarts, since its frame
+    /// is another one then.
     [[nodiscard]] int frameAt(Time stamp) const;
 
 private:
@@ -74,12 +76,12 @@ private:
     [[nodiscard]] Pose levelled(Pose baseInOdom, Time stamp) const;
     [[nodiscard]] std::deque<Entry>::const_iterator after(Time stamp) const;
     [[nodiscard]] std::optional<Motion> beyond(Time stamp) const;
-    /// @p pose, which lies between the two on a straight way, with the heading that the gyros tell.
+    /// Returns @p pose, which lies between the two on a straight path, with the heading by the gyros.
     [[nodiscard]] Pose turnedByGyro(const Pose& pose, const Entry& before, const Entry& after,
                                     Time stamp) const;
 
     std::deque<Entry> m_entries;   ///< by stamp
-    std::optional<Entry> m_stray;  ///< its stamp does not fit the others: a jump, if the next one fits it
+    std::optional<Entry> m_stray;  ///< its stamp does not fit: a clock jump, if the next one fits it
     LevelFilter m_level;
     TurnGyro m_gyro;
     bool m_hasUnit = false;

@@ -17,7 +17,7 @@ std::optional<Pose> takeMotionOut(CloudSample& cloud, const SensorTrack& track) 
     const std::optional<Pose> atEnd = track(endOf(cloud));
     if (!atEnd || cloud.times.size() != cloud.points.size()) return atEnd;
     const Pose odomInEnd = atEnd->inverse();
-    std::optional<std::int64_t> moment;  // neighbours share it, mostly
+    std::optional<std::int64_t> moment;  // neighbours mostly share it
     std::optional<Eigen::Isometry3f> motion;
     for (std::size_t i = 0; i < cloud.points.size(); ++i) {
         if (moment != cloud.times[i]) {

@@ -9,16 +9,16 @@
 
 namespace leitstand {
 
-/// Where a sensor was in odom at a moment of its robot's clock; empty where nobody knows.
+/// Returns a sensor's pose in odom at a moment of its robot's clock; empty where it is unknown.
 using SensorTrack = std::function<std::optional<Pose>(Time)>;
 
-/// Stamp of the last shot of @p cloud.
+/// Returns the stamp of the last shot of @p cloud.
 [[nodiscard]] Time endOf(const CloudSample& cloud);
 
-/// Moves the points of @p cloud to where the sensor would have seen them from its pose at the last shot, each
-/// by the sensor's motion since its own shot, and returns that pose (sensorInOdom). Empty, and nothing is
-/// moved, when that pose is unknown; points of moments of which @p track knows nothing stay as they are, and
-/// so do those of clouds that do not tell times.
+/// Moves each point of @p cloud by the sensor's motion since the point's own shot, to where the sensor would
+/// have seen it from its pose at the last shot. Returns that pose (sensorInOdom). Empty, and nothing is
+/// moved, when that pose is unknown. Points of moments that @p track does not know stay as they are, and so
+/// do clouds without times.
 [[nodiscard]] std::optional<Pose> takeMotionOut(CloudSample& cloud, const SensorTrack& track);
 
 }  // namespace leitstand

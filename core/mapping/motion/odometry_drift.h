@@ -6,15 +6,15 @@
 
 namespace leitstand {
 
-/// How far odometry may be off after a step: so much whatever the step, and a share of it.
+/// The expected error of odometry after a step: a constant, and a share of the step.
 struct OdometryDrift {
-    double share = 0.03;                ///< of the way [m / m]
+    double share = 0.03;                ///< of the distance [m / m]
     double atLeast = 0.004;             ///< [m]
     double turnShare = 0.03;            ///< of the turn [rad / rad]
     double turnAtLeast = degrees(0.3);  ///< [rad]
 
-    /// Standard deviations after @p way [m] and @p turn [rad]: translation [m], then rotation [rad], alike
-    /// along all axes.
+    /// Returns standard deviations after @p way [m] and @p turn [rad]: translation [m], then rotation [rad],
+    /// the same for all axes.
     [[nodiscard]] Eigen::Matrix<double, 6, 1> deviation(double way, double turn) const {
         Eigen::Matrix<double, 6, 1> deviation;
         deviation.head<3>().setConstant(atLeast + share * way);

@@ -5,11 +5,11 @@
 
 namespace leitstand {
 
-/// By how much a robot goes farther than its odometry says (worn wheels, a wrong diameter, slip), as far as
-/// surfaces that hold all directions have told: the least-squares ratio over the last metres.
+/// By how much a robot goes farther than its odometry measures (worn wheels, a wrong diameter, slip). It is
+/// the least-squares ratio over the last metres where surfaces held all directions.
 class OdometryScale {
 public:
-    /// A step of @p byOdometry [m] was one of @p found.
+    /// Adds a step of @p byOdometry [m] that was one of @p found [m].
     void add(double byOdometry, double found) {
         constexpr double Forgetting = 40.0;  // [m]
         const double kept = std::exp(-byOdometry / Forgetting);
@@ -18,7 +18,7 @@ public:
         m_way = kept * m_way + byOdometry;
     }
     [[nodiscard]] double factor() const {
-        constexpr double Usual = 10.0, Most = 0.15;  // as if one that is right had been driven so far [m]
+        constexpr double Usual = 10.0, Most = 0.15;  // the prior: so far with a scale of one [m]
         if (m_squares <= 0.0) return 1.0;
         const double sure = m_way / (m_way + Usual);
         return 1.0 + std::clamp(sure * (m_products / m_squares - 1.0), -Most, Most);

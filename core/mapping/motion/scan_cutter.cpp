@@ -10,12 +10,12 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::milliseconds Seam(60);     ///< between slices that follow each other, at most
-constexpr std::chrono::seconds LateEnds(1);       ///< late slices pause so long: theirs is complete
-constexpr std::chrono::seconds Remembered(150);   ///< stamps of slices, to tell doubled ones
-constexpr std::chrono::seconds LatestSlice(120);  ///< what is older is of a clock that jumped
+constexpr std::chrono::milliseconds Seam(60);     ///< largest gap between consecutive slices
+constexpr std::chrono::seconds LateEnds(1);       ///< late slices are complete after such a pause
+constexpr std::chrono::seconds Remembered(150);   ///< stamps of slices, to detect duplicates
+constexpr std::chrono::seconds LatestSlice(120);  ///< older ones are of a clock that jumped
 
-/// How fast a robot moves is told over that, at least.
+/// Least time over which a robot's speed is measured.
 constexpr std::chrono::milliseconds ShortestScan(100);
 
 bool seesAnything(const Scan& scan) {
@@ -65,14 +65,14 @@ void ScanCutter::add(CloudSample slice, const Pose& sensorInBase, Time now) {
 }
 
 bool ScanCutter::ready(const Waiting& waiting, Time now) const {
-    // A clock that was set back shall not hold slices for ever.
+    // A clock that was set back must not hold slices for ever.
     if (now - waiting.arrived >= m_settings.longestWait || now < waiting.arrived) return true;
     if (!m_motion.covers(endOf(waiting.slice))) return false;
     if (!m_row.end) return true;
     const Time stamp = waiting.slice.header.stamp;
-    // One that is too old may be of a clock that was just set back, which the next odometry will tell.
+    // A slice that is too old may be of a clock that was just set back. The next odometry shows it.
     if (stamp < *m_row.end - Seam) return m_odometry > waiting.odometry;
-    return stamp - *m_row.end <= Seam;  // else the one before it may be on its way
+    return stamp - *m_row.end <= Seam;  // else the slice before may be on its way
 }
 
 std::vector<LiveScan> ScanCutter::take(Time now) {
@@ -122,7 +122,8 @@ void ScanCutter::put(Waiting waiting, Row& row) {
     };
     auto scan = row.assembler.add(std::move(waiting.slice), track);
     const TurnEnd ended = row.assembler.ended();
-    if (scan && ended == TurnEnd::Sweep) return keep(std::move(scan), row, parts);  // beside what is gathered
+    if (scan && ended == TurnEnd::Sweep)
+        return keep(std::move(scan), row, parts);  // beside the gathered slices
     // A break ends the turn before this slice.
     if (scan && ended == TurnEnd::Break)
         keep(std::exchange(scan, std::nullopt), row, std::exchange(row.parts, {}));
@@ -181,7 +182,7 @@ void ScanCutter::tellMotion(LiveScan& live, Time start, Time end) const {
 
 void ScanCutter::startAnew() {
     m_clockJumps = m_motion.clockJumps();
-    // What waits may be of either time: it is put where its stamp says, when it is ready.
+    // Waiting slices may be of either time. Each is added by its stamp, when it is ready.
     close(m_late);
     close(m_row);
     m_row.end.reset();

@@ -16,36 +16,37 @@
 
 namespace leitstand {
 
-/// When a scan is cut, and how long a slice waits.
+/// Settings of ScanCutter: when a scan is cut, and how long a slice waits.
 struct ScanCutterSettings {
     std::chrono::nanoseconds longestWait = std::chrono::milliseconds(150);  ///< of a slice for odometry
     double longestWay = 1.5;           ///< of the scanner within a scan [m]
     double mostTurned = degrees(270);  ///< of the robot within a scan [rad]
 };
 
-/// Makes scans of what one 3D scanner of one robot sends, as it comes: each point moved by the robot's motion
-/// since its own shot, a scan for each turn, or shorter where the robot moved too far; whole sweeps are scans
-/// by themselves. A slice waits for odometry that covers its end, at most as long as the settings say, then
-/// the motion is guessed from the last speed. Every slice gets into one scan: those that come late, after a
-/// radio gap, too, in whatever order. Without clock and thread: the caller tells what time it is, on the
-/// station's clock.
+/// Cuts scans from what one 3D scanner of one robot sends, as it comes. Each point is moved by the robot's
+/// motion since its own shot. A scan is a turn, or less where the robot moved too far; whole sweeps are scans
+/// of their own. A slice waits for odometry that covers its end, at most as long as the settings allow. Then
+/// the motion is extrapolated from the last speed. Every slice enters one scan, also slices that come late
+/// after a radio gap, in any order. Without clock and thread: the caller passes the time of the station's
+/// clock.
 class ScanCutter {
 public:
     explicit ScanCutter(std::string robot, const ScanCutterSettings& settings = {});
 
     void add(const OdometrySample& odometry, Time now);
     void add(const ImuSample& imu, const Pose& unitInBase, Time now);
-    /// A sample without a stamp counts as taken @p now. Slices that came before (the same stamp and frame)
-    /// are left out.
+    /// A sample without a stamp counts as taken @p now. Slices that were received before (the same stamp and
+    /// frame) are left out.
     void add(CloudSample slice, const Pose& sensorInBase, Time now);
 
-    /// The scans that are complete @p now, by their ends' stamps unless they came late.
+    /// Returns the scans that are complete @p now, by their ends' stamps unless they came late.
     [[nodiscard]] std::vector<LiveScan> take(Time now);
-    /// When take() has something to do at the latest, without another sample; empty: nothing waits.
+    /// Returns when take() has something to do at the latest, without another sample; empty: nothing waits.
     [[nodiscard]] std::optional<Time> due() const;
-    /// The stamps of slices to come are of another clock: what is gathered of a turn ends.
+    /// Ends the current turn: the stamps of later slices are of another clock.
     void startAnew();
-    /// All that is gathered, as scans, whole turns or not: the scanner was switched off, or the mission ends.
+    /// Returns all that is gathered as scans, whole turns or not: the scanner was switched off, or the
+    /// mission ends.
     [[nodiscard]] std::vector<LiveScan> finish();
 
     [[nodiscard]] const MotionBuffer& motion() const { return m_motion; }
@@ -58,13 +59,13 @@ private:
         Time arrived;
         std::uint64_t odometry;  ///< number of odometry samples before it came
     };
-    /// What a scan is made of so far.
+    /// What a scan consists of so far.
     struct Parts {
         int slices = 0;
-        int poses = 0, guessed = 0;  ///< that were asked for, and those of them that are extrapolated
+        int poses = 0, guessed = 0;  ///< requested poses, and how many of them are extrapolated
         bool bridged = false;
     };
-    /// Slices that follow each other.
+    /// Consecutive slices.
     struct Row {
         TurnAssembler assembler;
         Pose sensorInBase = Pose::Identity();

@@ -2,20 +2,20 @@
 
 namespace leitstand {
 
-/// How far the wheels of a robot have turned while the map says that it stands: it pushes against something
-/// that it does not see, or its wheels have lost their hold.
+/// How far the wheels of a robot have turned while it stands in the map. It pushes against something that it
+/// does not see, or its wheels have lost their grip.
 class SpinningWheels {
 public:
-    /// Between two scans odometry told a way of @p byOdometry [m], the map one of @p found [m].
+    /// Adds the distance between two scans: @p byOdometry [m] by odometry, @p found [m] by the map.
     void add(double byOdometry, double found) {
-        constexpr double Turn = 0.05;   // wheels turn: less is none in the two seconds of a scan [m]
+        constexpr double Turn = 0.05;   // least that wheels turn in the two seconds of a scan [m]
         constexpr double Stands = 0.3;  // of odometry's way: slip on a ramp leaves more of it
         const bool spin = byOdometry > Turn && found < Stands * byOdometry;
         m_way = spin ? m_way + byOdometry : 0.0;
     }
-    /// Nobody knows how far the robot came.
+    /// Forgets the distance: how far the robot came is unknown.
     void forget() { m_way = 0.0; }
-    /// That they turned since the robot moved last, or tried to [m].
+    /// Returns how far they turned since the robot last moved, or tried to [m].
     [[nodiscard]] double way() const { return m_way; }
 
 private:

@@ -13,21 +13,21 @@ namespace {
 constexpr double FullTurn = 2.0 * std::numbers::pi;
 constexpr double SliceTurn = degrees(300);            ///< a cloud that covers more is a whole sweep
 constexpr double RawScanWidth = degrees(8);           ///< vertical raw scans are narrower, seen from above
-constexpr double LeastTurn = degrees(180);            ///< of a turn that was cut off, to be a scan
+constexpr double LeastTurn = degrees(180);            ///< of an interrupted turn, to be a scan
 constexpr std::chrono::milliseconds LongestGap(700);  ///< between slices of one turn
-constexpr float LeastReach = 0.2F;  ///< points nearer to the turning axis tell no heading [m]
+constexpr float LeastReach = 0.2F;  ///< points nearer to the turning axis have no heading [m]
 
 double wrapped(double angle) {
     return std::remainder(angle, FullTurn);
 }
 
-/// Where a raw scan looks to.
+/// The direction of a raw scan.
 struct Heading {
     double mean = 0.0;   ///< [rad]
-    double width = 0.0;  ///< of nine tenths of its points, about the mean [rad]
+    double width = 0.0;  ///< of nine tenths of its points, around the mean [rad]
 };
 
-/// Heading of row @p row, about the z axis; empty when it has no points to tell.
+/// Returns the heading of row @p row about the z axis; empty if it has too few points.
 std::optional<Heading> headingOf(const CloudSample& cloud, int row) {
     const auto width = static_cast<std::size_t>(cloud.columns);
     const auto first =
@@ -48,7 +48,7 @@ std::optional<Heading> headingOf(const CloudSample& cloud, int row) {
     return Heading{mean, 2.0 * *most};
 }
 
-/// Headings of the raw scans of a yawing scanner's slice; empty when @p cloud is anything else.
+/// Returns headings of the raw scans of a yawing scanner's slice; empty if @p cloud is anything else.
 std::vector<double> headingsOfSlice(const CloudSample& cloud) {
     if (!cloud.organised()) return {};
     std::vector<double> headings, widths;
@@ -99,7 +99,7 @@ bool TurnAssembler::continues(const CloudSample& cloud) const {
 bool TurnAssembler::takesTooLong(const CloudSample& cloud) const {
     const auto since = endOf(cloud) - m_slices.front().cloud.header.stamp;
     if (since <= m_settings.longestTime) return false;
-    // A slow scanner gets on all the same.
+    // A slow scanner may take longer while it turns.
     const double turns = std::chrono::duration<double>(since) / m_settings.slowestTurn;
     return m_turned < 2.0 * std::numbers::pi * turns;
 }
@@ -136,8 +136,8 @@ std::optional<Scan> TurnAssembler::add(CloudSample cloud, const SensorTrack& tra
         ++m_rows;
     }
     gather(std::move(cloud), sensorInOdom);
-    // Whether the last raw scan repeats the first one's direction is the scanner's affair: a step short of a
-    // turn is a turn.
+    // Whether the last raw scan repeats the first one's direction depends on the scanner: one step less is a
+    // turn.
     const double step = m_turned / std::max(1, m_rows - 1);
     if (complete || blind) return complete;
     if (m_turned >= FullTurn - 1.25 * step) return take(TurnEnd::Turn);

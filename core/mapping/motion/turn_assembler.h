@@ -14,46 +14,47 @@
 
 namespace leitstand {
 
-/// When a turn ends that the scanner has not finished.
+/// When a turn ends that the scanner does not finish.
 struct TurnSettings {
-    double leastTurn = degrees(180);  ///< what was cut off covers so much, or is left out; 0: never [rad]
+    double leastTurn = degrees(180);  ///< an interrupted turn covers so much, or is left out; 0: never [rad]
     double longestWay = std::numeric_limits<double>::infinity();  ///< of the sensor within a turn [m] ...
-    double mostTurned = std::numeric_limits<double>::infinity();  ///< ... and how far it may have turned
-                                                                  ///< [rad]; beyond, the turn ends there
-    /// Beyond, it breaks off where it gets on more slowly than a slowestTurn: the drive is stuck, or the
-    /// window is covered.
+    double mostTurned = std::numeric_limits<double>::infinity();  ///< ... and its largest turn [rad]; beyond,
+                                                                  ///< the turn ends there
+    /// Beyond, a turn breaks off that is slower than slowestTurn: the drive is stuck, or the window is
+    /// covered.
     std::chrono::nanoseconds longestTime = std::chrono::seconds(10);
     std::chrono::nanoseconds slowestTurn = std::chrono::seconds(30);
 };
 
-/// Why a scan ends where it does.
+/// The reason why a scan ends.
 enum class TurnEnd : std::uint8_t {
-    Turn,      ///< the scanner has seen all directions
+    Turn,      ///< the scanner saw all directions
     Sweep,     ///< the cloud was a whole sweep
     Distance,  ///< the robot moved farther than TurnSettings allow
-    Break,     ///< no more slices came, or others than before, or they make no turn
+    Break,     ///< no more slices came, or different ones, or they make no turn
 };
 
-/// Puts what a 3D scanner sends together to scans. A cloud that is a whole sweep is a scan by itself. Slices
-/// of a yawing scanner (organised, rows are vertical raw scans, design section 4) are gathered until they
-/// make a turn of 360 degrees, from wherever they begin. The robot's motion is taken out: every point is
+/// Assembles scans from the clouds of a 3D scanner. A cloud that is a whole sweep is a scan of its own.
+/// Slices of a yawing scanner (organised, rows are vertical raw scans, design section 4) are gathered until
+/// they make a turn of 360 degrees, from wherever they begin. The robot's motion is taken out: every point is
 /// moved by the sensor's motion from its own shot to the scan's last one. One thread at a time.
 class TurnAssembler {
 public:
     explicit TurnAssembler(const TurnSettings& settings = {}) : m_settings(settings) {}
 
-    /// Adds @p cloud; @p track tells where the sensor was (unknown: it counts as at rest). Returns a scan
-    /// when one is complete: without name and robot.
+    /// Adds @p cloud; @p track returns the sensor's pose (unknown: it counts as at rest). Returns a scan,
+    /// without name and robot, when one is complete.
     [[nodiscard]] std::optional<Scan> add(CloudSample cloud, const SensorTrack& track);
-    /// The same of a sensor that did not move during @p cloud.
+    /// The same for a sensor that did not move during @p cloud.
     [[nodiscard]] std::optional<Scan> add(CloudSample cloud, const std::optional<Pose>& sensorInOdom) {
         return add(std::move(cloud), [&](Time) { return sensorInOdom; });
     }
-    /// What is gathered of a turn that has not ended, when it is as much as the settings ask for.
+    /// Returns what is gathered of an unfinished turn, if the settings accept it.
     [[nodiscard]] std::optional<Scan> finish();
-    /// Why the scan that was returned last ended.
+    /// Returns why the last returned scan ended.
     [[nodiscard]] TurnEnd ended() const { return m_ended; }
-    /// Where the sensor was at the end of that scan's first slice, in the scan's frame [m]; zero: unknown.
+    /// Returns where the sensor was at the end of that scan's first slice, in the scan's frame [m]; zero:
+    /// unknown.
     [[nodiscard]] const Eigen::Vector3d& began() const { return m_began; }
     [[nodiscard]] bool gathers() const { return !m_slices.empty(); }
 
@@ -64,7 +65,7 @@ private:
     };
     [[nodiscard]] std::optional<Scan> take(TurnEnd end);
     [[nodiscard]] bool continues(const CloudSample& cloud) const;
-    [[nodiscard]] bool takesTooLong(const CloudSample& cloud) const;  ///< the turn, with it
+    [[nodiscard]] bool takesTooLong(const CloudSample& cloud) const;  ///< the turn, with @p cloud
     [[nodiscard]] bool movedTooFar() const;
     void gather(CloudSample cloud, const std::optional<Pose>& sensorInOdom);
     void forget();
@@ -72,10 +73,10 @@ private:
     TurnSettings m_settings;
     std::vector<Slice> m_slices;
     double m_turned = 0.0;                ///< by the raw scans gathered [rad]
-    int m_rows = 0;                       ///< raw scans gathered that tell a heading
+    int m_rows = 0;                       ///< gathered raw scans with a heading
     std::optional<double> m_lastHeading;  ///< of the last raw scan [rad]
     double m_way = 0.0;                   ///< of the sensor from the first slice gathered [m]
-    double m_rotated = 0.0;               ///< likewise [rad]
+    double m_rotated = 0.0;               ///< of the sensor from the first slice gathered [rad]
     TurnEnd m_ended = TurnEnd::Turn;
     Eigen::Vector3d m_began = Eigen::Vector3d::Zero();
 };

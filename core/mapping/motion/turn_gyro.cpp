@@ -9,7 +9,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds Disorder(1);  ///< what goes back farther is a clock that jumped
+constexpr std::chrono::seconds Disorder(1);  ///< stamps that go back farther are a clock jump
 
 }  // namespace
 
@@ -35,7 +35,7 @@ std::optional<TurnGyro::Moment> TurnGyro::at(Time stamp) const {
     const Rate& before = *std::prev(next);
     const auto after = stamp - before.stamp;
     if (after > LongestStep || (next != m_rates.end() && next->run != before.run)) return std::nullopt;
-    double rate = before.rate;  // halfway to the moment
+    double rate = before.rate;  // mean until the stamp
     if (next != m_rates.end())
         rate += 0.5 * (next->rate - before.rate) * toSeconds(after) / toSeconds(next->stamp - before.stamp);
     return Moment{before.since + rate * toSeconds(after), before.run};
@@ -48,7 +48,7 @@ std::optional<double> TurnGyro::turned(Time from, Time to) const {
 }
 
 void TurnGyro::forgetBefore(Time stamp) {
-    // The one before it belongs to what follows.
+    // The last rate before the stamp is needed for later ones.
     while (m_rates.size() > 1 && m_rates[1].stamp <= stamp) m_rates.pop_front();
 }
 

@@ -8,17 +8,17 @@
 
 namespace leitstand {
 
-/// How far a robot turned about the vertical, by its gyros: for moments of which its odometry says nothing.
-/// Stamps are the robot's clock. One thread at a time.
+/// How far a robot turned about the vertical, by its gyros: for moments without odometry. Stamps are the
+/// robot's clock. One thread at a time.
 class TurnGyro {
 public:
-    static constexpr std::chrono::milliseconds LongestStep{100};  ///< between rates that belong together
+    static constexpr std::chrono::milliseconds LongestStep{100};  ///< between rates of one run
 
-    /// @p rate: about the vertical, counter-clockwise [rad/s]; NaN is passed by, and so is what comes out of
-    /// order; a clock that jumped back begins anew.
+    /// Adds @p rate about the vertical, counter-clockwise [rad/s]. NaN and rates out of order are left out.
+    /// When the clock jumps back, it begins again.
     void add(Time stamp, double rate);
-    /// From @p from to @p to, which is later [rad]; empty where no rates tell it without a gap. Beyond the
-    /// newest rate, that counts on for LongestStep.
+    /// Returns the turn from @p from to @p to, which is later [rad]; empty if there is a gap between rates.
+    /// Beyond the newest rate, that one counts for LongestStep.
     [[nodiscard]] std::optional<double> turned(Time from, Time to) const;
     void forgetBefore(Time stamp);
     void clear() { m_rates.clear(); }
@@ -27,7 +27,7 @@ private:
     struct Rate {
         Time stamp;
         double rate = 0.0;   ///< [rad/s]
-        double since = 0.0;  ///< turned since the first one of its run [rad]
+        double since = 0.0;  ///< turn since the first one of its run [rad]
         int run = 0;         ///< rises with every gap
     };
     struct Moment {

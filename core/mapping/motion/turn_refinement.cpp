@@ -13,7 +13,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Behind = 0.5;  ///< cosine to the ray that meets a surface from behind: a wall's other side
+constexpr double Behind = 0.5;  ///< cosine to a ray that meets a surface from behind: a wall's other side
 
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
@@ -28,7 +28,7 @@ double shareOf(const Scan& scan, std::size_t row) {
     return static_cast<double>(row) / static_cast<double>(scan.rows - 1);
 }
 
-/// Points of @p scan, spread over space, at most as many as @p settings ask for.
+/// Returns points of @p scan, spread over space, at most as many as @p settings allow.
 std::vector<TimedPoint> sampled(const Scan& scan, const TurnRefinementSettings& settings) {
     std::vector<std::size_t> spread;
     detail::CellTable cells(settings.spacing);
@@ -53,15 +53,15 @@ TurnDrift driftOf(const Vector12& unknowns, const Vector12& scale) {
     return {drift.head<6>(), drift.tail<6>()};
 }
 
-/// The linearised problem at some drift, per pair.
+/// The linearised problem at a drift, per pair.
 struct Equations {
     Matrix12 hessian = Matrix12::Zero();
     Vector12 gradient = Vector12::Zero();
-    double cost = 0.0;  ///< mean squared distance of all points, those without a partner as far as the limit
+    double cost = 0.0;  ///< mean squared distance of all points; those without a partner count as the limit
     int pairs = 0;
 };
 
-/// What is estimated: the drift, scaled so that all its parts move points about as far.
+/// The estimation problem. The drift is scaled so that all its components move points about as far.
 class DriftProblem {
 public:
     DriftProblem(std::vector<TimedPoint> points, const LocalMap& local, const Pose& scanInMap, double outlier)
@@ -71,7 +71,7 @@ public:
         const double reach = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, size())));
         TurnDrift::Twist twist = TurnDrift::Twist::Ones();
         twist.tail<3>() /= std::max(reach, 0.1);
-        m_scale << twist, std::sqrt(12.0) * twist;  // moments spread by 1 / sqrt(12)
+        m_scale << twist, std::sqrt(12.0) * twist;  // moments have a deviation of 1 / sqrt(12)
     }
 
     [[nodiscard]] std::size_t size() const { return m_points.size(); }
@@ -94,7 +94,7 @@ public:
             }
             const auto target = static_cast<std::size_t>(nearest.index);
             const Eigen::Vector3d normalInMap = m_local.cloud.normals[target].cast<double>();
-            if (!(normalInMap.squaredNorm() > 0.5)) continue;  // nobody knows the surface there
+            if (!(normalInMap.squaredNorm() > 0.5)) continue;  // the surface there is unknown
             if (normalInMap.dot((inMap - m_scanInMap.translation()).normalized()) > Behind) {
                 sum.cost += maxSquared;
                 continue;
@@ -148,7 +148,7 @@ std::optional<TurnDrift> turnDrift(const Scan& scan, const LocalMap& local, cons
     if (!inGrid || !surfaces || !scanInMap.matrix().allFinite() || settings.maxDistances.empty())
         return std::nullopt;
     const DriftProblem problem(sampled(scan, settings), local, scanInMap, settings.outlier);
-    // The pose is known by all points; what is new is how it changes.
+    // The pose is known by all points; its change is new.
     Vector12 hold = Vector12::Constant(settings.hold);
     hold.head<6>() *= 0.1;
     Vector12 unknowns = Vector12::Zero();

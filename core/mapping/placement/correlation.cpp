@@ -10,11 +10,11 @@ namespace {
 
 constexpr double Cell = 0.05;  ///< of the table, and step of the search [m]
 constexpr double AngleStep = degrees(1);
-constexpr int Block = 4;        ///< cells along a block of poses
-constexpr double Sigma = 0.06;  ///< of the likelihood about a wall [m]
-constexpr int Kernel = 4;       ///< cells about a wall that have any
+constexpr int Block = 4;        ///< edge of a block of poses, in cells
+constexpr double Sigma = 0.06;  ///< of the likelihood around a wall [m]
+constexpr int Kernel = 4;       ///< cells around a wall that have any
 
-/// How likely a wall is at each cell about a place, and the most of each cell's block.
+/// The likelihood of a wall in each cell around a place, and the largest one in each cell's block.
 class Likelihood {
 public:
     Likelihood(const WallMap& map, const Eigen::Vector2d& middle, double reach)

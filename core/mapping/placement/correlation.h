@@ -6,13 +6,13 @@
 
 namespace leitstand {
 
-/// How far about a guess a robot is looked for.
+/// The window around a guess in which a robot is looked for.
 struct SearchWindow {
-    double distance = 0.8;       ///< along x and along y, either way [m]
-    double angle = degrees(30);  ///< either way [rad]
+    double distance = 0.8;       ///< along x and along y, to either side [m]
+    double angle = degrees(30);  ///< to either side [rad]
 };
 
-/// Where a laser's view fits best within a window.
+/// The best fit of a laser's view within a window.
 struct Correlation {
     FlatPose pose;
     double score = 0.0;   ///< 0 to 1: mean likelihood of its points
@@ -22,8 +22,8 @@ struct Correlation {
     static constexpr double ToldFrom = 0.6;
 };
 
-/// Compares @p view with @p map at all poses of @p window about @p guess, in steps of 5 cm and 1 degree:
-/// first blocks of poses by what none of theirs can exceed, then the poses of the best blocks (Olson 2009).
+/// Compares @p view with @p map at all poses of @p window around @p guess, in steps of 5 cm and 1 degree. It
+/// bounds the scores of blocks of poses first, then scores the poses of the best blocks (Olson 2009).
 [[nodiscard]] Correlation correlate(const LaserView& view, const WallMap& map, const FlatPose& guess,
                                     const SearchWindow& window);
 

@@ -16,10 +16,10 @@ namespace {
 
 const std::vector<double> Near = {0.2, 0.1};
 const std::vector<double> Far = {0.3, 0.15, 0.1};
-constexpr double Moved = 0.02, Turned = degrees(2);  ///< less is at rest [m], [rad]
+constexpr double Moved = 0.02, Turned = degrees(2);  ///< smaller motion is rest [m], [rad]
 constexpr double WidestSearch = 1.2, WidestTurn = degrees(40);
 
-/// @p view on the walls of @p map; where less than @p enough of it meets them, also looked for about @p
+/// Fits @p view to the walls of @p map. If less than @p enough of it meets them, it also searches around @p
 /// guess.
 WallFit fitAbout(const LaserView& view, const WallMap& map, const FlatPose& guess, double enough) {
     const WallFit fit = fitToWalls(view, map, guess, Near);
@@ -41,7 +41,7 @@ void LaserLocaliser::begin(const MapFix& fix) {
 }
 
 bool LaserLocaliser::due(Time stamp, const MotionBuffer& motion) const {
-    if (stamp <= m_last.stamp) return stamp < m_last.stamp - std::chrono::seconds(5);  // the robot began anew
+    if (stamp <= m_last.stamp) return stamp < m_last.stamp - std::chrono::seconds(5);  // the robot restarted
     const Travel travel = motion.travelled(m_last.stamp, stamp);
     if (travel.way >= m_settings.way || travel.turn >= m_settings.turn) return true;
     const bool rests = travel.way < Moved && travel.turn < Turned;
@@ -58,14 +58,14 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
     m_foundAgain = false;
     const WallMap map = wallMap(local, predicted, view.low, view.high);
     const FlatPose guess = FlatPose::of(predicted);
-    // Tracks that slip turn the robot farther than pairs find each other.
+    // Tracks that slip turn the robot farther than pairs can bridge.
     const WallFit fit = fitAbout(view, map, guess, m_turn > how.turn ? how.sureOverlap : 0.0);
     m_overlap = fit.overlap;
     const double jump = (fit.pose.place - guess.place).norm();
     const double swing = std::abs(std::remainder(fit.pose.heading - guess.heading, 2.0 * M_PI));
     const bool sure =
         fit.overlap >= how.placement.plentyOverlap && fit.direction >= 0.5 * how.placement.plentyDirection;
-    // A lost robot may be anywhere that it could have come to; what it saw on the last metres tells.
+    // A lost robot may be anywhere within reach; what it saw on the last metres decides.
     const double way = lost() ? m_way : m_drift;
     std::string doubt;
     if (static_cast<int>(view.points.size()) < how.placement.leastPoints) {
@@ -134,7 +134,7 @@ std::optional<Pose> LaserLocaliser::carriedOn(const LaserView& view, const WallM
 
 bool LaserLocaliser::meetsAll(const LaserView& view, const WallMap& map, const FlatPose& guess,
                               const FlatPose& found) const {
-    // Unless it shows nothing of that any more: somebody stood before it.
+    // Unless the laser shows nothing of that any more: somebody stood in front of it.
     const bool goesOn =
         fitToWalls(view, m_own.with(WallMap()), guess, Near).overlap >= m_settings.leastOverlap;
     const LaserView all = goesOn ? m_own.seenFrom(guess, view) : view;

@@ -12,16 +12,16 @@
 namespace leitstand {
 namespace {
 
-constexpr double SameLocal = 0.5;  ///< so near the local map is the same [m]
+constexpr double SameLocal = 0.5;  ///< the local map is kept while the place is so near [m]
 constexpr std::chrono::seconds TryAgain(2);
-constexpr std::chrono::seconds SeenWithin(3);  ///< a scan takes so long, and to register it
-constexpr double MostMoved = 0.05;             ///< meanwhile: one that drives is seen drawn out [m]
-constexpr double SeenWindow = 0.35;            ///< about a body that is seen [m] ...
-constexpr double MostOff = 0.13;               ///< so far from its middle the robot is found at most [m]
-constexpr double BodyMargin = 0.12;            ///< ... whose points lie on the robot, grown by this [m] ...
-constexpr double LeastOfBody = 0.7;            ///< ... by this share
-constexpr double LeastSure = 0.6;  ///< certainty: it is looked for everywhere, and all headings are tried
-constexpr double AsGood = 0.7;     ///< of the best: it may as well be the other one
+constexpr std::chrono::seconds SeenWithin(3);  ///< duration of a scan and of its registration
+constexpr double MostMoved = 0.05;             ///< meanwhile; a robot that drives is seen smeared [m]
+constexpr double SeenWindow = 0.35;            ///< around a body that is seen [m] ...
+constexpr double MostOff = 0.13;               ///< largest distance of the robot from its middle [m]
+constexpr double BodyMargin = 0.12;            ///< ... margin around the robot for the body's points [m] ...
+constexpr double LeastOfBody = 0.7;            ///< ... and least share of them that lie on it
+constexpr double LeastSure = 0.6;  ///< of the certainty, since it is looked for everywhere, at all headings
+constexpr double AsGood = 0.7;     ///< share of the best one; it may as well be the other one
 constexpr SearchWindow ResumedWindow{0.5, degrees(20)};
 
 }  // namespace
@@ -92,9 +92,9 @@ std::optional<RobotPlaceSample> LaserRobot::see(LaserView view, const LiveMapPtr
 std::optional<RobotPlaceSample> LaserRobot::placeBeside(const Pose& otherInMap, const LiveMapPtr& map,
                                                         Time now, std::span<const Disc> others) {
     if (!wantsSlot() || !m_view || !map || map->scans.empty()) return std::nullopt;
-    // It was told that it is not there; as the map grows, it may be found after all.
+    // It was reported as not found. As the map grows, it may be found after all.
     const bool grown = map != m_tried && m_tries < MostTries;
-    const auto since = m_view->stamp - m_triedAt;  // less than nothing where its clock was set back
+    const auto since = m_view->stamp - m_triedAt;  // negative if its clock was set back
     if (!grown && since >= std::chrono::seconds(0) && since < TryAgain) return std::nullopt;
     m_triedAt = m_view->stamp;
     m_tried = map;
@@ -114,7 +114,7 @@ std::optional<RobotPlaceSample> LaserRobot::placeBeside(const Pose& otherInMap, 
         m_localiser.begin(fix);
         return taken(fix, RobotPlaceSample::Cause::Slot, found.overlap, now);
     }
-    // It is not there: nothing is claimed.
+    // It is not there, so no pose is claimed.
     RobotPlaceSample sample = taken(fix, RobotPlaceSample::Cause::Slot, found.overlap, now);
     m_tracker.lose();
     return sample;
@@ -145,7 +145,7 @@ std::optional<RobotPlaceSample> LaserRobot::placeSeen(std::span<const SeenBody> 
         const Placement found =
             placeRobot(*m_view, localAt(map, guess), guess, {SeenWindow, degrees(180)}, m_settings.placement);
         if (found.certainty < LeastSure || found.overlap < m_settings.sureOverlap) continue;
-        // What is seen must be the robot that would stand there.
+        // The body must be the robot that would stand there.
         if ((one.middle - found.baseInMap.translation().head<2>()).norm() > MostOff) continue;
         if (shareWithin(one, body, found.baseInMap, BodyMargin) < LeastOfBody) continue;
         if (contradicted(found.baseInMap, others)) continue;
@@ -210,14 +210,14 @@ void LaserRobot::restore(const RobotPlaceSample& place) {
 
 void LaserRobot::follow(const RobotPlaceSample& place) {
     if (place.cause == RobotPlaceSample::Cause::Slot && !place.certain) return;  // looked for in vain
-    m_resumed = place;  // it is found from there, once this station makes the map
+    m_resumed = place;  // it is looked for from there, once this station makes the map
     m_tracker.correct({place.measured, place.baseInMap, place.certainty, place.certain, place.how});
 }
 
 std::optional<RobotPlaceSample> LaserRobot::resumed(const LiveMapPtr& map, Time now) {
     const auto motion = m_tracker.motion().at(m_view->stamp);
     if (!motion) return std::nullopt;
-    // The odometry may have gone on, or begun anew while the robot stood.
+    // The odometry may have continued, or restarted while the robot stood.
     Placement best;
     for (const Pose& guess : {Pose(m_resumed->odomInMap * motion->baseInOdom), m_resumed->baseInMap}) {
         const Placement one =

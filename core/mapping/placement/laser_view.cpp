@@ -11,18 +11,19 @@
 namespace leitstand {
 namespace {
 
-constexpr double Ground = 0.07;               ///< what is lower is floor [m]
-constexpr double Below = 0.06, Above = 0.25;  ///< a laser's plane is tilted a little: heights about it [m]
-constexpr double Low = 0.12, High = 0.6;      ///< of a 3D scan [m]
-constexpr double Farthest = 40.0;             ///< points beyond say nothing here [m]
-constexpr double Edge = 0.05;                 ///< points are thinned to this [m]
+constexpr double Ground = 0.07;  ///< lower points are floor [m]
+constexpr double Below = 0.06,
+                 Above = 0.25;            ///< around a laser's plane, which is tilted a little [m]
+constexpr double Low = 0.12, High = 0.6;  ///< of a 3D scan [m]
+constexpr double Farthest = 40.0;         ///< points beyond are not used [m]
+constexpr double Edge = 0.05;             ///< of the squares that points are thinned to [m]
 
-/// @p base turned about its place so that it is level, with the same heading.
+/// Returns @p base turned about its place so that it is level, with the same heading.
 Pose level(const Pose& base) {
     return poseFrom(base.translation(), 0.0, 0.0, headingOf(base));
 }
 
-/// Keeps points, one a square.
+/// Keeps one point per square.
 class Thinned {
 public:
     explicit Thinned(LaserView& view) : m_view(view) {}
@@ -76,7 +77,7 @@ LaserView laserView(const RangesSample& ranges, const Pose& laserInBase, const M
     const double height = (view.tilt * laserInBase).translation().z();
     view.low = std::max(Ground, height - Below);
     view.high = height + Above;
-    const double farthest = ranges.rangeMax > 0.0 ? ranges.rangeMax : Farthest;  // 0: it does not tell
+    const double farthest = ranges.rangeMax > 0.0 ? ranges.rangeMax : Farthest;  // 0: not given
     Thinned kept(view);
     for (std::size_t i = 0; i < ranges.ranges.size(); ++i) {
         const double range = double{ranges.ranges[i]}, ray = static_cast<double>(i);

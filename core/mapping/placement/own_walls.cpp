@@ -12,12 +12,12 @@ namespace leitstand {
 namespace {
 
 constexpr std::size_t MostViews = 40, LastViews = 8;
-constexpr double Apart = 0.3, TurnedApart = degrees(20);  ///< of views that are kept [m], [rad]
-constexpr std::size_t Aside = 3;                          ///< points to either side that tell a direction
-constexpr float Together = 0.08F, PerMetre = 0.03F;       ///< of neighbours on a wall, by range [m], [m / m]
-constexpr float Spacing = 0.04F;                          ///< of points that are kept [m]
+constexpr double Apart = 0.3, TurnedApart = degrees(20);  ///< between views that are kept [m], [rad]
+constexpr std::size_t Aside = 3;                          ///< points to either side that define a direction
+constexpr float Together = 0.08F, PerMetre = 0.03F;  ///< between neighbours on a wall, by range [m], [m / m]
+constexpr float Spacing = 0.04F;                     ///< between points that are kept [m]
 
-/// How the wall at point @p i faces; zero where nobody knows.
+/// Returns the normal of the wall at point @p i; zero where it is unknown.
 Eigen::Vector2f normalAt(const std::vector<Eigen::Vector2f>& points, std::size_t i) {
     if (i < Aside || i + Aside >= points.size()) return Eigen::Vector2f::Zero();
     const float gap = Together + PerMetre * points[i].norm();

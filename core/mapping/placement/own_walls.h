@@ -12,37 +12,36 @@
 
 namespace leitstand {
 
-/// What a robot's own laser saw on its way of late, where the robot was taken to be then: walls that the map
-/// does not have yet. They hold the robot against each other, as scans of a plane laser do (Lu & Milios
-/// 1997), not against the map: its place drifts slowly until the map has it again.
+/// The walls that a robot's own laser saw lately, from the poses that the robot was taken to have then. The
+/// map does not have them yet. They hold the robot against each other, as scans of a plane laser do (Lu &
+/// Milios 1997), not against the map. Its pose drifts slowly until the map has it again.
 class OwnWalls {
 public:
-    /// The robot was at @p place (base_link in the map) when it saw @p view. Views that show nothing new,
-    /// since the robot stood about there before, are not kept.
+    /// Adds @p view, which the robot saw at @p place (base_link in the map). Views that show nothing new,
+    /// since the robot stood near there before, are not kept.
     void add(const LaserView& view, const FlatPose& place);
-    /// The map has the robot: what it saw lies where it was put.
+    /// Notes that the map has the robot: what it saw before stays where it is.
     void settle() { m_settled = m_views.size(); }
-    /// What was seen since settle() lies elsewhere: the robot was at @p found, not at @p taken.
+    /// Moves what was seen since settle(): the robot was at @p found, not at @p taken.
     void correct(const FlatPose& taken, const FlatPose& found);
-    /// What comes does not lie where what was seen before would have it: nothing tells how they belong
-    /// together.
+    /// Separates later views from earlier ones: they do not fit, so their relative pose is unknown.
     void breakOff() { m_chain = m_views.size(); }
     void forget();
 
     [[nodiscard]] bool empty() const { return m_views.empty(); }
-    /// The walls of @p map, and those that were seen.
+    /// Returns the walls of @p map and those that were seen.
     [[nodiscard]] WallMap with(const WallMap& map) const;
-    /// What was seen on the last metres, as from @p place, where the robot sees @p newest: since the map had
-    /// the robot last, and since breakOff(). A place that only looks alike does not have all of it.
+    /// Returns what was seen on the last metres and @p newest, as seen from @p place: since the map last had
+    /// the robot, and since breakOff(). A place that only looks alike does not have all of it.
     [[nodiscard]] LaserView seenFrom(const FlatPose& place, const LaserView& newest) const;
 
 private:
     struct View {
         FlatPose place;
-        std::vector<Eigen::Vector2f> points, normals;  ///< base_link's [m]
+        std::vector<Eigen::Vector2f> points, normals;  ///< in base_link [m]
     };
     std::deque<View> m_views;                ///< newest last
-    std::size_t m_settled = 0, m_chain = 0;  ///< views before
+    std::size_t m_settled = 0, m_chain = 0;  ///< number of views before settle(), and before breakOff()
 };
 
 }  // namespace leitstand

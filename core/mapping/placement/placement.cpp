@@ -38,7 +38,7 @@ Placement placeRobot(const LaserView& view, const LocalMap& local, const Pose& g
     const WallFit fit = fitToWalls(view, map, found.pose, Schedule);
     placed.overlap = fit.overlap;
     const double contrast = found.score > 0.0 ? 1.0 - found.second / found.score : 0.0;
-    // Half of the overlap that is asked for is no certainty, just what is asked for is some.
+    // Half of the required overlap gives no certainty; exactly the required one gives some.
     const double meets = share(fit.overlap, 0.5 * settings.leastOverlap, settings.plentyOverlap);
     const double unique = share(contrast, 0.0, settings.plentyContrast);
     const double held = share(fit.direction, 0.0, settings.plentyDirection);

@@ -10,21 +10,21 @@
 
 namespace leitstand {
 
-/// How a robot is placed in another one's map.
+/// Settings for placing a robot in another robot's map.
 struct PlacementSettings {
-    /// Where it starts, against the robot that makes the map: beside it, looking the same way.
+    /// Its start relative to the robot that makes the map: beside it, with the same heading.
     Pose slotInOther = poseFrom({0.0, -0.8, 0.0}, 0.0, 0.0, 0.0);
-    SearchWindow slot;                          ///< about the slot ...
-    SearchWindow dragged = {0.6, degrees(25)};  ///< ... and about where the operator put it
-    double leastOverlap = 0.5;                  ///< of what the laser sees with the map ...
-    double plentyOverlap = 0.8;                 ///< ... more makes it no surer
-    double plentyContrast = 0.25;               ///< share by which the second best place is worse, likewise
-    double plentyDirection = 0.12;              ///< WallFit::direction, likewise
-    double leastCertainty = 0.3;                ///< below, the robot is not placed
+    SearchWindow slot;                          ///< around the slot ...
+    SearchWindow dragged = {0.6, degrees(25)};  ///< ... and around where the operator put it
+    double leastOverlap = 0.5;                  ///< least share of what the laser sees that is in the map ...
+    double plentyOverlap = 0.8;                 ///< ... and share beyond which it is no surer
+    double plentyContrast = 0.25;   ///< share that the second best lacks, beyond which it is no surer
+    double plentyDirection = 0.12;  ///< WallFit::direction beyond which it is no surer
+    double leastCertainty = 0.3;    ///< below, the robot is not placed
     int leastPoints = 40;
 };
 
-/// Where a robot was found.
+/// The result of placing a robot.
 struct Placement {
     Pose baseInMap = Pose::Identity();  ///< the guess where it is not certain
     bool certain = false;
@@ -33,7 +33,7 @@ struct Placement {
     std::string how;         ///< in words, with figures: why it is certain or not
 };
 
-/// Looks for a robot that sees @p view in @p local, within @p window about @p guess (base_link).
+/// Looks in @p local for a robot that sees @p view, within @p window around @p guess (base_link).
 [[nodiscard]] Placement placeRobot(const LaserView& view, const LocalMap& local, const Pose& guess,
                                    const SearchWindow& window, const PlacementSettings& settings = {});
 

@@ -5,8 +5,9 @@
 
 #include "core/base/words.h"
 
-/// Why a robot's place in the map is certain or not: English in the log (RobotPlaceSample::how), in the
-/// window's language where it is told. "{}" stands for a figure, a name or another of these.
+/// The reasons why a robot's pose in the map is certain or not. They are English in the log
+/// (RobotPlaceSample::how), and in the window's language where they are shown. "{}" stands for a figure, a
+/// name or another reason.
 namespace leitstand::placement_says {
 
 constexpr auto TooFewPoints = translatable("leitstand::Station", "its laser sees too little: {} points");
@@ -44,13 +45,13 @@ constexpr auto DoesNotFit = translatable("leitstand::Station", "its scan does no
 constexpr auto NewestKeyScan = translatable("leitstand::Station", "its newest key scan");
 constexpr auto OdometryAnew = translatable("leitstand::Station", "its odometry began anew");
 
-/// The most special first.
+/// The most specific first.
 inline constexpr auto All = std::to_array<const char*>(
     {FoundByScan, FoundAgain,   PutBut,    WhereLeftBut,  SeenBy,        TooFewPoints, FromGuess,
      TooLittle,   LittleInMap,  OnlyInMap, FarFromTracks, DirectionOpen, Elsewhere,    AgainstMap,
      PutBlindly,  PutUntilScan, WhereLeft, OdometryAnew,  Because,       InMap,        LaserInMap});
 
-/// @p how in the window's language; what is not known stays as it is.
+/// Returns @p how in the window's language; an unknown reason stays as it is.
 [[nodiscard]] std::string inWindowsLanguage(const std::string& how);
 
 }  // namespace leitstand::placement_says

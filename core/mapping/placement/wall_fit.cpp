@@ -9,12 +9,13 @@
 namespace leitstand {
 namespace {
 
-constexpr int MostIterations = 25;  ///< a stage
+constexpr int MostIterations = 25;  ///< per stage
 constexpr double Converged = 1e-4;  ///< [m, rad]
 constexpr double Kernel = 0.05;     ///< residuals beyond count less (Cauchy) [m]
 constexpr std::size_t Enough = 20;  ///< pairs
 
-/// Sums over pairs; turns are about the middle of the view, lengths by its radius, so that they compare.
+/// Sums over pairs. Turns are about the middle of the view and lengths are in its radius, so that they
+/// compare.
 struct Sums {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();

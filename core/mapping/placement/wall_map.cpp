@@ -7,7 +7,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double FloorWithin = 0.8, FloorAbout = 0.3;  ///< about the place, along and up [m]
+constexpr double FloorWithin = 0.8, FloorAbout = 0.3;  ///< around the place, level and vertical [m]
 constexpr float Level = 0.9F, Upright = 0.5F;          ///< of a normal's z: a floor has more, a wall less
 constexpr std::size_t EnoughFloor = 10;
 
@@ -37,7 +37,7 @@ WallMap wallMap(const LocalMap& local, const Pose& place, double low, double hig
         const double height = double{point.z()} - map.ground;
         if (height < low || height > high || std::abs(normal.z()) > Upright) continue;
         const float length = normal.head<2>().norm();
-        if (length < Upright) continue;  // nobody knows which way it faces
+        if (length < Upright) continue;  // its direction is unknown
         map.walls.points.emplace_back(point.x(), point.y(), 0.0F);
         map.walls.normals.emplace_back(normal.x() / length, normal.y() / length, 0.0F);
     }

@@ -9,15 +9,15 @@
 
 namespace leitstand {
 
-/// What stands up about a place of the map, seen from above.
+/// The upright surfaces around a place of the map, seen from above.
 struct WallMap {
     PointCloud walls;                ///< map's frame, z 0; normals level, unit length
     std::unique_ptr<Search> search;  ///< over the walls; null when there are none
-    double ground = 0.0;             ///< height of the floor about the place [m]
+    double ground = 0.0;             ///< height of the floor around the place [m]
 };
 
-/// The walls of @p local about @p place (base_link in the map), between @p low and @p high over the floor
-/// there [m]; where the map does not show the floor, base_link stands on it.
+/// Returns the walls of @p local around @p place (base_link in the map), between @p low and @p high over the
+/// floor there [m]. If the map does not show the floor, base_link stands on it.
 [[nodiscard]] WallMap wallMap(const LocalMap& local, const Pose& place, double low, double high);
 
 }  // namespace leitstand

@@ -15,8 +15,8 @@
 namespace leitstand {
 namespace {
 
-constexpr double ClosingShare = 0.5;  ///< of the work, the rest is relaxing
-/// How sure a pose is that somebody gave by hand [m], [rad]; matches tell more, where they fit.
+constexpr double ClosingShare = 0.5;  ///< share of the work; the rest is relaxation
+/// Deviations of a pose that is given by hand [m], [rad]; matches hold more, where they fit.
 constexpr double GivenWithin = 0.1, GivenWithinAngle = degrees(2.0);
 
 Result<void> check(std::span<const GivenLink> given, std::size_t scans) {
@@ -41,7 +41,7 @@ Link linkOf(const GivenLink& given) {
     return link;
 }
 
-/// A mapper of a row of scans, all of which enter.
+/// Maps a row of scans; all of them enter.
 class Closing {
 public:
     Closing(const Map& map, std::span<const GivenLink> given, LiveSettings settings)
@@ -85,7 +85,7 @@ public:
         if (poses.empty()) return std::move(m_result);
         // The mapper's map begins with the first scan that entered.
         const Pose first = m_map.scans[m_first].poseInMap;
-        Pose correction = Pose::Identity();  // of scans that did not enter: they go with the one before
+        Pose correction = Pose::Identity();  // scans that did not enter move with the one before
         for (std::size_t i = 0; i < m_map.scans.size(); ++i) {
             const Pose& before = m_map.scans[i].poseInMap;
             const auto known = poses.find(idOf(i));
@@ -101,15 +101,15 @@ private:
         settings.loops.noticed = settings.loops.noticedAngle = 0.0;
         return settings;
     }
-    /// Its id in the mapper; 0: it did not enter.
+    /// Returns the scan's id in the mapper; 0: it did not enter.
     [[nodiscard]] std::uint64_t idOf(std::size_t place) const {
         return place < m_first ? 0 : place - m_first + 1;
     }
     [[nodiscard]] std::size_t placeOf(std::uint64_t id) const { return m_first + id - 1; }
-    /// The map begins with the scan at @p place: those before have too few points. From then on all enter.
+    /// Begins the map with the scan at @p place: those before have too few points. All later ones enter.
     void begin(std::size_t place) {
         m_first = place;
-        // What is not the same place is known before anything is looked for.
+        // Places that are given as different must be known before the search.
         for (const GivenLink& one : m_given) {
             if (!one.toInFrom) keep(one);
         }
@@ -122,7 +122,7 @@ private:
             ++m_result.unused;
             return;
         }
-        // The mapper numbers on from there.
+        // The mapper continues the ids from here.
         for (const Link& known : m_links) link.id = std::max(link.id, known.id);
         ++link.id;
         m_links.push_back(link);
@@ -134,7 +134,7 @@ private:
         (first.active ? m_result.closed : m_result.unsure).push_back(same);
         m_links.insert(m_links.end(), loop.links.begin(), loop.links.end());
     }
-    /// How far the map has the scans of @p link from where they see each other [m].
+    /// Returns how far the map has the scans of @p link from where they see each other [m].
     [[nodiscard]] double shiftOf(const Link& link) const {
         const LiveMapPtr map = m_mapper.map();
         Pose from = Pose::Identity(), to = Pose::Identity();
@@ -144,7 +144,7 @@ private:
         }
         return distanceBetween(from * link.pose, to);
     }
-    /// Where the way may meet itself far from where it stands.
+    /// Looks for a place where the path meets itself, far from the scan's pose in the map.
     void seek(const Progress& progress) {
         const auto sought = m_mapper.sought();
         const auto place = sought ? recognise(*sought, m_settings, {}, {{}, progress.stop}) : std::nullopt;
@@ -163,7 +163,7 @@ private:
             contradict(link.id);
         }
     }
-    /// The rest speaks against the link @p id.
+    /// Moves the loop with the link @p id to those that the rest contradicts.
     void contradict(std::uint64_t id) {
         auto& closed = m_result.closed;
         const auto one = std::find_if(closed.begin(), closed.end(),

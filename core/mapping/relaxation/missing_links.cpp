@@ -9,7 +9,7 @@
 namespace leitstand {
 namespace {
 
-/// Standard deviations of how a scan lies to another one: of place along each axis [m], of each angle [rad].
+/// Standard deviations of a scan's pose relative to another one: along each axis [m], of each angle [rad].
 struct Deviations {
     double place, angle;
 };

@@ -9,10 +9,10 @@
 
 namespace leitstand {
 
-/// Links for those scans of @p map that none of @p links, which are active, leads to, though they do not
-/// begin a part: of missions of before there were links. Each hangs on the one that it was registered against
-/// (LiveKeyScan::matched), and loosely on the robot's one before, as they stand. For relax(), whose matches
-/// tell more. Ids from @p first on.
+/// Returns links for the scans of @p map that none of @p links, which are active, leads to, although they do
+/// not begin a part. They are of missions from before there were links. Each scan is linked with the one it
+/// was registered against (LiveKeyScan::matched), and loosely with the robot's scan before, as they stand.
+/// The matches of relax() hold more. Ids begin with @p first.
 [[nodiscard]] std::vector<Link> missingLinks(const LiveMap& map, std::span<const Link> links,
                                              std::uint64_t first);
 

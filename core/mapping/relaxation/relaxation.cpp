@@ -15,15 +15,15 @@
 namespace leitstand {
 namespace {
 
-/// What a scan came to, matched with what lies about it.
+/// The result of matching a scan with its surroundings.
 struct Matched {
     std::vector<Link> links;
     double rms = 0.0;  ///< of its pairs [m]
 };
 
-/// Sees to it that one of the first @p linked of @p against, nearest first, is older than @p id where any is.
-/// Scans that each hang on an older one hang together; the nearest four of some that stand at one place may
-/// be each other.
+/// Ensures that one of the first @p linked of @p against, nearest first, is older than @p id, if any is.
+/// Scans that are each linked with an older one are connected. The nearest four of several scans at one place
+/// may be each other.
 void beginWithOlder(std::vector<LiveKeyScan>& against, std::uint64_t id, std::size_t linked) {
     if (linked == 0 || against.size() <= linked) return;
     const auto older = std::find_if(against.begin(), against.end(),
@@ -32,7 +32,7 @@ void beginWithOlder(std::vector<LiveKeyScan>& against, std::uint64_t id, std::si
     if (older != against.end() && older > last) std::iter_swap(older, last);
 }
 
-/// Whether one of @p links hangs the scan that they lead to on an older one.
+/// Returns whether one of @p links connects its scan with an older one.
 bool holdsOnOlder(const std::vector<Link>& links) {
     return std::any_of(links.begin(), links.end(), [](const Link& link) { return link.from < link.to; });
 }
@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    /// Scans that hang together with @p scan: what only lies beside it may be another place.
+    /// Returns the scans that are connected with @p scan. One that only lies beside it may be another place.
     [[nodiscard]] std::vector<std::size_t> near(const ScanGraph& graph, const LiveKeyScan& scan) const {
         std::vector<std::size_t> found;
         const auto within = graph.within(scan.id, m_settings.loops.sameAge);
@@ -116,7 +116,7 @@ private:
 
     [[nodiscard]] std::vector<Matched> matchAll(int round, const Progress& progress) const {
         std::vector<Matched> matched(m_scans.size());
-        constexpr std::size_t AtOnce = 64;  // between two looks at whether anybody wants it still
+        constexpr std::size_t AtOnce = 64;  // between two checks for cancellation
         for (std::size_t first = 0; first < m_scans.size() && !progress.cancelled(); first += AtOnce) {
             const std::size_t count = std::min(AtOnce, m_scans.size() - first);
             parallelFor(count, 1, m_how.threads, [&](std::size_t from, std::size_t to) {
@@ -152,13 +152,13 @@ private:
         if (result.rounds == 0) result.rmsBefore = result.rmsAfter;
     }
 
-    /// Moves all to where the newest matches want them; the farthest shift [m].
+    /// Moves all scans to where the newest matches fit best. Returns the farthest shift [m].
     double moveAll(Relaxation& result, const Progress& progress) {
         PoseGraph graph;
         const std::set<std::uint64_t> replaced(result.replaced.begin(), result.replaced.end());
         for (const LiveKeyScan& scan : m_scans) graph.nodes.push_back({scan.id, scan.pose.scanInMap, false});
         for (const Link& link : m_links) {
-            // Of a scan that fits, the new matches tell more than those it entered by.
+            // For a scan that fits, its new matches hold more than those by which it entered.
             if (link.active && !replaced.contains(link.id)) graph.links.push_back(link);
         }
         const std::size_t known = graph.links.size();

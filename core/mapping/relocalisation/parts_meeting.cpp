@@ -13,11 +13,12 @@ namespace leitstand {
 namespace {
 
 constexpr std::size_t MostSought = 60;
-constexpr double Apart = 0.3;          ///< two places that agree are off by so much ...
-constexpr double ApartOfWay = 0.03;    ///< ... and this share of what lies between them: maps are bent
-constexpr double Turned = degrees(5);  ///< likewise [rad]
+constexpr double Apart = 0.3;          ///< two places that agree differ by at most so much ...
+constexpr double ApartOfWay = 0.03;    ///< ... and this share of the distance between them: maps are bent
+constexpr double Turned = degrees(5);  ///< and in their headings by at most so much [rad]
 
-/// Scans of @p part that count, so far from each other that they are few.
+/// Returns scans of @p part that count, at least @p apart [m] from each other, and farther if there are too
+/// many.
 std::vector<const LiveKeyScan*> spread(const LiveMap& map, std::uint64_t part, double apart) {
     std::vector<const LiveKeyScan*> chosen;
     do {
@@ -33,11 +34,11 @@ std::vector<const LiveKeyScan*> spread(const LiveMap& map, std::uint64_t part, d
     return chosen;
 }
 
-/// A scan that was found by itself.
+/// A scan that was found on its own.
 struct Found {
     const LiveKeyScan* scan = nullptr;
     Pose there = Pose::Identity();       ///< scan in map
-    Pose correction = Pose::Identity();  ///< takes its part there, in the map
+    Pose correction = Pose::Identity();  ///< moves its part there, in the map
 };
 
 bool agree(const Found& a, const Found& b) {
@@ -47,8 +48,8 @@ bool agree(const Found& a, const Found& b) {
            angleBetween(there, b.there) <= Turned;
 }
 
-/// Which of @p found agree with the one that most agree with, and how many of the rest agree on something
-/// else.
+/// Returns those of @p found that agree with the one that most agree with. Also returns how many of the rest
+/// agree on something else.
 std::pair<std::vector<const Found*>, std::size_t> agreeing(const std::vector<Found>& found) {
     std::vector<const Found*> best;
     for (const Found& one : found) {
@@ -81,7 +82,7 @@ PartsMeeting meetingOf(const LiveMapPtr& map, std::uint64_t part, const LiveSett
         if (scan.counts() && scan.part == 0) first->scans.push_back(scan);
     }
     if (part == 0 || first->scans.empty()) return meeting;
-    const Progress quiet{{}, progress.stop};  // how far each of them is tells nobody anything
+    const Progress quiet{{}, progress.stop};  // progress within a single scan is not reported
     const Relocaliser relocaliser(first, settings, how, quiet);
     const std::vector<const LiveKeyScan*> sought = spread(*map, part, settings.loops.seekPartsEvery);
     std::vector<Found> found;
@@ -98,7 +99,7 @@ PartsMeeting meetingOf(const LiveMapPtr& map, std::uint64_t part, const LiveSett
     meeting.found = found.size();
     const auto [best, others] = agreeing(found);
     if (best.size() < std::max(settings.loops.partsAgree, 2 * others)) return meeting;
-    // In the middle of them: where the two maps are bent otherwise, both ends are off.
+    // The one in the middle: where the two maps are bent differently, both ends are off.
     const Found* const middle = best[best.size() / 2];
     if (contradictsPart({middle->scan->id, map, {}, true}, *first, middle->correction, quiet)) return meeting;
     for (const Found* const one : best) meeting.scansInMap.emplace(one->scan->id, one->there);

@@ -12,18 +12,18 @@
 
 namespace leitstand {
 
-/// What came of looking for a part of a map in its first one.
+/// The result of looking for a part of a map in its first part.
 struct PartsMeeting {
-    /// By key scan: they agree. Empty: it is not known how the two lie to each other.
+    /// Poses of key scans that agree, by id. Empty: the relative pose of the two parts is not known.
     std::map<std::uint64_t, Pose> scansInMap;
     std::size_t sought = 0;  ///< scans that were looked for
-    std::size_t found = 0;   ///< of these, each by itself, whether they agree or not
+    std::size_t found = 0;   ///< of these, each on its own, whether they agree or not
 };
 
-/// Looks for scans of the part @p part of @p map (LiveKeyScan::part), some all over it, in its first part:
-/// for maps that are whole already. The two meet where at least LoopSettings::partsAgree of them agree, twice
-/// as many as agree on anything else, and where all of the part, moved there, stands in little that the first
-/// one looked through. Cancelled: nowhere.
+/// Looks for some scans from all over the part @p part of @p map (LiveKeyScan::part) in its first part: for
+/// maps that are complete. The two meet where at least LoopSettings::partsAgree scans agree, and twice as
+/// many as agree on anything else. The whole part, moved there, must stand in little that the first part
+/// looked through. Cancelled: nowhere.
 [[nodiscard]] PartsMeeting meetingOf(const LiveMapPtr& map, std::uint64_t part, const LiveSettings& settings,
                                      const RelocalisationSettings& how = {}, const Progress& progress = {});
 

@@ -12,15 +12,16 @@ namespace leitstand {
 namespace {
 
 constexpr double Beside = 2.0;  ///< scans so near each other look through the same space [m]
-/// Of scans of lately that meet earlier ones, so many may speak against it: over so much way even what hangs
-/// together is bent a little.
+/// Largest share of recent scans that may contradict earlier ones. Over so long a path even a connected map
+/// is bent a little.
 constexpr double MostAgainst = 0.1;
-/// Where nothing is known of how two parts lie to each other, half of the scans that meet the other part have
-/// at most this share of their points where that looked through. Of corridors that look alike it was 4 % and
-/// more, of the same ones 1 % and less.
+/// Used when the relative pose of two parts is not known. Half of the scans that meet the other part have at
+/// most this share of their points where that part looked through. For corridors that look alike it was 4 %
+/// and more, for the same ones 1 % and less.
 constexpr double PartsFilled = 0.02;
 
-/// Whether what was seen lately, moved by @p correction, stands where @p earlier looked through.
+/// Returns whether recent scans, or all of @p part, moved by @p correction, stand where @p earlier looked
+/// through.
 bool contradicts(const SoughtPlace& sought, std::uint64_t part, const LiveMap& earlier,
                  const Pose& correction, double mostFilled, const Progress& progress) {
     std::vector<double> filled;

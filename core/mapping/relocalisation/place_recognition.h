@@ -10,15 +10,15 @@
 
 namespace leitstand {
 
-/// Whether the part of the map that @p sought is of, moved by @p correction, stands where @p rest looked
-/// through. Cancelled: yes.
+/// Returns whether the part of the map that holds @p sought, moved by @p correction, stands where @p rest
+/// looked through. Cancelled: true.
 [[nodiscard]] bool contradictsPart(const SoughtPlace& sought, const LiveMap& rest, const Pose& correction,
                                    const Progress& progress = {});
 
-/// Where @p sought was taken by what the map's earlier part shows: one place that looks as it does and where
-/// no scan of lately, moved along with it, stands in what earlier ones looked through. Empty: nowhere for
-/// sure, or cancelled. A place that is not mapped yet and looks as a mapped one cannot be told from it by one
-/// scan: who closes a loop wants several that agree.
+/// Returns where @p sought was taken, judged by the earlier part of the map. It is the only place that looks
+/// like it. No recent scan, moved along with it, stands in what earlier ones looked through. Empty: no
+/// certain place, or cancelled. One scan cannot distinguish a new place from a mapped one that looks the
+/// same. A loop needs several that agree.
 [[nodiscard]] std::optional<Pose> recognise(const SoughtPlace& sought, const LiveSettings& settings,
                                             const RelocalisationSettings& how = {},
                                             const Progress& progress = {});

@@ -15,7 +15,7 @@ namespace {
 constexpr double StoreyWithin = 0.8;  ///< heights of scanners that see the same walls [m]
 constexpr std::size_t FewestWalls = 40, WellWalled = 60;
 
-/// The best score of places about @p pose.
+/// Returns the best score of places around @p pose.
 double besideOf(const WallRaster& walls, const std::vector<Eigen::Vector2f>& view, const FlatPose& pose) {
     constexpr double Beside = 0.6;  // [m]
     constexpr int Directions = 16;
@@ -140,7 +140,7 @@ Relocalisation Relocaliser::find(const Scan& scan, const PointCloud& reduced, co
         const Storey* storey;
     };
     std::vector<Candidate> candidates;
-    double others = 0.0;  // the best score of what is not tried
+    double others = 0.0;  // the best score of places that are not tried
     for (const Storey& storey : m_storeys) {
         const RasterPlaces found = storey.walls.find(sought.view, m_how.search, progress);
         if (progress.cancelled()) return {};
@@ -160,7 +160,7 @@ Relocalisation Relocaliser::find(const Scan& scan, const PointCloud& reduced, co
         const auto place = verified(sought, candidates[i].place, *candidates[i].storey);
         progress.done(double(i + 1) / double(candidates.size()));
         if (!place) continue;
-        // Two that looked different from above may lead to the same place.
+        // Two places that look different from above may lead to the same pose.
         const bool known = std::any_of(
             result.places.begin(), result.places.end(),
             [&](const AlikePlace& one) { return !apart(one.scanInMap, place->scanInMap, m_how.search); });

@@ -16,31 +16,30 @@
 
 namespace leitstand {
 
-/// How a robot is looked for in a whole map.
+/// Settings of the search for a robot in a whole map.
 struct RelocalisationSettings {
     RasterSearch search;
     WallBand walls;              ///< that are compared from above
-    double farReach = 15.0;      ///< of them where there are few [m]
+    double farReach = 15.0;      ///< their reach where there are few [m]
     double leastOverlap = 0.65;  ///< IcpResult::overlap of a place
     double mostResidual = 0.06;  ///< IcpResult::rms [m]
-    double mostFilled = 0.08;    ///< share of points where the place's nearest scans looked through
-    double sureFit = 0.0;        ///< AlikePlace::fit() of one that is sure
-    double sureFilled = 0.08;    ///< ... of one that is sure
-    double leastJudged = 0.25;   ///< share of points of which one of them can say that
-    double alike = 0.85;         ///< another place that fits and has this share of the best fit is as likely
-    double alikeFilled =
-        2.0;  ///< ... less so many times AlikePlace::filled of the best: it is less sure then
-    double betterFromAbove = 0.02;  ///< nor may another place that fits have a better score by that
-    /// Likewise one that was not tried, or that lies beside the best place, of its score.
+    double mostFilled = 0.08;    ///< largest share of points where the place's nearest scans looked through
+    double sureFit = 0.0;        ///< least AlikePlace::fit() of a sure place
+    double sureFilled = 0.08;    ///< largest AlikePlace::filled of a sure place
+    double leastJudged = 0.25;   ///< least share of points that a scan can judge, for it to count in that
+    double alike = 0.85;         ///< another place that fits, with this share of the best fit, is as likely
+    double alikeFilled = 2.0;    ///< ... less so many times AlikePlace::filled of the best: it is less sure
+    double betterFromAbove = 0.02;  ///< largest lead of another place that fits in the score from above
+    /// Largest score of a place not tried, or beside the best, as a share of the best score.
     double alikeFromAbove = 0.93;
     std::vector<double> schedule = {0.8, 0.4, 0.2, 0.1, 0.07};  ///< of pair distances [m]
 };
 
-/// For a robot that the operator says is somewhere in the map: its next scan tells whether it stands where it
-/// was found. What decides by itself whether a place was seen before takes the usual settings.
+/// Returns settings for a robot that the operator reports to be somewhere in the map: its next scan confirms
+/// the place or not. Code that decides by itself whether a place was seen before uses the default settings.
 [[nodiscard]] RelocalisationSettings forLostRobots();
 
-/// A place of the map that looks as a scan does.
+/// A place of the map that looks like a scan.
 struct AlikePlace {
     Pose scanInMap = Pose::Identity();
     double score = 0.0;    ///< WallRaster::scoreAt() there
@@ -48,48 +47,48 @@ struct AlikePlace {
     double overlap = 0.0;  ///< 0 to 1
     double rms = 0.0;      ///< [m]
     double filled = 0.0;   ///< share of points where one of the nearest scans looked through, 0 to 1
-    /// How well it fits, at most 1, seen from above and registered: what stands in free space speaks against
-    /// it more than what is missing.
+    /// Returns how well it fits, at most 1, seen from above and registered. Points in free space count more
+    /// against it than missing overlap.
     [[nodiscard]] double fit() const { return score * (overlap - 3.0 * filled); }
 };
 
-/// What came of looking for a scan.
+/// The result of looking for a scan.
 struct Relocalisation {
     std::vector<AlikePlace> places;  ///< that fit, best first
     bool sure = false;               ///< the first is the place: no other one is as likely
     std::size_t tried = 0;           ///< places that looked alike from above
 };
 
-/// Finds where a scan was taken, anywhere in a map and whatever its heading: for a robot that was carried,
-/// restarted or lost. From above by walls (WallRaster), then each place that looks alike by registration and
-/// by what the map's scans looked through. Storeys are told apart by the heights of their scans.
+/// Finds where a scan was taken, anywhere in a map and at any heading: for a robot that was carried,
+/// restarted or lost. It compares walls from above (WallRaster). Then it checks each similar place by
+/// registration and by what the map's scans looked through. The heights of scans separate storeys.
 class Relocaliser {
 public:
-    /// Cancelled: it finds nothing.
+    /// Cancelled: find() finds nothing.
     Relocaliser(LiveMapPtr map, LiveSettings settings, RelocalisationSettings how = {},
                 const Progress& progress = {});
 
-    /// @p scan and what is to be matched of it, @p reduced, both in its own frame; @p up: against gravity
-    /// there. Cancelled: nothing is found.
+    /// Looks for @p scan. @p reduced: its points for matching; both in the scan's own frame. @p up: against
+    /// gravity, in that frame. Cancelled: finds nothing.
     [[nodiscard]] Relocalisation find(const Scan& scan, const PointCloud& reduced, const Eigen::Vector3d& up,
                                       const Progress& progress = {}) const;
 
 private:
-    /// Key scans of about one height, and what stands up about them.
+    /// Key scans of about one height, and the walls around them.
     struct Storey {
         double height = 0.0;  ///< of the scanner, map's frame [m]
         WallRaster walls;
     };
-    /// The share of @p scan's points at @p scanInMap that lie where key scans about there looked through, the
-    /// largest of those that can judge enough of them; empty: none can.
+    /// Returns the share of @p scan's points at @p scanInMap that lie where key scans nearby looked through.
+    /// It is the largest share of those scans that can judge enough points; empty: none can.
     [[nodiscard]] std::optional<double> filledAt(const Scan& scan, const Pose& scanInMap) const;
-    /// What is looked for.
+    /// The scan that is looked for.
     struct Sought {
         const Scan& scan;
         const PointCloud& reduced;
         Eigen::Vector3d up;
-        Pose level;                         ///< turns the scan so that up is up
-        std::vector<Eigen::Vector2f> view;  ///< its walls, turned so
+        Pose level;                         ///< levels the scan
+        std::vector<Eigen::Vector2f> view;  ///< its walls, levelled
     };
     [[nodiscard]] std::optional<AlikePlace> verified(const Sought& sought, const RasterPlace& place,
                                                      const Storey& storey) const;

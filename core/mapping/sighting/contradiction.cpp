@@ -10,9 +10,9 @@ namespace leitstand {
 namespace {
 
 constexpr double Cell = 0.05, FloorCell = 0.1;  ///< [m]
-constexpr double Itself = 0.35;                 ///< so near the map may have the robot itself [m]
-constexpr double Before = 0.25;     ///< a wall so near before the point is the one that was seen [m]
-constexpr double Apart = 0.2;       ///< of walls: there nothing stands [m]
+constexpr double Itself = 0.35;                 ///< the map may hold the robot itself so near [m]
+constexpr double Before = 0.25;     ///< a wall so near before a point is the one that was seen [m]
+constexpr double Apart = 0.2;       ///< from walls; a place farther away is empty [m]
 constexpr double FloorAbout = 0.1;  ///< up and down [m]
 constexpr float Level = 0.9F;       ///< of a floor's normal, z
 

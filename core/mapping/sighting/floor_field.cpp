@@ -7,8 +7,8 @@
 namespace leitstand {
 namespace {
 
-constexpr double Low = 0.2;     ///< share of a cell's points that may lie below its floor: noise
-constexpr float Steep = 0.15F;  ///< a floor rises no more from a cell to the next [m]
+constexpr double Low = 0.2;     ///< share of a cell's points that may lie below its floor, as noise
+constexpr float Steep = 0.15F;  ///< largest rise of a floor from a cell to the next [m]
 constexpr float Unknown = std::numeric_limits<float>::quiet_NaN();
 
 float lowOf(std::vector<float>& heights) {
@@ -44,7 +44,7 @@ FloorField::FloorField(const SquareGrid& grid, std::span<const Eigen::Vector3f> 
     for (std::size_t i = 0; i < own.size(); ++i) {
         float about = Unknown;
         grid.about(i, [&](std::size_t other) { about = std::fmin(about, own[other]); });
-        // What stands so high over all that is near is no floor.
+        // A cell that stands so high over all its neighbours is no floor.
         m_heights.push_back(own[i] < about + Steep ? own[i] : about);
     }
 }

@@ -9,16 +9,16 @@
 
 namespace leitstand {
 
-/// A square of the map about a place, in cells.
+/// A square of the map around a place, divided into cells.
 class SquareGrid {
 public:
-    /// Reaches @p reach [m] to each side of @p middle, in cells of edge @p edge [m].
+    /// Reaches @p reach [m] to each side of @p middle, in cells with edges of @p edge [m].
     SquareGrid(const Eigen::Vector2d& middle, double reach, double edge);
 
-    /// Empty outside.
+    /// Returns the cell of @p point; empty outside.
     [[nodiscard]] std::optional<std::size_t> cellOf(const Eigen::Vector2d& point) const;
     [[nodiscard]] std::size_t cells() const { return m_size * m_size; }
-    /// Calls @p what with the cells around @p cell and with itself.
+    /// Calls @p what with @p cell and the cells around it.
     template <class What>
     void about(std::size_t cell, What what) const {
         const std::size_t x = cell % m_size, y = cell / m_size;
@@ -33,19 +33,19 @@ private:
     std::size_t m_size;
 };
 
-/// How high the floor is about a place: what is low among the points there, also on ramps and where a body
-/// hides it.
+/// The height of the floor around a place, from the low points there, also on ramps and where a body hides
+/// it.
 class FloorField {
 public:
     /// @p points: map frame [m].
     FloorField(const SquareGrid& grid, std::span<const Eigen::Vector3f> points);
 
-    /// Empty where nobody knows.
+    /// Returns the floor's height, map frame [m]; empty where it is unknown.
     [[nodiscard]] std::optional<double> heightAt(const Eigen::Vector2d& point) const;
 
 private:
     SquareGrid m_grid;
-    std::vector<float> m_heights;  ///< by cell; NaN: nobody knows
+    std::vector<float> m_heights;  ///< by cell; NaN: unknown
 };
 
 }  // namespace leitstand

@@ -7,8 +7,8 @@
 
 namespace leitstand {
 
-/// The places 0 to @p count - 1 in groups that hang together: @p far(a, b) tells whether b is too far from a
-/// to be of one thing with it.
+/// Returns the indices 0 to @p count - 1 in connected groups. @p far(a, b) returns whether b is too far from
+/// a to belong to the same thing.
 template <class Far>
 [[nodiscard]] std::vector<std::vector<std::size_t>> grouped(std::size_t count, const Far& far) {
     std::vector<std::vector<std::size_t>> found;

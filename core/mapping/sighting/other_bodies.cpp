@@ -7,9 +7,9 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds Step(100);
-constexpr double Moved = 0.05, Turned = degrees(8);  ///< less is covered by the margin [m], [rad]
+constexpr double Moved = 0.05, Turned = degrees(8);  ///< smaller ones are covered by the margin [m], [rad]
 constexpr double Doubted = 0.2,
-                 MoreDoubted = 0.2;  ///< margin of an uncertain place, and without any certainty [m]
+                 MoreDoubted = 0.2;  ///< margin of an uncertain pose, and more without any certainty [m]
 constexpr int MostSteps = 100;       ///< a scan takes some seconds
 
 }  // namespace

@@ -18,11 +18,11 @@ namespace leitstand {
 namespace {
 
 constexpr double FloorCell = 0.25;                    ///< [m]
-constexpr double Linked = 0.2, LinkedOfRange = 0.03;  ///< points so near are of one thing [m], [m / m]
-constexpr double About = 0.05;                        ///< so much about it is of it, too [m]
+constexpr double Linked = 0.2, LinkedOfRange = 0.03;  ///< points so near belong to one thing [m], [m / m]
+constexpr double About = 0.05;                        ///< margin around a thing [m]
 constexpr std::size_t MostLooked = 400;               ///< scans that are kept in memory
 
-/// Lets go of what of @p scans was not used for longest.
+/// Removes those of @p scans that were not used for longest, down to @p most.
 template <class Scans>
 void keepNewest(Scans& scans, std::size_t most) {
     while (scans.size() > most) {
@@ -32,7 +32,7 @@ void keepNewest(Scans& scans, std::size_t most) {
     }
 }
 
-/// Whether nobody would see a difference.
+/// Returns whether a person would see no difference.
 bool alike(const std::vector<BodyInScan>& a, const std::vector<BodyInScan>& b) {
     constexpr double Noticed = 0.05;  // [m]
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -43,7 +43,7 @@ bool alike(const std::vector<BodyInScan>& a, const std::vector<BodyInScan>& b) {
                       });
 }
 
-/// Points that hang together, seen from above, by their places in @p points.
+/// Returns groups of points that are connected, seen from above, by their indices in @p points.
 std::vector<std::vector<std::size_t>> together(const std::vector<Eigen::Vector3f>& points) {
     return grouped(points.size(), [&](std::size_t here, std::size_t other) {
         const double reach = Linked + LinkedOfRange * static_cast<double>(points[here].norm());
@@ -97,7 +97,7 @@ void PassingBodies::vote(const LiveKeyScan& by, const LiveKeyScan& on) {
 
 std::vector<BodyInScan> PassingBodies::bodiesOf(const LiveKeyScan& scan, const Looked& looked) const {
     std::vector<const Asked*> passing;
-    std::vector<Eigen::Vector3f> level;  // seen from the scanner, as high as in the map
+    std::vector<Eigen::Vector3f> level;  // relative to the scanner, in the map's axes
     const Eigen::Matrix3f turned = scan.pose.scanInMap.linear().cast<float>();
     for (const Asked& one : looked.asked) {
         if (one.through <= one.seen) continue;
@@ -143,7 +143,7 @@ std::map<std::uint64_t, std::vector<BodyInScan>> PassingBodies::add(const LiveMa
     if (entered == map.scans.end() || !entered->counts() || entered->odometryFrame < 0) return changed;
     std::vector<std::pair<double, const LiveKeyScan*>> near;
     for (const LiveKeyScan& one : map.scans) {
-        // What an earlier run left out of its scans is not asked about again.
+        // Bodies that an earlier run left out of its scans are not looked for again.
         if (!one.counts() || one.id == id || one.odometryFrame < 0 || !together.contains(one.id)) continue;
         const double distance = mapDistance(one.pose.scanInMap, entered->pose.scanInMap);
         if (distance <= m_settings.reach) near.emplace_back(distance, &one);

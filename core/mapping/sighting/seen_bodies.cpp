@@ -11,20 +11,20 @@
 namespace leitstand {
 namespace {
 
-constexpr double Cell = 0.05, FloorCell = 0.25;        ///< edges of grids [m]
-constexpr double TallFrom = 0.12, TallTo = 0.8;        ///< over the body's height: a wall, no ceiling [m]
-constexpr double Linked = 0.10, LinkedOfRange = 0.03;  ///< points so near are of one thing [m], [m / m]
-constexpr double Known = 0.12;                         ///< so near to the map nothing is new [m]
+constexpr double Cell = 0.05, FloorCell = 0.25;  ///< edges of grids [m]
+constexpr double TallFrom = 0.12, TallTo = 0.8;  ///< over the body's height: of a wall, not of a ceiling [m]
+constexpr double Linked = 0.10, LinkedOfRange = 0.03;  ///< points so near belong to one thing [m], [m / m]
+constexpr double Known = 0.12;                         ///< points so near to the map are not new [m]
 constexpr double SameThing = 0.2;                      ///< [m]
 
 /// A point between floor and robot's height.
 struct Low {
     Eigen::Vector2d place;  ///< [m]
-    double ground, height;  ///< of the floor in the map, of the point over it [m]
+    double ground, height;  ///< height of the floor in the map, of the point over it [m]
     bool fresh;
 };
 
-/// The least box about points, seen from above.
+/// The smallest box around points, seen from above.
 struct Box {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     double longer = 0.0, shorter = 0.0;
@@ -47,7 +47,7 @@ Box boxOf(std::size_t count, Of of) {
     return best;
 }
 
-/// Points that hang together, by their places in @p points.
+/// Returns groups of connected points, by their indices in @p points.
 std::vector<std::vector<std::size_t>> things(const std::vector<Low>& points, const Eigen::Vector2d& scanner) {
     return grouped(points.size(), [&](std::size_t here, std::size_t other) {
         const double reach = Linked + LinkedOfRange * (points[here].place - scanner).norm();
@@ -55,7 +55,7 @@ std::vector<std::vector<std::size_t>> things(const std::vector<Low>& points, con
     });
 }
 
-/// Looks for bodies in one scan.
+/// Finds bodies in one scan.
 class Sighting {
 public:
     Sighting(const Pose& scanInMap, const RobotBody& body, const SightingSettings& settings)
@@ -67,7 +67,7 @@ public:
 
     [[nodiscard]] std::vector<Low> low(const std::vector<Eigen::Vector3f>& points, const LocalMap& earlier,
                                        std::span<const Disc> others) const;
-    /// The bodies among @p points, added to @p found where they are not there yet.
+    /// Adds the bodies among @p points to @p found, unless they are there already.
     void find(const std::vector<Low>& points, std::vector<SeenBody>& found) const;
 
 private:
@@ -88,7 +88,7 @@ std::vector<Low> Sighting::low(const std::vector<Eigen::Vector3f>& points, const
     const double reach = m_settings.farthest;
     const FloorField floor(SquareGrid(m_scanner, reach, FloorCell), points);
     const SquareGrid grid(m_scanner, reach, Cell);
-    std::vector<char> tall(grid.cells(), 0);  // about what is taller than the robot
+    std::vector<char> tall(grid.cells(), 0);  // around what is taller than the robot
     const auto standTall = [&](const Eigen::Vector3f& point) {
         const Eigen::Vector2d place = point.head<2>().cast<double>();
         const auto cell = grid.cellOf(place);
@@ -134,7 +134,7 @@ void Sighting::find(const std::vector<Low>& points, std::vector<SeenBody>& found
         }
         if (!fits(box, body.top, thing.size())) continue;
         body.fresh = 2 * fresh > thing.size();
-        // Only its near side is seen: the middle is farther from the scanner.
+        // Only its near side is seen, so the middle is farther from the scanner.
         const Eigen::Vector2d away = (box.middle - m_scanner).normalized();
         double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
         for (const Eigen::Vector2d& point : body.points) {
@@ -164,7 +164,7 @@ std::vector<SeenBody> seenBodies(const Scan& scan, const Pose& scanInMap, const 
     const Sighting sighting(scanInMap, body, settings);
     std::vector<Low> low = sighting.low(points, earlier, others);
     sighting.find(low, found);
-    // Beside something low it is told apart by what the map had already.
+    // Beside something low, a body stands out by what is new to the map.
     std::erase_if(low, [](const Low& point) { return !point.fresh; });
     sighting.find(low, found);
     std::stable_sort(found.begin(), found.end(), [](const SeenBody& a, const SeenBody& b) {

@@ -13,36 +13,37 @@
 
 namespace leitstand {
 
-/// Something of a robot's size that another robot's 3D scan shows: on the floor and apart from all that is
-/// taller. Which way it looks nobody knows.
+/// Something of a robot's size in another robot's 3D scan: on the floor and apart from everything taller. Its
+/// heading is unknown.
 struct SeenBody {
-    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< of the body, map frame [m]: give or take its width
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< of the body, map frame [m]: exact to its width
     double ground = 0.0;                               ///< height of the floor there, map frame [m]
-    double top = 0.0;                                  ///< the highest that is seen of it, over the floor [m]
-    std::vector<Eigen::Vector2d> points;               ///< that it is seen by, map frame [m]
+    double top = 0.0;                                  ///< its highest visible point, over the floor [m]
+    std::vector<Eigen::Vector2d> points;               ///< its visible points, map frame [m]
     bool fresh = false;                                ///< earlier scans do not have it
 };
 
-/// How bodies are told from what else stands on the floor.
+/// How bodies are distinguished from other things on the floor.
 struct SightingSettings {
-    double farthest = 6.0;   ///< of the scanner: beyond, a small robot is a handful of points [m]
-    double floor = 0.06;     ///< what is lower over the floor is floor [m]
-    double larger = 0.15;    ///< a body may be so much longer and wider than its robot's footprint [m] ...
-    double higher = 0.08;    ///< ... and so much higher [m]
-    double lowest = 0.3;     ///< share of its height that is seen at least: of a thin mast there is little
-    double shortest = 0.35;  ///< share of the footprint's width that is seen at least
+    double farthest = 6.0;   ///< from the scanner: beyond, a small robot is a handful of points [m]
+    double floor = 0.06;     ///< points that are lower over the floor are floor [m]
+    double larger = 0.15;    ///< a body may exceed its robot's footprint by so much [m] ...
+    double higher = 0.08;    ///< ... and its robot's height by so much [m]
+    double lowest = 0.3;     ///< least visible share of its height: a thin mast shows little
+    double shortest = 0.35;  ///< least visible share of the footprint's width
     std::size_t leastPoints = 6;
-    std::size_t most = 8;  ///< the likeliest
+    std::size_t most = 8;  ///< bodies, the likeliest
 };
 
-/// What in @p scan (cleaned of its own robot, at @p scanInMap) may be a robot that takes up @p body,
-/// likeliest first; @p earlier: the map without this scan, which may be empty; @p others: robots known to be
+/// Returns what in @p scan may be a robot with @p body, likeliest first. The scan is cleaned of its own
+/// robot, at @p scanInMap. @p earlier: the map without it, which may be empty. @p others: robots known to be
 /// there.
 [[nodiscard]] std::vector<SeenBody> seenBodies(const Scan& scan, const Pose& scanInMap, const RobotBody& body,
                                                const LocalMap& earlier, std::span<const Disc> others = {},
                                                const SightingSettings& settings = {});
 
-/// Share of @p seen's points that lie on or within @p body, grown by @p margin [m], at @p baseInMap.
+/// Returns the share of @p seen's points that lie on or within @p body, grown by @p margin [m], at @p
+/// baseInMap.
 [[nodiscard]] double shareWithin(const SeenBody& seen, const RobotBody& body, const Pose& baseInMap,
                                  double margin);
 

@@ -10,8 +10,8 @@ namespace leitstand {
 namespace {
 
 constexpr double Sigma = 0.12;  ///< of the likelihood about a wall [m]
-constexpr int Kernel = 3;       ///< cells about a wall that have any
-constexpr double Border = 2.0;  ///< about all walls [m]
+constexpr int Kernel = 3;       ///< cells around a wall that have any
+constexpr double Border = 2.0;  ///< around all walls [m]
 
 /// A block of poses of one heading.
 struct Block {
@@ -20,7 +20,7 @@ struct Block {
     int turn = 0;
     int x = 0, y = 0;  ///< cell of its first pose
 
-    /// The best first; of equals one that does not depend on when it came.
+    /// The best first; equal ones in an order that does not depend on their arrival.
     bool operator<(const Block& other) const {
         if (bound != other.bound) return bound < other.bound;
         if (level != other.level) return level > other.level;
@@ -113,7 +113,7 @@ double WallRaster::scoreAt(std::span<const Eigen::Vector2f> view, const FlatPose
 
 RasterPlaces WallRaster::find(std::span<const Eigen::Vector2f> view, const RasterSearch& search,
                               const Progress& progress) const {
-    constexpr std::size_t MostBlocks = 4'000'000;  // that wait
+    constexpr std::size_t MostBlocks = 4'000'000;  // that wait at once
     RasterPlaces result;
     std::vector<RasterPlace>& found = result.places;
     if (m_levels.empty() || view.empty()) return result;
@@ -185,7 +185,7 @@ RasterPlaces WallRaster::find(std::span<const Eigen::Vector2f> view, const Raste
 
 std::vector<RasterPlace> WallRaster::beside(std::span<const Eigen::Vector2f> view, const FlatPose& best,
                                             const Eigen::Vector2d& about, double within, double alike) const {
-    constexpr double Between = 0.8;  // of the score of a place, somewhere on the way to the best one
+    constexpr double Between = 0.8;  // largest share of a place's score, somewhere on the way to the best one
     const auto steps = static_cast<int>(std::ceil(within / Cell));
     const int side = 2 * steps + 1;
     const auto poseOf = [&](int x, int y) {
@@ -200,7 +200,7 @@ std::vector<RasterPlace> WallRaster::beside(std::span<const Eigen::Vector2f> vie
         const bool inside = x >= 0 && y >= 0 && x < side && y < side;
         return inside ? scores[static_cast<std::size_t>(y * side + x)] : 0.0;
     };
-    /// Whether none of those about it has a better score.
+    /// Returns whether no neighbour has a better score.
     const auto isPeak = [&](int x, int y) {
         for (const int dy : {-1, 0, 1}) {
             for (const int dx : {-1, 0, 1}) {

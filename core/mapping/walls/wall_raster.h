@@ -12,60 +12,60 @@
 
 namespace leitstand {
 
-/// A place of a raster where walls lie as they were seen.
+/// A place of a raster where the walls of a view match the map.
 struct RasterPlace {
     FlatPose pose;
-    double score = 0.0;  ///< 0 to 1: mean likelihood of the walls that were seen
+    double score = 0.0;  ///< 0 to 1: mean likelihood of the walls of the view
 };
 
-/// What a search came to.
+/// The result of a search.
 struct RasterPlaces {
     std::vector<RasterPlace> places;  ///< best first
-    /// No place that is not among them, nor beside one of them, has a better score.
+    /// No other place, except beside those found, has a better score.
     double others = 0.0;
 };
 
-/// How places are looked for.
+/// Settings of a search for places.
 struct RasterSearch {
-    int most = 12;                     ///< places
+    int most = 12;                     ///< number of places
     double leastScore = 0.35;          ///< of a place ...
-    double likeBest = 0.75;            ///< ... and share of the best place's
-    double apart = 1.0;                ///< places are so far from each other [m] ...
-    double turnedApart = degrees(15);  ///< ... or turned so much [rad]
-    double angleStep = degrees(1.5);   ///< between headings that are tried [rad]
+    double likeBest = 0.75;            ///< ... and least share of the best place's
+    double apart = 1.0;                ///< least distance between places [m] ...
+    double turnedApart = degrees(15);  ///< ... or least turn [rad]
+    double angleStep = degrees(1.5);   ///< between the headings that are tried [rad]
 };
 
-/// What stands up in a map, seen from above, as likelihoods on a raster of cells, and for blocks of cells the
-/// most of any of theirs.
+/// The upright surfaces of a map, seen from above, as likelihoods on a raster of cells. Each block of cells
+/// holds the largest likelihood of its cells.
 class WallRaster {
 public:
-    /// @p walls: points of what stands up, map's frame [m]; those beyond @ref Farthest are left out. A map of
-    /// more than @ref MostCells is not looked through: nothing is found in it.
+    /// @p walls: points on upright surfaces, map's frame [m]; those beyond @ref Farthest are left out. A map
+    /// of more than @ref MostCells is not searched: nothing is found in it.
     explicit WallRaster(std::span<const Eigen::Vector2f> walls);
 
-    /// The places from which walls would be seen at @p view (their own frame, level): all of the raster and
-    /// all headings, by branch and bound (Olson 2009; Hess, Kohler, Rapp & Andor 2016). The same for the same
-    /// arguments. Cancelled: what was found so far.
+    /// Returns the places from which walls are seen at @p view (their own frame, level). Searches the whole
+    /// raster and all headings by branch and bound (Olson 2009; Hess, Kohler, Rapp & Andor 2016). The same
+    /// arguments give the same result. Cancelled: what was found so far.
     [[nodiscard]] RasterPlaces find(std::span<const Eigen::Vector2f> view, const RasterSearch& search = {},
                                     const Progress& progress = {}) const;
 
-    /// RasterPlace::score at any @p pose.
+    /// Returns RasterPlace::score at any @p pose.
     [[nodiscard]] double scoreAt(std::span<const Eigen::Vector2f> view, const FlatPose& pose) const;
 
-    /// Other places at most @p within [m] from @p about whose score, at the heading of @p best, is @p alike
-    /// times that of @p best or more, with clearly less between the two: not those that a corridor's axis
-    /// leads to. The best first.
+    /// Returns other places at most @p within [m] from @p about, best first. At the heading of @p best, their
+    /// score is at least @p alike times that of @p best, and clearly lower between the two. So places along a
+    /// corridor's axis are left out.
     [[nodiscard]] std::vector<RasterPlace> beside(std::span<const Eigen::Vector2f> view, const FlatPose& best,
                                                   const Eigen::Vector2d& about, double within,
                                                   double alike) const;
 
-    static constexpr double PlacesApart = 0.6;            ///< those of beside(), and from the best one [m]
-    static constexpr double Cell = 0.1;                   ///< [m]
-    static constexpr double Farthest = 500.0;             ///< from the map's origin, each way [m]
+    static constexpr double PlacesApart = 0.6;  ///< between places of beside(), and to the best one [m]
+    static constexpr double Cell = 0.1;         ///< [m]
+    static constexpr double Farthest = 500.0;   ///< from the map's origin, each way [m]
     static constexpr std::size_t MostCells = 16'000'000;  ///< 400 m x 400 m
 
 private:
-    static constexpr int Levels = 5;  ///< blocks of the coarsest have 2^(Levels - 1) cells along
+    static constexpr int Levels = 5;  ///< blocks of the coarsest are 2^(Levels - 1) cells wide
 
     [[nodiscard]] float at(int level, int x, int y) const;
     [[nodiscard]] Eigen::Vector2i cellOf(const Eigen::Vector2d& point) const;

@@ -8,8 +8,8 @@
 namespace leitstand {
 namespace {
 
-constexpr float Upright = 0.5F;   ///< of a normal's z: a wall has less
-constexpr double Thinned = 0.15;  ///< along a cell [m]
+constexpr float Upright = 0.5F;   ///< of a normal's z; a wall has less
+constexpr double Thinned = 0.15;  ///< edge of a cell [m]
 
 }  // namespace
 

@@ -8,18 +8,18 @@
 
 namespace leitstand {
 
-/// What stands up about a scanner and is seen from above.
+/// The band of heights around a scanner whose walls are seen from above.
 struct WallBand {
     double low = -0.6, high = 1.0;  ///< heights over the scanner [m]
-    double reach = 8.0;             ///< from the scanner, level [m]
+    double reach = 8.0;             ///< level distance from the scanner [m]
 };
 
-/// The points of @p cloud that lie on what stands up within @p band, once they are turned by @p level so that
-/// up is up; about the cloud's origin [m]. None where the cloud has no normals.
+/// Returns the points of @p cloud on upright surfaces within @p band, after @p level has turned them so that
+/// z points up; relative to the cloud's origin [m]. Empty if the cloud has no normals.
 [[nodiscard]] std::vector<Eigen::Vector2f> wallsFromAbove(const PointCloud& cloud,
                                                           const Eigen::Matrix3f& level, const WallBand& band);
 
-/// One of @p walls in each cell of 15 cm, in their order.
+/// Returns one of @p walls in each cell of 15 cm, in their order.
 [[nodiscard]] std::vector<Eigen::Vector2f> thinnedWalls(const std::vector<Eigen::Vector2f>& walls);
 
 }  // namespace leitstand

@@ -10,23 +10,23 @@ CoverageMap::CoverageMap(SearchGround ground, const CoverageSettings& settings)
     for (Layer& layer : m_layers) layer.assign(m_ground.size(), 0);
 }
 
-/// Where something is seen from, and how far to each side at most.
+/// The place that a sensor looks from, and the box that it can see at most.
 struct CoverageMap::Reach {
     Eigen::Vector3d from = Eigen::Vector3d::Zero();                                 ///< [m]
     double range = 0.0;                                                             ///< [m]
     Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();  ///< x, y in the map [m]
 
-    /// All about.
+    /// A sensor that sees in all directions, up to @p farthest [m].
     Reach(const Eigen::Vector3d& place, double farthest)
         : from(place),
           range(farthest),
           low(place.head<2>() - Eigen::Vector2d::Constant(farthest)),
           high(place.head<2>() + Eigen::Vector2d::Constant(farthest)) {}
-    /// Within @p halfAngle of where a camera looks.
+    /// A camera that sees within @p halfAngle [rad] of its axis, up to @p farthest [m].
     Reach(const Pose& cameraInMap, double halfAngle, double farthest)
         : from(cameraInMap.translation()), range(farthest) {
         const Eigen::Vector3d axis = cameraInMap.linear().col(2);
-        const auto along = [&](double share) {  // of a direction that is so much along the axis
+        const auto along = [&](double share) {  // share: cosine to the camera's axis
             const double off = std::acos(std::clamp(share, -1.0, 1.0));
             return farthest * std::max(0.0, std::cos(std::clamp(off - halfAngle, 0.0, degrees(90))));
         };
@@ -35,8 +35,8 @@ struct CoverageMap::Reach {
     }
 };
 
-/// Marks the floor within @p reach that nothing hides. @p spans tells how many times what is needed a body at
-/// a place of the map would span.
+/// Marks the floor within @p reach that nothing hides. @p spans returns how many times the required points or
+/// pixels a body at a place in the map spans.
 template <class Spans>
 void CoverageMap::sweep(SearchSensor sensor, const Reach& reach, Spans spans) {
     const Eigen::Vector3d& from = reach.from;
@@ -63,7 +63,7 @@ void CoverageMap::sweep(SearchSensor sensor, const Reach& reach, Spans spans) {
             if (!(times >= 1.0)) continue;
             const double well = std::min(1.0, (times - 1.0) / std::max(1e-6, m_settings.sure - 1.0));
             const auto value = static_cast<std::uint8_t>(1 + std::lround(254.0 * well));
-            // Looking whether something hides it is what takes time.
+            // The test for occlusion is the slow part, so it comes last.
             if (value <= layer[cell] || m_ground.hides(from, body)) continue;
             layer[cell] = value;
         }

@@ -12,25 +12,26 @@
 
 namespace leitstand {
 
-/// What of the floor was searched, and with what.
+/// Holds which floor each kind of sensor searched, and how well.
 class CoverageMap {
 public:
     explicit CoverageMap(SearchGround ground, const CoverageSettings& settings = {});
 
-    /// A camera looked from there.
+    /// Marks the floor that a camera saw in @p view. @p scanInMap: pose of the view's key scan.
     void look(const SearchView& view, const Pose& scanInMap);
-    /// A scan was taken there.
+    /// Marks the floor that a scan taken at @p scanInMap saw, by the density of its @p shots.
     void scan(const ShotDensity& shots, const Pose& scanInMap);
 
     [[nodiscard]] const SearchGround& ground() const { return m_ground; }
     [[nodiscard]] const CoverageSettings& settings() const { return m_settings; }
     [[nodiscard]] bool seen(SearchSensor sensor, std::size_t cell) const { return of(sensor)[cell] != 0; }
-    /// How well: 0 where a body just spans enough, 1 where it spans CoverageSettings::sure times as much;
-    /// below 0 where it was not seen.
+    /// Returns how well a cell was seen: 0 where a body just spans enough, 1 where it spans
+    /// CoverageSettings::sure times as much. Below 0: not seen.
     [[nodiscard]] float quality(SearchSensor sensor, std::size_t cell) const;
-    /// How surely a camera would have shown a victim at @p place [m], 0 to 1; below 0 where none looked.
+    /// Returns how surely a camera would have shown a victim at @p place [m], 0 to 1; below 0 where none
+    /// looked.
     [[nodiscard]] float cleared(const Eigen::Vector2d& place) const;
-    [[nodiscard]] double seenArea(SearchSensor sensor) const;  ///< of the floor that can be reached [m2]
+    [[nodiscard]] double seenArea(SearchSensor sensor) const;  ///< of the reachable floor [m2]
 
 private:
     using Layer = std::vector<std::uint8_t>;  ///< 0: not seen, 1 to 255: how well
@@ -47,7 +48,7 @@ private:
 };
 using CoverageMapPtr = std::shared_ptr<const CoverageMap>;
 
-/// What was searched of a storey.
+/// What was searched on one storey.
 struct StoreyCoverage {
     StoreyShare storey;
     CoverageMapPtr map;  ///< never null

@@ -6,32 +6,32 @@
 
 namespace leitstand {
 
-/// When a place counts as searched: where a body that lies there would be seen.
+/// When a place counts as searched: a body that lies there would be seen.
 struct CoverageSettings {
-    double cell = 0.1;           ///< of the grid, at least [m]
-    double bodyMiddle = 0.15;    ///< of a body that lies, above the floor [m]
-    double bodyArea = 0.15;      ///< that a scanner sees of it, 0.5 m x 0.3 m [m2]
-    double bodySide = 0.4;       ///< that cameras see of it [m]
-    double scannerPoints = 20;   ///< of a scan of the map that have to be on it
-    double cameraPixels = 24;    ///< that it has to span
-    double infraredPixels = 8;   ///< likewise
-    double scannerReach = 8.0;   ///< beyond, a scan is not looked at [m]
-    double cameraReach = 5.0;    ///< beyond, nobody looks for motion, codes and placards [m]
-    double infraredReach = 6.0;  ///< beyond, nobody looks for warmth [m]
-    double sure = 4.0;           ///< so many times what is needed is as good as it gets
+    double cell = 0.1;           ///< edge of a grid cell, at least [m]
+    double bodyMiddle = 0.15;    ///< height of a lying body's middle above the floor [m]
+    double bodyArea = 0.15;      ///< area of it that a scanner sees, 0.5 m x 0.3 m [m2]
+    double bodySide = 0.4;       ///< side of it that cameras see [m]
+    double scannerPoints = 20;   ///< points of a key scan that must lie on it
+    double cameraPixels = 24;    ///< pixels that it must span in a camera picture
+    double infraredPixels = 8;   ///< pixels that it must span in an infrared picture
+    double scannerReach = 8.0;   ///< range beyond which a scan does not count [m]
+    double cameraReach = 5.0;    ///< range beyond which nobody looks for motion, codes and placards [m]
+    double infraredReach = 6.0;  ///< range beyond which nobody looks for warmth [m]
+    double sure = 4.0;           ///< multiple of the required points or pixels that counts as best
 
-    double lowest = 0.12;       ///< what is higher above the floor is in the way [m]
-    double robotHeight = 0.65;  ///< what is lower too is in the robots' way [m]
+    double lowest = 0.12;       ///< what stands higher above the floor blocks the view [m]
+    double robotHeight = 0.65;  ///< what stands lower than this also blocks robots [m]
     double robotRadius = 0.2;   ///< of the narrowest robot [m]
-    double leastMissed = 0.25;  ///< regions that are smaller are not worth a way [m2]
+    double leastMissed = 0.25;  ///< smaller regions are not reported [m2]
 
-    double viewApart = 0.10;            ///< views nearer than this [m] ...
-    double viewTurned = degrees(5);     ///< ... and this are one [rad]
-    double coarsest = 4.0;              ///< where there are too many views, so many times that is one
-    std::size_t mostViewsOfScan = 600;  ///< that hang on a scan
+    double viewApart = 0.10;            ///< views nearer than this count as one [m] ...
+    double viewTurned = degrees(5);     ///< ... when they are also turned by less than this [rad]
+    double coarsest = 4.0;              ///< largest factor on both of these when there are too many views
+    std::size_t mostViewsOfScan = 600;  ///< of one scan
     std::size_t mostViews = 20'000;
-    double scanCell = 0.08;  ///< a point of a scan is kept for each cube of this edge [m]
-    double scanReach = 20;   ///< ... and none that is farther from the scanner [m]
+    double scanCell = 0.08;  ///< one point of a scan is kept per cube of this edge [m]
+    double scanReach = 20;   ///< points farther from the scanner are dropped [m]
 };
 
 }  // namespace leitstand

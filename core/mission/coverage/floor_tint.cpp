@@ -18,7 +18,7 @@ FloorTint floorTintOf(const CoverageMap& coverage, SearchSensor sensor) {
     std::vector<std::size_t> above;  // patches that end at the row before, from left to right
     for (int row = 0; row < ground.rows(); ++row) {
         std::vector<std::size_t> here;
-        std::size_t next = 0;  // of above
+        std::size_t next = 0;  // index into above
         for (int column = 0; column < ground.columns();) {
             const auto at = [&](int x) { return static_cast<std::size_t>(row * ground.columns() + x); };
             const std::size_t first = at(column);

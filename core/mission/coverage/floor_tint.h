@@ -16,14 +16,14 @@ struct FloorPatch {
     bool seen = false;
 };
 
-/// What a kind of sensor saw of the floor that robots can reach, and what it missed, for painting.
+/// Patches of reachable floor that one kind of sensor saw or missed, for painting.
 struct FloorTint {
     SearchSensor sensor = SearchSensor::Camera;
     std::vector<FloorPatch> patches;
 };
 using FloorTintPtr = std::shared_ptr<const FloorTint>;
 
-/// Few patches that cover the floor of @p coverage; heights within 5 cm count as level.
+/// Returns the reachable floor of @p coverage as few patches. Heights within 5 cm count as level.
 [[nodiscard]] FloorTint floorTintOf(const CoverageMap& coverage, SearchSensor sensor);
 
 }  // namespace leitstand

@@ -22,7 +22,7 @@ MissedRegion regionOf(const SearchGround& ground, const std::vector<std::size_t>
                           half = Eigen::Vector2d::Constant(ground.cell() / 2);
     region.low -= half;
     region.high += half;
-    // The middle of a bent region is not in it.
+    // The middle of a bent region may lie outside it.
     double nearest = std::numeric_limits<double>::infinity();
     for (const std::size_t cell : cells) {
         const double away = (ground.middleOf(cell) - middle).squaredNorm();

@@ -9,19 +9,19 @@
 
 namespace leitstand {
 
-/// Floor in one piece that robots can reach and that a kind of sensor did not see.
+/// A connected piece of floor that robots can reach and one kind of sensor did not see.
 struct MissedRegion {
     double area = 0.0;                                ///< [m2]
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< within it, next to its middle [m]
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< in it, nearest to its middle [m]
     double height = 0.0;                              ///< of the floor there [m]
     int storey = 0;                                   ///< its number
-    Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();  ///< its corners [m]
+    Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();  ///< its bounds [m]
 };
 
-/// What was missed: floor that can be reached and that @p sensor did not see, the largest piece first.
-/// Pieces smaller than CoverageSettings::leastMissed are left out.
+/// Returns the reachable floor that @p sensor did not see, the largest piece first. Pieces smaller than
+/// CoverageSettings::leastMissed are left out.
 [[nodiscard]] std::vector<MissedRegion> missed(const CoverageMap& coverage, SearchSensor sensor);
-/// Likewise, of all @p storeys.
+/// Returns the missed floor of all @p storeys, the largest piece first.
 [[nodiscard]] std::vector<MissedRegion> missed(std::span<const StoreyCoverage> storeys, SearchSensor sensor);
 
 }  // namespace leitstand

@@ -7,22 +7,23 @@
 
 namespace leitstand {
 
-/// How little views differ that are one.
+/// Thresholds below which two views count as one.
 struct ViewGrain {
-    double apart = 0.0;   ///< nearer than this [m] ...
-    double turned = 0.0;  ///< ... and turned by less [rad]
+    double apart = 0.0;   ///< distance between their cameras [m]
+    double turned = 0.0;  ///< angle between their cameras [rad]
 };
 
-/// The views that hang on one scan, without those that add nothing to others. The grain may only become
-/// coarser: what little is lost then is the edge of what others see.
+/// The views that hang on one scan, without near duplicates. The grain can only become coarser. A dropped
+/// view loses only the edge of what the others see.
 class ScanViews {
 public:
     explicit ScanViews(const ViewGrain& grain) : m_grain(grain) {}
 
-    /// Whether @p view is one with a view that is known.
+    /// Whether @p view counts as one with a known view.
     [[nodiscard]] bool holds(const SearchView& view) const { return holds(m_views, view); }
     void add(const SearchView& view) { m_views.push_back(view); }
-    /// Of views that are one by @p grain the first is kept. Nothing where the grain is as coarse already.
+    /// Keeps the first of views that count as one by @p grain. Does nothing when the grain is already as
+    /// coarse.
     void thin(const ViewGrain& grain);
 
     [[nodiscard]] const ViewGrain& grain() const { return m_grain; }

@@ -7,7 +7,7 @@
 namespace leitstand {
 namespace {
 
-/// A point for each cube, floor apart from what stands on it.
+/// Keeps one point per cube. Floor is kept apart from what stands on it.
 ScanPtr thinned(const Scan& scan, const CoverageSettings& settings) {
     PointCloud cloud;
     const auto reach = static_cast<float>(settings.scanReach);
@@ -51,8 +51,7 @@ ViewGrain SearchBook::grain(double coarseness) const {
     return {coarseness * m_settings.viewApart, coarseness * m_settings.viewTurned};
 }
 
-/// Makes views one that differ a little more, of @p looks or of all; false where they are as coarse as may
-/// be.
+/// Coarsens the grain of @p looks, or of all scans, by one step. False when it is the coarsest already.
 bool SearchBook::makeRoom(ScanViews& looks) {
     constexpr double Step = 1.25;
     const auto thin = [this](ScanViews& some, double coarseness) {
@@ -110,8 +109,7 @@ CoverageMapPtr SearchBook::coverage(std::span<const Eigen::Vector3d> trail, Time
     auto map =
         std::make_shared<CoverageMap>(SearchGround::of(counted(), trail, m_settings, heights), m_settings);
     for (const auto& [id, held] : m_scans) {
-        // Nothing is known of the ceiling between two storeys: what robots looked at from another one does
-        // not count.
+        // The ceiling between two storeys is unknown, so looks from another storey do not count.
         if (!held.counts || !heights.hold(held.scan.baseInMap().translation().z())) continue;
         map->scan(held.shots, held.scan.scanInMap);
         const auto looks = m_looks.find(id);

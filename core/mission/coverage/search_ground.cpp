@@ -82,8 +82,8 @@ bool SearchGround::obstructs(std::size_t cell) const {
     return (m_standing[cell] & layers(m_settings.lowest, m_settings.robotHeight)) != 0;
 }
 
-/// Where robots were, in 16 parts of each cell (bit: 4 * row + column): a wall that they pass closely is no
-/// robot.
+/// Returns where robots were, in 16 parts of each cell (bit: 4 * row + column). The parts separate a robot
+/// from a wall that it passes closely.
 std::vector<std::uint16_t> SearchGround::trodden(std::span<const Eigen::Vector3d> trail) const {
     constexpr double Body = 0.27;  // of a robot about base_link [m]
     constexpr int Parts = 4;
@@ -131,7 +131,7 @@ void SearchGround::stand(std::span<const ReportScan> scans, std::span<const Eige
     });
 }
 
-/// Walls of thinned scans have gaps of a cell: what stands on both sides of it stands in it too.
+/// Closes gaps of one cell in walls of thinned scans: what stands on both sides of a cell also stands in it.
 void SearchGround::closeWalls() {
     const std::vector<std::uint32_t> seen = m_standing;
     const auto at = [&](int x, int y) { return seen[static_cast<std::size_t>(y * m_columns + x)]; };
@@ -145,8 +145,8 @@ void SearchGround::closeWalls() {
     }
 }
 
-/// Floor far from a scanner has holes: along rows first, then along columns, so that holes in both are
-/// closed.
+/// Closes holes in the floor far from a scanner: along rows first, then along columns, so that holes in both
+/// are closed.
 void SearchGround::closeFloor() {
     const auto close = [this](int stepX, int stepY) {
         std::vector<std::uint8_t> whole = m_floor;
@@ -172,7 +172,7 @@ void SearchGround::closeFloor() {
     close(0, 1);
 }
 
-/// @p cells and all that are within @p radius of one.
+/// Returns @p cells and all cells within @p radius [m] of one.
 std::vector<std::uint8_t> SearchGround::grown(const std::vector<std::uint8_t>& cells, double radius) const {
     std::vector<std::uint8_t> out(cells.size());
     const int reach = static_cast<int>(radius / m_cell);
@@ -203,11 +203,11 @@ void SearchGround::reach(std::span<const Eigen::Vector3d> trail) {
         open.push_back(cell);
     };
     for (const Eigen::Vector3d& place : trail) {
-        // Floors above and below: where the robot was not.
+        // The trail holds only places on this storey.
         if (const auto cell = cellAt(place.head<2>()); cell >= 0) take(static_cast<std::size_t>(cell));
     }
-    // A scanner is blind close to its robot: what it does not see there is no gap. And where a robot stands,
-    // it can move, however near things are.
+    // A scanner is blind close to its robot, so unseen cells there are no gaps. A robot can move where it
+    // stands, however near things are.
     constexpr double Blind = 1.0, Body = 0.4;  // [m]
     const std::vector<std::uint8_t> blind = grown(stood, Blind), body = grown(stood, Body);
     constexpr double Step = 0.15;  // [m]
@@ -224,7 +224,7 @@ void SearchGround::reach(std::span<const Eigen::Vector3d> trail) {
         };
         spread(column - 1, row), spread(column + 1, row), spread(column, row - 1), spread(column, row + 1);
     }
-    // What a robot stands on, and what it touches.
+    // What a robot stands on or touches is reachable.
     const std::vector<std::uint8_t> touched = grown(stood, m_settings.robotRadius + m_cell);
     for (std::size_t cell = 0; cell < touched.size(); ++cell)
         m_reachable[cell] = touched[cell] != 0 && m_floor[cell] != 0 ? 1 : 0;
@@ -258,7 +258,7 @@ SearchGround SearchGround::of(std::span<const ReportScan> scans, std::span<const
 }
 
 bool SearchGround::hides(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
-    // From cell to cell along the ray (Amanatides & Woo 1987), in cells.
+    // Walks from cell to cell along the ray (Amanatides & Woo 1987), in units of cells.
     const Eigen::Vector2d begin = (from.head<2>() - m_origin) / m_cell,
                           end = (to.head<2>() - m_origin) / m_cell;
     const Eigen::Vector2d along = end - begin;

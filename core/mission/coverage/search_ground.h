@@ -15,11 +15,12 @@ namespace leitstand {
 
 class FloorHeights;
 
-/// What there is to search: the floor as the scans tell it, what stands on it, and what of it robots can
-/// reach. A grid in the map's frame.
+/// The floor to search: its height from the scans, what stands on it, and what of it robots can reach. A grid
+/// in the map frame.
 class SearchGround {
 public:
-    /// That of the storey with @p heights. @p trail: base_link where robots were, in the map [m].
+    /// Computes the ground of the storey with @p heights. @p trail: base_link where robots were, in the map
+    /// [m].
     [[nodiscard]] static SearchGround of(std::span<const ReportScan> scans,
                                          std::span<const Eigen::Vector3d> trail,
                                          const CoverageSettings& settings = {},
@@ -28,19 +29,18 @@ public:
     [[nodiscard]] double cell() const { return m_cell; }                      ///< edge [m]
     [[nodiscard]] int columns() const { return m_columns; }                   ///< along x
     [[nodiscard]] int rows() const { return m_rows; }                         ///< along y
-    [[nodiscard]] const Eigen::Vector2d& origin() const { return m_origin; }  ///< of cell 0 [m]
+    [[nodiscard]] const Eigen::Vector2d& origin() const { return m_origin; }  ///< corner of cell 0 [m]
     [[nodiscard]] std::size_t size() const { return m_floor.size(); }
 
     [[nodiscard]] std::ptrdiff_t cellAt(const Eigen::Vector2d& place) const;       ///< -1: outside
     [[nodiscard]] Eigen::Vector2d middleOf(std::size_t cell) const;                ///< [m]
     [[nodiscard]] float height(std::size_t cell) const { return m_height[cell]; }  ///< of the floor [m]
-    /// Whether floor was seen there, with nothing on it that a robot would meet.
+    /// Whether floor was seen there, with no obstacle for robots on it.
     [[nodiscard]] bool isFloor(std::size_t cell) const { return m_floor[cell] != 0; }
-    /// Whether it is floor that a robot can come to from where robots drove.
+    /// Whether a robot can reach this floor from where robots drove.
     [[nodiscard]] bool isReachable(std::size_t cell) const { return m_reachable[cell] != 0; }
     [[nodiscard]] double reachableArea() const;  ///< [m2]
-    /// Whether something stands between @p from and @p to (map frame [m]); the cells that they are in do not
-    /// count.
+    /// Whether something stands between @p from and @p to (map frame [m]). The cells of the two do not count.
     [[nodiscard]] bool hides(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
 private:
@@ -60,8 +60,8 @@ private:
     double m_cell = 0.1;
     Eigen::Vector2d m_origin = Eigen::Vector2d::Zero();
     int m_columns = 0, m_rows = 0;
-    std::vector<float> m_height;            ///< of the floor; of the nearest where none was seen
-    std::vector<std::uint32_t> m_standing;  ///< bit i: something i to i + 1 layers above the floor
+    std::vector<float> m_height;            ///< of the floor; where none was seen, of the nearest [m]
+    std::vector<std::uint32_t> m_standing;  ///< bit i: something stands i to i + 1 layers above the floor
     std::vector<std::uint8_t> m_floor, m_reachable;
 };
 

@@ -9,7 +9,7 @@
 namespace leitstand {
 namespace {
 
-/// The ring that a camera below a mirror sees: up to the edge of the picture that is nearest to its axis.
+/// Returns the ring that a camera below a mirror sees, up to the picture's edge nearest to its axis.
 std::optional<SearchField> ringOf(const CameraInfoSample& info) {
     const auto camera = MeiCamera::of(info, info.width, info.height);
     if (!camera) return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<SearchField> ringOf(const CameraInfoSample& info) {
         const double radius = (*pixel - *middle).norm();
         if (radius > reach || radius <= before) break;
         field.outer = angle;
-        // The coarsest place counts: beyond it a body spans more.
+        // The coarsest place counts: elsewhere a body spans more pixels.
         const double density = (radius - before) / Step;
         field.pixelsPerRadian =
             field.pixelsPerRadian > 0.0 ? std::min(field.pixelsPerRadian, density) : density;

@@ -12,7 +12,7 @@
 
 namespace leitstand {
 
-/// What a place is searched with.
+/// A kind of sensor that searches a place.
 enum class SearchSensor : std::uint8_t { Scanner, Camera, Infrared };
 inline constexpr std::array SearchSensors = {SearchSensor::Scanner, SearchSensor::Camera,
                                              SearchSensor::Infrared};
@@ -27,14 +27,14 @@ struct SearchField {
 
     /// Whether @p point (optical frame) is within.
     [[nodiscard]] bool holds(const Eigen::Vector3d& point) const;
-    /// The farthest that something in it is from its axis [rad].
+    /// Returns the largest angle between its axis and a point in it [rad].
     [[nodiscard]] double halfAngle() const;
 };
 
-/// The field of a camera; empty where it is not calibrated or by a model that nobody knows.
+/// Returns the field of @p camera; empty when it is not calibrated or its model is unknown.
 [[nodiscard]] std::optional<SearchField> fieldOf(const CameraInfoSample& camera);
 
-/// Somewhere that a camera looked from. It hangs on a key scan, so that it moves with the map.
+/// A pose from which a camera looked. It hangs on a key scan and so moves with the map.
 struct SearchView {
     std::uint64_t scan = 0;  ///< KeyScanSample::id
     SearchSensor sensor = SearchSensor::Camera;
@@ -42,7 +42,7 @@ struct SearchView {
     SearchField field;
     Time seen{};  ///< station's clock
 
-    /// How far away a body may be to span enough pixels [m].
+    /// Returns the distance up to which a body spans enough pixels [m].
     [[nodiscard]] double range(const CoverageSettings& settings) const;
 };
 

@@ -13,15 +13,15 @@ namespace leitstand {
 struct SearchedStorey {
     int number = 0;
     double reachable = 0.0;                           ///< floor that robots can reach [m2]
-    std::array<double, SearchSensors.size()> seen{};  ///< of it, by SearchSensor [m2]
+    std::array<double, SearchSensors.size()> seen{};  ///< seen part of it, by SearchSensor [m2]
 };
 
-/// What was searched, told for each kind of sensor: all that a window shows of it, made where it is computed.
-/// Immutable once shared.
+/// What each kind of sensor searched: all that a window shows of it, prepared where it is computed. Immutable
+/// once shared.
 struct SearchedFloor {
-    /// With one kind of sensor.
+    /// What one kind of sensor saw and missed.
     struct Part {
-        double seen = 0.0;                 ///< of the floor that can be reached [m2]
+        double seen = 0.0;                 ///< reachable floor that it saw [m2]
         std::vector<MissedRegion> missed;  ///< the largest first
         FloorTint tint;
     };
@@ -36,7 +36,7 @@ struct SearchedFloor {
 using SearchedFloorPtr = std::shared_ptr<const SearchedFloor>;
 
 [[nodiscard]] SearchedFloorPtr searchedFloorOf(const std::vector<StoreyCoverage>& storeys);
-/// How to paint @p searched; null where nothing is known. Nothing is copied.
+/// Returns what to paint of @p searched, without a copy; null when @p searched is null.
 [[nodiscard]] FloorTintPtr tintOf(const SearchedFloorPtr& searched, SearchSensor sensor);
 
 }  // namespace leitstand

@@ -8,12 +8,12 @@
 
 namespace leitstand {
 
-/// How densely the points of a scan lie in each direction about its scanner: by bins of 5 degrees.
+/// Density of a scan's points by direction from its scanner, in bins of 5 degrees.
 class ShotDensity {
 public:
     [[nodiscard]] static ShotDensity of(const Scan& scan);
 
-    /// Points for each steradian about @p direction (scan's frame, of any length).
+    /// Returns the points per steradian around @p direction (scan's frame, any length).
     [[nodiscard]] double about(const Eigen::Vector3d& direction) const;
 
 private:
@@ -21,7 +21,7 @@ private:
     static int columnOf(const Eigen::Vector3d& direction);
     static int ringOf(const Eigen::Vector3d& direction);
 
-    /// About the middle of each bin: that one and its neighbours [1/sr].
+    /// Over each bin and its neighbours [1/sr].
     std::array<float, static_cast<std::size_t>(Around* Rings)> m_densities = {};
 };
 

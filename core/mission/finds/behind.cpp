@@ -18,7 +18,7 @@ std::optional<double> sharePassing(const Eigen::Vector3d& from, const Eigen::Vec
     const double along = there.dot(ray) / length;
     const double beside = std::abs(there.x() * ray.y() - there.y() * ray.x()) / length;
     if (along <= 0.0 || along + settings.behind > length || beside > settings.beside) return std::nullopt;
-    // A look well over who lies there shows something else.
+    // A ray that passes well above or below the body shows something else.
     const double passes = from.z() + along / length * (to.z() - from.z());
     if (std::abs(passes - body.z()) > settings.above) return std::nullopt;
     return along / length;

@@ -8,17 +8,18 @@
 
 namespace leitstand {
 
-// A person hides what is behind. What a camera sees warm or moving in a person's direction is of that person,
-// though the scanner, which saw the place while a waving arm was elsewhere, has only the wall behind there.
+// A person hides what is behind. What a camera sees warm or moving in a person's direction belongs to that
+// person. The scanner may show only the wall behind, because a waving arm was elsewhere when it scanned.
 
-/// How much of the way from the camera at @p from to @p to lies before it passes @p body, as a share, seen
-/// from above: beside it by less than CandidateSettings::beside, and ending more than
-/// CandidateSettings::behind behind. Empty: it does not pass it, or nobody knows where the camera was (NaN).
+/// Returns the share of the way from the camera at @p from to @p to at which it passes @p body, seen from
+/// above. It passes beside the body by less than CandidateSettings::beside and ends more than
+/// CandidateSettings::behind behind it. Empty: it does not pass the body, or the camera's place is unknown
+/// (NaN).
 [[nodiscard]] std::optional<double> sharePassing(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                                  const Eigen::Vector3d& body,
                                                  const CandidateSettings& settings);
 
-/// Whether nearly all that told of @p far came past @p nearer: then it is a part of that.
+/// Whether nearly all evidence of @p far was seen past @p nearer. Then @p far is a part of that.
 [[nodiscard]] bool isSeenPast(const CandidateThing& far, const CandidateThing& nearer,
                               const ScanPlaces& scans, const CandidateSettings& settings);
 

@@ -10,13 +10,13 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds Moment(450);
-constexpr double Correlated = 4.0;  // so many cues of one look tell more than one; then no more
-constexpr int Rounds = 4;           // of weighing out looks that do not fit
+constexpr double Correlated = 4.0;  // more cues of one look add nothing
+constexpr int Rounds = 4;           // of weighting down looks that do not fit
 constexpr double Doubt = 4.0;       // squared deviations from which a look counts half
 constexpr std::size_t MostCues = 24;
-constexpr double ArmsLength = 0.3;  // so far from a body's middle its tag stands [m]
+constexpr double ArmsLength = 0.3;  // distance of a tag from its body's middle [m]
 
-/// A cue that tells a place, and not only that something is near.
+/// Whether cues of @p kind have a place, and do not only show that something is near.
 bool places(const std::string& kind) {
     return kind != "co2";
 }
@@ -75,7 +75,7 @@ void CandidateThing::settle(const ScanPlaces& scans, const CandidateSettings& se
     std::vector<Seen> seen;
     const bool victims = what == VictimSample::Kind::Victim;
     const auto isOf = [](const auto& look, const char* kind) { return std::get<0>(look.first) == kind; };
-    // A tag beside a victim is not the victim, but tells where to look where nothing else does.
+    // A tag beside a victim is not the victim. It gives the place only when nothing else does.
     const bool tagAlone =
         victims && std::none_of(looks.begin(), looks.end(), [&](const auto& look) {
             return places(std::get<0>(look.first)) && !isOf(look, "code") && !isOf(look, "tag");
@@ -143,7 +143,7 @@ double confidenceOf(const CandidateThing& thing, const CandidateSettings& settin
     };
     if (thing.what == VictimSample::Kind::Code) return kinds.contains("code") ? 0.95 : 0.0;
     if (thing.what != VictimSample::Kind::Victim) {
-        // Colours in a square are seldom by chance; half of the moments will do.
+        // Colours in a square seldom occur by chance, so half of the moments suffice.
         const auto found = kinds.find("hazard");
         if (found == kinds.end()) return 0.0;
         const double often = std::min(1.0, 2.0 * found->second.moments / settings.moments);
@@ -152,7 +152,7 @@ double confidenceOf(const CandidateThing& thing, const CandidateSettings& settin
     const double sighting = kinds.contains("sighting") ? 0.45 * kinds.at("sighting").mean() : 0.0;
     const double warm = std::max(0.85 * counted("heat"), sighting);
     const double motion = 0.45 * std::min(1.0, 1.5 * counted("motion"));
-    // Breath near by agrees with what could be a person; a lamp beside a victim stays a lamp.
+    // CO2 near by supports only what could be a person: a lamp beside a victim stays a lamp.
     const double agrees = std::min(1.0, std::max(warm, motion) / settings.breathFrom);
     const double breath = 0.55 * agrees * counted("co2");
     double tag = kinds.contains("code") ? 0.2 : 0.0;
@@ -181,7 +181,7 @@ std::string CandidateThing::tag() const {
 }
 
 std::vector<Cue> CandidateThing::cues() const {
-    // The surest of each kind and robot, and text of codes.
+    // The surest of each kind, robot and text.
     std::map<std::tuple<std::string, std::string, std::string>, const CandidateLook*> best;
     for (const auto& [key, look] : looks) {
         const CandidateLook*& one = best[{std::get<0>(key), std::get<1>(key), std::get<3>(key)}];

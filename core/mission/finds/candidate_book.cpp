@@ -28,8 +28,8 @@ struct CandidateBook::State {
     CandidateSettings settings;
     TagPatterns patterns = usualTags();
     ScanPlaces scans;
-    std::vector<CandidateThing> things;  ///< by age
-    std::vector<CandidateThing> gone;    ///< told, then joined with an older one: to be told once more
+    std::vector<CandidateThing> things;  ///< oldest first
+    std::vector<CandidateThing> gone;    ///< published, then joined with an older one: publish again
     std::uint32_t newest = 0;
     std::uint64_t order = 0;
     bool changed = false;  ///< since dropSeenPast()
@@ -75,7 +75,7 @@ CandidateThing* CandidateBook::State::thingOf(const PlacedCue& cue) {
     const std::string tag = cue.cue.kind == "tag" ? cue.cue.text : std::string();
     for (CandidateThing& thing : things) {
         if (thing.what != cue.what) continue;
-        // The same tag is of the same victim, another one of another.
+        // The same tag marks the same victim, another tag another victim.
         const std::string known = tag.empty() ? std::string() : thing.tag();
         const bool tagged = !tag.empty() && known == tag && flat(thing.inMap, cue.inMap) < settings.sameCode;
         if (!tagged && !known.empty()) continue;
@@ -89,7 +89,7 @@ CandidateThing* CandidateBook::State::thingOf(const PlacedCue& cue) {
     return nearest;
 }
 
-/// The person that was told and that the camera saw @p cue past; the nearest to the camera.
+/// Returns the published person past whom the camera saw @p cue, the nearest to the camera; null: none.
 CandidateThing* CandidateBook::State::standsBefore(const PlacedCue& cue) {
     CandidateThing* nearest = nullptr;
     double least = 1.0;
@@ -108,7 +108,7 @@ void CandidateBook::State::put(const PlacedCue& cue, CandidateThing& thing) {
     thing.settle(scans, settings);
 }
 
-/// What a person before it explains, once that one is sure.
+/// Drops candidates that a sure person in front of them explains.
 void CandidateBook::State::dropSeenPast() {
     if (!std::exchange(changed, false)) return;
     const auto isOf = [this](const CandidateThing& far) {
@@ -120,7 +120,7 @@ void CandidateBook::State::dropSeenPast() {
     };
     for (std::size_t i = 0; i < things.size();) {
         CandidateThing& far = things[i];
-        // What was not told yet goes when it would be.
+        // An unpublished candidate is dropped only when it would be published.
         const bool matters = far.id != 0 || far.confidence >= settings.tell;
         if (!matters || far.what != Kind::Victim || far.victim != 0 || far.dismissed || !isOf(far)) {
             ++i;
@@ -132,7 +132,7 @@ void CandidateBook::State::dropSeenPast() {
     }
 }
 
-/// What would be told anew of a thing that a person ruled out.
+/// Drops unpublished candidates that are again a thing that a person ruled out.
 void CandidateBook::State::dropRuledOut() {
     const auto isAgain = [this](const CandidateThing& made) {
         if (made.id != 0 || made.what != Kind::Victim || made.confidence < settings.tell) return false;
@@ -144,8 +144,8 @@ void CandidateBook::State::dropRuledOut() {
 }
 
 void CandidateBook::State::support(const PlacedCue& cue) {
-    // The one that it is most likely of, alone: a lamp beside a victim does not breathe, nor what was ruled
-    // out.
+    // Only the candidate that it most likely belongs to: a lamp beside a victim does not breathe, nor does a
+    // thing that was ruled out.
     CandidateThing* best = nullptr;
     double most = 0.0;
     for (CandidateThing& thing : things) {
@@ -191,7 +191,7 @@ void CandidateBook::State::forget() {
     if (least->id == 0) things.erase(least);
 }
 
-/// What the robot said of the same thing before.
+/// Removes what the robot reported earlier of the same thing.
 void CandidateBook::State::forget(const Cue& sighting) {
     for (CandidateThing& thing : things) {
         std::erase_if(thing.looks, [&](const auto& look) {
@@ -210,13 +210,13 @@ void CandidateBook::add(const PlacedCue& cue) {
     if (cue.reach > 0.0) return state.support(cue);
     if (cue.cue.kind == "sighting") state.forget(cue.cue);
     if (cue.cue.kind == "code" && isVictimTag(cue.cue.text, state.patterns)) {
-        // Who put it there says that a victim lies there, though nothing else may be seen of it.
+        // The tag marks a victim even when nothing else is seen of it.
         PlacedCue tag = cue;
         tag.cue.kind = "tag";
         tag.what = Kind::Victim;
         state.see(tag);
     } else if (cue.cue.kind == "code") {
-        // A code on a victim says more of the victim, and is a code all the same.
+        // A code on a victim is evidence of the victim, and still a code of its own.
         for (CandidateThing& thing : state.things) {
             if (thing.what != Kind::Victim || (thing.inMap - cue.inMap).norm() > state.settings.codeNear)
                 continue;
@@ -226,7 +226,7 @@ void CandidateBook::add(const PlacedCue& cue) {
     state.see(cue);
 }
 
-/// Puts @p cue to the thing that it is of, else makes one.
+/// Adds @p cue to the thing that it belongs to, or makes one.
 void CandidateBook::State::see(const PlacedCue& cue) {
     CandidateThing* thing = thingOf(cue);
     const bool past = cue.what == Kind::Victim && cue.cue.kind != "tag";
@@ -282,7 +282,7 @@ void CandidateBook::take(const CandidateSample& sample) {
         if (thing.id != sample.id) continue;
         const bool byPerson = sample.victim != 0 || isDismissal(sample, state.settings);
         if (sample.station == state.station && sample.stamp <= thing.last.stamp) {
-            // Our own; else a person's word that crossed what we said last, and stands.
+            // Our own, unless a person's decision crossed our last sample: the decision stands.
             if (sample.stamp == thing.last.stamp || !byPerson) return;
         } else {
             thing.last.victim = sample.victim;
@@ -352,7 +352,7 @@ bool CandidateBook::State::isDue(CandidateThing& thing, Time now) {
         thing.id = ++newest;
         return true;
     }
-    // Once more, if what we said last crossed the operator's word.
+    // Publish again when our last sample crossed the operator's decision.
     if (thing.victim != thing.last.victim) return true;
     if (thing.dismissed) return !thing.last.dismissed;
     const bool before = thing.withdrawn;
@@ -375,7 +375,7 @@ std::vector<CandidateSample> CandidateBook::due(Time now) {
     for (CandidateThing& thing : std::exchange(state.gone, {})) {
         thing.dismissed = true;
         CandidateSample last = state.sampleOf(thing, now);
-        last.cues.clear();  // what is seen there is the older one's
+        last.cues.clear();  // its cues belong to the older one now
         samples.push_back(std::move(last));
     }
     for (CandidateThing& thing : state.things) {

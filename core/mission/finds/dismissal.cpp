@@ -11,7 +11,7 @@ CandidateSample judged(CandidateSample candidate, bool dismissed, const std::str
     candidate.dismissed = dismissed;
     candidate.station = station;
     candidate.stamp = now;
-    // As sure as when it was told: what is less sure is taken for a book's own doubt.
+    // At least the confidence to publish: less would be taken for a book's own doubt.
     if (dismissed && !(candidate.confidence >= settings.tell)) candidate.confidence = settings.tell;
     return candidate;
 }

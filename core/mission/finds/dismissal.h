@@ -10,16 +10,17 @@
 
 namespace leitstand {
 
-/// Whether a person says in @p sample that it is none. A book takes back what it doubts, or what became part
-/// of another candidate: nobody dismissed that, and it may come again.
+/// Whether a person dismisses the candidate in @p sample. A book also takes back what it doubts or what
+/// became part of another candidate. That is no dismissal: it may come again.
 [[nodiscard]] bool isDismissal(const CandidateSample& sample, const CandidateSettings& settings = {});
 
-/// @p candidate as a person at @p station dismisses it at @p now, or (@p dismissed false) takes that back.
+/// Returns @p candidate as a person at @p station dismisses it at @p now, or takes that back (@p dismissed
+/// false).
 [[nodiscard]] CandidateSample judged(CandidateSample candidate, bool dismissed, const std::string& station,
                                      Time now, const CandidateSettings& settings = {});
 
-/// The newest dismissal at @p station that is newer than the event @p after; null: there is none. Stays valid
-/// as long as @p state.
+/// Returns the newest dismissal at @p station after the event @p after; null: there is none. Valid as long as
+/// @p state.
 [[nodiscard]] const CandidateSample* newestDismissal(const MissionState& state, const std::string& station,
                                                      std::uint64_t after);
 

@@ -13,7 +13,7 @@ using Status = VictimSample::Status;
 using SignState = VictimSign::State;
 
 constexpr double Storey = 2.0;   ///< what is higher above a floor is not on it [m]
-constexpr double InSight = 4.0;  ///< of a scan: what it shows well enough to hang on it [m]
+constexpr double InSight = 4.0;  ///< range within which a scan shows a place well enough to hang it on [m]
 
 const VictimSample* find(const MissionState& state, const FindKey& key) {
     const auto found = state.victims->find(key);
@@ -36,11 +36,11 @@ void addEvidence(VictimSample& to, const std::vector<VictimEvidence>& from) {
         if (known == to.evidence.end())
             to.evidence.push_back(one);
         else if (known->sequence == 0)
-            known->sequence = one.sequence;  // another station's log did not tell
+            known->sequence = one.sequence;  // another station's log did not hold it
     }
 }
 
-/// What @p frozen measured, where nothing else is known.
+/// Adds what @p frozen measured, where nothing else is known.
 void addSigns(VictimSample& to, const FrozenEvidence& frozen) {
     if (to.kind == VictimSample::Kind::Victim) {
         if (!std::isnan(frozen.heat)) sayPresent(to.heat, frozen.heat);
@@ -76,7 +76,7 @@ std::optional<VictimSample> changed(const MissionState& state, const FindKey& ke
     if (known == nullptr) return std::nullopt;
     VictimSample sample = *known;
     sample.station = station;
-    // Clocks of stations differ: what is said later has the later stamp all the same.
+    // Clocks of stations differ, so a later change always gets a later stamp.
     sample.stamp = std::max(now, known->stamp + std::chrono::nanoseconds(1));
     return sample;
 }
@@ -90,13 +90,14 @@ VictimSample fresh(const MissionState& state, VictimSample::Kind kind, const std
     return sample;
 }
 
-/// Whether one may say @p one and the other @p other: signs that say different things are two, however near.
+/// Whether finds with the texts @p one and @p other may be the same: signs with different texts are two,
+/// however near.
 bool mayBeOne(VictimSample::Kind kind, const std::string& one, const std::string& other) {
     const bool sign = kind == VictimSample::Kind::Code || kind == VictimSample::Kind::Hazard;
     return !sign || one.empty() || other.empty() || one == other;
 }
 
-/// The scan that a find hangs on is evidence, where none was frozen.
+/// Adds the scan that a find hangs on as evidence, when no scan was frozen.
 void addScan(FrozenEvidence& frozen, const MissionState& state) {
     const auto known = state.keyScans->find(frozen.scan);
     const bool there = std::any_of(frozen.evidence.begin(), frozen.evidence.end(),
@@ -137,7 +138,7 @@ bool isFiled(const MissionState& state, const CandidateSample& candidate) {
     if (candidate.victim != 0 && state.victims->contains({candidate.kind, candidate.victim})) return true;
     const Eigen::Vector3d place = positionInMap(state, candidate);
     const std::string tag = tagOf(candidate);
-    // A code between two victims is neither one's name.
+    // A code between two victims names neither.
     const bool names = candidate.kind == VictimSample::Kind::Code ||
                        (candidate.kind == VictimSample::Kind::Victim &&
                         std::any_of(candidate.cues.begin(), candidate.cues.end(),
@@ -145,7 +146,7 @@ bool isFiled(const MissionState& state, const CandidateSample& candidate) {
     return std::any_of(state.victims->begin(), state.victims->end(), [&](const auto& find) {
         const VictimSample& there = find.second.victim;
         if (find.first.first != candidate.kind || !mayBeOne(candidate.kind, tag, there.tag)) return false;
-        // What was discarded is none; what lies beside it may be one all the same.
+        // A discarded find is none, but what lies beside it may be one.
         const bool none = there.status == Status::Discarded && there.mergedInto == 0;
         const bool named = !none && names && !tag.empty() && tag == there.tag;
         const double reach = none ? SameDiscarded : named ? SameNamed : SameFind;

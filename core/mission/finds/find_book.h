@@ -12,11 +12,11 @@
 
 namespace leitstand {
 
-/// What was frozen when the operator pressed the button: everything that shows a find, and where it is.
+/// The evidence for a find and its place, frozen when the operator presses the button.
 struct FrozenEvidence {
     Time found{};                                              ///< station's clock
     std::string robot;                                         ///< that saw it
-    bool autonomous = false;                                   ///< it drove itself
+    bool autonomous = false;                                   ///< the robot drove itself
     std::uint64_t scan = 0;                                    ///< key scan it hangs on; 0: none
     Eigen::Vector3d positionInScan = Eigen::Vector3d::Zero();  ///< in that scan's frame [m]
     Eigen::Vector3d positionInMap = Eigen::Vector3d::Zero();   ///< [m]
@@ -28,68 +28,71 @@ struct FrozenEvidence {
     std::vector<VictimEvidence> evidence;
 };
 
-/// A place that a person pointed to is right within this, one standard deviation [m].
+/// Standard deviation of a place that a person pointed to [m].
 inline constexpr double PointedDeviation = 0.2;
-/// Of a body's middle above the ground, where the height is not told [m].
+/// Height of a body's middle above the ground, when it is unknown [m].
 inline constexpr double LyingHeight = 0.2;
 
-/// Where a find is that a person points to on the floor of the map [m]: as high as it was before (@p height,
-/// in the map [m]) where that is above this floor and below the next, else as a body lies.
+/// Returns the place of a find that a person points to on the floor, in the map [m]. It keeps @p height (in
+/// the map [m]) when that is above this floor and below the next. Otherwise it is @ref LyingHeight above the
+/// floor.
 [[nodiscard]] Eigen::Vector3d aboveFloor(const Eigen::Vector3d& floorInMap,
                                          std::optional<double> height = std::nullopt);
 
-/// Puts @p frozen to @p inMap [m], hanging on key scan @p scan; on none where @p state does not have that.
+/// Places @p frozen at @p inMap [m] and hangs it on key scan @p scan; on none when @p state does not have
+/// that.
 void hang(FrozenEvidence& frozen, const MissionState& state, std::uint64_t scan,
           const Eigen::Vector3d& inMap);
-/// The key scan that a find at @p inMap [m] hangs on, which @p robot sees or a person points to. It is that
-/// robot's newest one that counts, where it was taken near enough to show the place. Else it is the nearest
-/// one that counts: in an older part of the map, or of a robot without key scans. Where none counts: the
-/// newest of that robot, or of anybody, that is not set aside; 0: none.
+/// Returns the key scan that a find at @p inMap [m] hangs on, which @p robot sees or a person points to; 0:
+/// none. It is that robot's newest scan that counts, when it was taken near enough to show the place.
+/// Otherwise it is the nearest one that counts: in an older part of the map, or of a robot without key scans.
+/// When none counts, it is the newest of that robot, or of any robot, that is not set aside.
 [[nodiscard]] std::uint64_t scanBeside(const MissionState& state, const std::string& robot,
                                        const Eigen::Vector3d& inMap);
 
 /// Finds nearer than this to each other are one [m].
 inline constexpr double SameFind = 0.6;
-/// ... of what was discarded: what is farther away is another thing [m].
+/// Distance from a discarded find within which a thing is that find [m].
 inline constexpr double SameDiscarded = 0.35;
-/// ... of what bears the same tag or text, and is only placed otherwise [m].
+/// Distance within which finds with the same tag or text are one [m].
 inline constexpr double SameNamed = 1.2;
 
 /// Confidence from which a candidate is shown to people.
 inline constexpr double LeastShownConfidence = 0.5;
 
-/// The number that the next find of @p kind gets: one above all that ever were, also undone ones.
+/// Returns the number of the next find of @p kind: one above all so far, including undone ones.
 [[nodiscard]] std::uint32_t nextNumber(const MissionState& state, VictimSample::Kind kind);
-/// The find of @p kind that is nearest to @p placeInMap [m] and within @p reach [m]; not a discarded one, nor
-/// a code or a hazard sign that says something else than @p tag.
+/// Returns the find of @p kind nearest to @p placeInMap [m] within @p reach [m]; empty: none. Discarded finds
+/// do not count, nor codes and hazard signs with another text than @p tag.
 [[nodiscard]] std::optional<FindKey> findNear(const MissionState& state, VictimSample::Kind kind,
                                               const Eigen::Vector3d& placeInMap, const std::string& tag = {},
                                               double reach = SameFind);
 
-/// What the sign of @p candidate says, or the code beside it; empty: nothing was read.
+/// Returns the text of @p candidate's sign, or of the code beside it; empty: nothing was read.
 [[nodiscard]] std::string tagOf(const CandidateSample& candidate);
-/// Whether @p candidate was filed, or is where something of its kind was filed that may say what it says,
-/// also what was discarded since: then it is not shown beside that.
+/// Whether @p candidate was filed, or lies at a find of its kind, also a discarded one, that may have its
+/// text. Then it is not shown beside that find.
 [[nodiscard]] bool isFiled(const MissionState& state, const CandidateSample& candidate);
 
-/// A new find made of @p frozen, or the one that is there already with what is new.
+/// Returns a new find made of @p frozen, or the one that is there already with what is new.
 [[nodiscard]] VictimSample filed(const MissionState& state, VictimSample::Kind kind,
                                  const FrozenEvidence& frozen, const std::string& station, Time now);
-/// What @p candidate becomes when the operator files it, with what was @p seen there at that moment; its
-/// place is the candidate's, its robot and mode are those that told it first, else those of now.
+/// Returns the find that @p candidate becomes when the operator files it, with what was @p seen there at that
+/// moment. Its place is the candidate's. Its robot and mode are those that first reported it, otherwise those
+/// of now.
 [[nodiscard]] VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
                                      const std::string& station, Time now, const FrozenEvidence& seen = {});
-/// The candidates of @p kind that are shown within @ref SameFind of @p placeInMap [m] and are no other find,
-/// nearest first; of codes and hazard signs those that say what the nearest does.
+/// Returns the shown candidates of @p kind within @ref SameFind of @p placeInMap [m] that belong to no find,
+/// nearest first. Codes and hazard signs have the text of the nearest one.
 [[nodiscard]] std::vector<CandidateSample> candidatesNear(const MissionState& state, VictimSample::Kind kind,
                                                           const Eigen::Vector3d& placeInMap);
-/// Adds to @p frozen what @p candidate's cues tell beyond it.
+/// Adds to @p frozen what the cues of @p candidate show beyond it.
 void addCues(FrozenEvidence& frozen, const CandidateSample& candidate);
-/// @p candidate as what was filed as @p number.
+/// Returns @p candidate as filed under @p number.
 [[nodiscard]] CandidateSample filedAs(CandidateSample candidate, std::uint32_t number,
                                       const std::string& station, Time now);
 
-/// Changes of a find, each an entry for the log; empty when the mission does not have it.
+/// Returns the find with @p status, as an entry for the log; empty when the mission does not have it.
 [[nodiscard]] std::optional<VictimSample> withStatus(const MissionState& state, const FindKey& find,
                                                      VictimSample::Status status, const std::string& station,
                                                      Time now);
@@ -98,31 +101,31 @@ struct NearFind {
     FindKey find;
     double distance = 0.0;  ///< [m]
 };
-/// Farther apart, two finds are not merged without being named: longer than anybody lies [m].
+/// Farther apart, two finds are merged only when both are named: longer than anybody lies [m].
 constexpr double MergeReach = 2.0;
-/// The one nearest to @p find of its kind that is not discarded; empty when there is none.
+/// Returns the find nearest to @p find of its kind that is not discarded; empty: there is none.
 [[nodiscard]] std::optional<NearFind> nearestOfKind(const MissionState& state, const FindKey& find);
-/// @p find is part of @p into, which is of its kind.
+/// Returns @p find as part of @p into, which is of its kind; empty when the mission does not have both.
 [[nodiscard]] std::optional<VictimSample> mergedInto(const MissionState& state, const FindKey& find,
                                                      std::uint32_t into, const std::string& station,
                                                      Time now);
-/// @p find is where the floor is at @p floorInMap [m], @ref aboveFloor; it hangs on the scan that it hung on.
+/// Returns @p find @ref aboveFloor of @p floorInMap [m], on the scan that it hung on.
 [[nodiscard]] std::optional<VictimSample> movedTo(const MissionState& state, const FindKey& find,
                                                   const Eigen::Vector3d& floorInMap,
                                                   const std::string& station, Time now);
 
-/// The find of @p form's number with what an operator fills in (signs, situation, tag, area, text) of @p
+/// Returns the find of @p form's number with the operator's entries (signs, situation, tag, area, text) of @p
 /// form.
 [[nodiscard]] std::optional<VictimSample> filledIn(const MissionState& state, const VictimSample& form,
                                                    const std::string& station, Time now);
 
-/// @p newest with what an operator fills in as @p after has it, where that is another than @p before has: the
-/// form may have been filled in over what was known long ago.
+/// Returns @p newest with the operator's entries that differ between @p before and @p after. The form may
+/// have been filled in over an older version.
 [[nodiscard]] VictimSample withEdits(VictimSample newest, const VictimSample& before,
                                      const VictimSample& after);
 
-/// @p find with what the finds that were merged into it tell beyond it: signs, situation, tag, evidence;
-/// empty when the mission does not have it.
+/// Returns @p find with what the finds that were merged into it add: signs, situation, tag, evidence. Empty
+/// when the mission does not have it.
 [[nodiscard]] std::optional<VictimSample> wholeFind(const MissionState& state, const FindKey& find);
 
 }  // namespace leitstand

@@ -11,7 +11,7 @@ namespace {
 
 using Cause = FindMove::Cause;
 
-/// Why finds move by @p decision; empty: it moves no scans.
+/// Returns why finds move by @p decision; empty: it moves no scans.
 std::optional<Cause> causeOf(const Decision& decision) {
     if (std::holds_alternative<UndoSample>(decision.content)) return Cause::Undo;
     const auto* poses = std::get_if<ScanPosesSample>(&decision.content);

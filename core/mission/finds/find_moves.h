@@ -15,7 +15,7 @@ namespace leitstand {
 /// A find that moved with the scan it hangs on.
 struct FindMove {
     enum class Cause : std::uint8_t {
-        Registration,  ///< scans were registered anew
+        Registration,  ///< scans were registered again
         LoopClosure,   ///< a loop was closed
         Operator,      ///< the operator dragged, took or set aside scans
         Undo,          ///< a decision was taken back
@@ -29,30 +29,30 @@ struct FindMove {
     [[nodiscard]] double metres() const { return (to - from).norm(); }
 };
 
-/// Follows how a mission's finds move when scans do, from its decisions alone: also of missions of long ago.
-/// Small moves add up until they are worth telling. What people move by hand is no such move.
+/// Follows how a mission's finds move with its scans, from its decisions alone; this includes old missions.
+/// Small moves add up until they are reported. Moves by hand do not count.
 class FindMoves {
 public:
     static constexpr double LeastTold = 0.05;  ///< [m]
 
-    /// Takes what was decided in @p state since the last call and returns the moves of that; begins anew with
-    /// another mission or an earlier state.
+    /// Takes the decisions in @p state since the last call and returns their moves. Starts again with another
+    /// mission or an earlier state.
     std::vector<FindMove> follow(const MissionState& state);
     [[nodiscard]] const std::vector<FindMove>& all() const { return m_all; }  ///< by rising sequence
-    /// The newest of @p find; null: it stayed where it was filed.
+    /// Returns the newest move of @p find; null: it stayed where it was filed.
     [[nodiscard]] const FindMove* newest(const FindKey& find) const;
 
 private:
-    /// Where a find was when that was told last, and the entry that put it there.
+    /// Place of a find when it was last reported, and the entry that put it there.
     struct Told {
         VictimState entry;
         Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
     };
     void take(const Decision& decision);
 
-    MissionState m_replay;  ///< as it was then
+    MissionState m_replay;  ///< after the decisions taken so far
     std::size_t m_taken = 0;
-    std::uint64_t m_last = 0;  ///< sequence of the decision that was taken last
+    std::uint64_t m_last = 0;  ///< sequence of the last decision taken
     std::map<FindKey, Told> m_told;
     std::vector<FindMove> m_all;
 };

@@ -11,28 +11,29 @@
 
 namespace leitstand {
 
-/// A cue and where what it is of may be.
+/// A cue and the estimated place of what it belongs to.
 struct PlacedCue {
     Cue cue;
     VictimSample::Kind what = VictimSample::Kind::Victim;
     Eigen::Vector3d inMap = Eigen::Vector3d::Zero();           ///< [m]
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< map frame [m2]
-    /// Camera that saw it, in the map [m]; NaN: it came by no ray.
+    /// Position of the camera that saw it, in the map [m]; NaN: it came by no ray.
     Eigen::Vector3d from = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    double reach = 0.0;      ///< not 0: a disc about the robot, which only supports what is in it [m]
+    double reach = 0.0;  ///< not 0: radius of a disc around the robot, which only supports what is in it [m]
     std::uint64_t scan = 0;  ///< key scan from which it was seen: moves with it; 0: none
 };
 
-/// How sure places are.
+/// Standard deviations of what makes up a place.
 struct PlacingSettings {
-    double pixel = 0.01;     ///< of a ray's direction, beside the blob's own size [rad]
-    double heading = 0.012;  ///< of the robot's heading, and its camera's mounting [rad]
+    double pixel = 0.01;     ///< of a ray's direction, besides the blob's own size [rad]
+    double heading = 0.012;  ///< of the robot's heading and its camera's mounting [rad]
     double pose = 0.03;      ///< of the robot's place while its scans fit [m]
-    double doubted = 0.15;   ///< ... while they do not [m]
-    double surface = 0.2;    ///< of a range: how deep what is meant lies behind what the laser sees; foil [m]
+    double doubted = 0.15;   ///< of the robot's place while they do not fit [m]
+    double surface = 0.2;    ///< of a range: depth of the object behind what the laser sees, such as foil [m]
 };
 
-/// Where @p ray (in the map) meets @p hit, with its covariance. @p spread: half angle of what is seen [rad].
+/// Places @p cue where @p ray (in the map) meets @p hit, with its covariance. @p spread: half angle of what
+/// is seen [rad].
 void placeByRay(PlacedCue& cue, const Ray& ray, const RayHit& hit, double spread, bool certainPose,
                 const PlacingSettings& settings = {});
 

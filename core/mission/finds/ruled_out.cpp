@@ -6,7 +6,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Surely = 0.6;  // warmth of that confidence is a person's, not a wall's that was lit
+constexpr double Surely = 0.6;  // warmth of this confidence is a person's, not a lit wall's
 
 bool wasWarm(const CandidateThing& thing) {
     return std::any_of(thing.looks.begin(), thing.looks.end(), [](const auto& look) {

@@ -10,7 +10,7 @@ bool fits(char pattern, char one) {
     return pattern == '?' || pattern == one || (pattern == '#' && one >= '0' && one <= '9');
 }
 
-/// Without recursion: what a code says may be long, and made by anybody.
+/// Without recursion, because the text of a code may be long and come from anybody.
 bool matches(std::string_view pattern, std::string_view text) {
     std::size_t p = 0, t = 0, star = std::string_view::npos, resume = 0;
     while (t < text.size()) {

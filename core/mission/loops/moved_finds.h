@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// Finds that are not discarded and would lie elsewhere by more than @p least [m] if key scans came to stand
+/// Returns the finds, without discarded ones, that would move by more than @p least [m] if key scans stood
 /// where @p scansInMap has them.
 [[nodiscard]] std::vector<FindKey> findsMovedBy(const MissionState& state,
                                                 const std::map<std::uint64_t, Pose>& scansInMap,

@@ -6,10 +6,10 @@
 namespace leitstand {
 namespace {
 
-constexpr double Together = 0.05;               ///< two places that lie as a link wants them [m] ...
-constexpr double TogetherAngle = degrees(1.0);  ///< ... [rad]
+constexpr double Together = 0.05;  ///< two places this near to where a link wants them are together [m] ...
+constexpr double TogetherAngle = degrees(1.0);  ///< ... when also turned by at most this [rad]
 
-/// Whether @p link, as the mission has it now, waits for an answer: those of the operator are answers.
+/// Whether @p link, as the mission has it now, waits for an answer. Links of the operator are answers.
 bool waits(const MissionState& state, const Link& link) {
     const auto now = state.loops->find(link.id);
     const auto asks = [](LinkKind kind) { return kind == LinkKind::Loop || kind == LinkKind::Session; };
@@ -17,8 +17,8 @@ bool waits(const MissionState& state, const Link& link) {
            state.keyScans->contains(link.from) && state.keyScans->contains(link.to);
 }
 
-/// Whether the scans of @p link, which was told by the event @p asked, were brought to where it wants them
-/// since.
+/// Whether the scans of @p link came to where it wants them after the event @p asked, which reported the
+/// link.
 bool holdsSince(const MissionState& state, const Link& link, std::uint64_t asked) {
     const KeyScanState &from = state.keyScans->at(link.from), &to = state.keyScans->at(link.to);
     if (from.poseSequence < asked && to.poseSequence < asked) return false;
@@ -40,7 +40,7 @@ std::optional<OpenLoop> openLoop(const MissionState& state) {
         const bool holds = std::all_of(loop.links.begin(), loop.links.end(), [&](const Link& link) {
             return holdsSince(state, link, decision->sequence);
         });
-        if (holds) continue;  // also where there is none
+        if (holds) continue;  // also when no link waits
         const Link& newest = loop.links.back();
         loop.parts = newest.kind == LinkKind::Session;
         loop.at = state.keyScans->at(newest.to).pose.scanInMap.translation();

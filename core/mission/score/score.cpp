@@ -47,7 +47,7 @@ double divisorOf(OperatorRule rule, std::uint32_t operators) {
     return rule == OperatorRule::SquaredOfMore ? (1.0 + count) * (1.0 + count) : 1.0;
 }
 
-/// People who drive: as the mission's data say, else as the station did when it began.
+/// Returns the number of operators from the mission's data, otherwise from the newest session.
 std::uint32_t operatorsOf(const MissionState& state) {
     if (state.info) return state.info->sample.operators;
     return state.sessions->empty() ? 1 : state.sessions->back().session.operators;
@@ -81,7 +81,7 @@ ScoredFind scored(const ScoreProfile& profile, const MissionState& state, const 
     return find;
 }
 
-/// Middles of confirmed victims in the map [m].
+/// Returns the middles of confirmed victims in the map [m].
 std::vector<Eigen::Vector3d> victimPlaces(const MissionState& state) {
     std::vector<Eigen::Vector3d> places;
     for (const auto& [key, victim] : *state.victims) {

@@ -17,35 +17,35 @@ namespace leitstand {
 enum class Autonomy : std::uint8_t {
     Teleoperated,
     Semi,  ///< the robot drove itself, but the station or the operator found it
-    Full,  ///< the robot drove itself and said so by itself
+    Full,  ///< the robot drove itself and reported it itself
 };
 
-/// An item of a victim.
+/// A scored item of a victim.
 struct ScoredItem {
     ScoreItem item = ScoreItem::Map;
     double points = 0.0;    ///< that it brings now
-    double possible = 0.0;  ///< that it would bring, told
+    double possible = 0.0;  ///< that it would bring when reported
 };
 
-/// What a find brings.
+/// The points of a find.
 struct ScoredFind {
     FindKey find;
     std::string name;               ///< "V1"
-    bool confirmed = false;         ///< others bring nothing yet
+    bool confirmed = false;         ///< unconfirmed finds bring nothing yet
     std::vector<ScoredItem> items;  ///< of victims only
     double points = 0.0;            ///< unweighted
     double weight = 1.0;            ///< of its area
-    std::string unweighed;          ///< its area, where the profile has no weight for it
+    std::string unweighed;          ///< its area, when the profile has no weight for it
     Autonomy autonomy = Autonomy::Teleoperated;
     double factor = 1.0;  ///< of its autonomy
     double total = 0.0;   ///< points x weight x factor
 };
 
-/// What one more thing would bring.
+/// The gain of one more step.
 struct ScoreAdvice {
     FindKey find;
     std::string name;               ///< "V1"
-    std::optional<ScoreItem> item;  ///< to be told; empty: the find is to be confirmed
+    std::optional<ScoreItem> item;  ///< to report; empty: confirm the find
     double gain = 0.0;              ///< of the score
 };
 
@@ -62,16 +62,16 @@ struct ScoreResult {
     std::vector<ScoreAdvice> advice;  ///< largest gain first
 };
 
-/// Estimates the score of @p state by @p profile. The map counts as good: only judges can tell. A contact
-/// counts as one with a victim where the robot touches() a confirmed one.
+/// Estimates the score of @p state by @p profile. The map counts as good, because only judges can rate it. A
+/// contact counts as one with a victim when the robot touches() a confirmed one.
 [[nodiscard]] ScoreResult score(const ScoreProfile& profile, const MissionState& state,
                                 const Footprints& footprints = {});
 
-/// How far the robot found @p find by itself.
+/// Returns how far the robot found @p find by itself.
 [[nodiscard]] Autonomy autonomyOf(const VictimSample& find);
 
-/// Where the odometry of @p robot lies in the map at @p moment (station's clock), by its newest key scan that
-/// counts and is not of later, else by the place that was said of it; empty: nobody knows.
+/// Returns the pose of @p robot's odometry frame in the map at @p moment (station's clock); empty: unknown.
+/// It comes from its newest key scan that counts and is not later, otherwise from its newest reported place.
 [[nodiscard]] std::optional<Pose> odomInMap(const MissionState& state, const std::string& robot, Time moment);
 
 }  // namespace leitstand

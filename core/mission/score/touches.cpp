@@ -8,13 +8,13 @@
 namespace leitstand {
 namespace {
 
-constexpr double UnknownRadius = 0.2;  // of a robot whose footprint nobody knows [m]
+constexpr double UnknownRadius = 0.2;  // of a robot with an unknown footprint [m]
 constexpr double Step = 0.02;          // along edges [m]
 constexpr double RoundCorners =
-    0.5;  // from this share of a half on the edge is the bumper's: it reaches round corners
-constexpr double Beyond = 0.1;  // from this on something is on that side of the robot, and not beside it
+    0.5;  // share of a half from which the edge is the bumper's: it reaches round corners
+constexpr double Beyond = 0.1;  // share of a half from which something is on that side, not beside it
 
-/// Which part of a robot's edge a bumper is, by its name.
+/// The part of a robot's edge that a bumper covers, by its name.
 struct Side {
     int ahead = 0, left = 0;  ///< 1: that side, -1: the other one, 0: both
 
@@ -23,13 +23,13 @@ struct Side {
         ahead = says("front") ? 1 : says("rear") || says("back") ? -1 : 0;
         left = says("left") ? 1 : says("right") ? -1 : 0;
     }
-    /// Whether @p place is on that side, as far as ahead and behind go where the bumper names both: a body
-    /// that lies across is on either hand.
+    /// Whether @p place is on that side. When the bumper names both directions, only ahead and behind count:
+    /// a body that lies across is on either hand.
     [[nodiscard]] bool mayMeet(const Eigen::Vector2d& place) const {
         return ahead == 0 ? has(place, Beyond) : ahead * place.x() >= Beyond;
     }
-    /// Whether @p place is on that side; @p least: how far from the middle, as a share of the footprint's
-    /// halves, in which @p place is, too.
+    /// Whether @p place is on that side. @p place and @p least (from the middle) are shares of the
+    /// footprint's halves.
     [[nodiscard]] bool has(const Eigen::Vector2d& place, double least) const {
         return (ahead == 0 || ahead * place.x() >= least) && (left == 0 || left * place.y() >= least);
     }

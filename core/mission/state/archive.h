@@ -23,11 +23,11 @@ static_assert(std::endian::native == std::endian::little, "the bytes of checkpoi
 
 /// Appends @p size bytes.
 void append(std::vector<std::byte>& to, const void* bytes, std::size_t size);
-/// Moves the first @p size bytes of @p from to @p into; false when there are not so many.
+/// Moves the first @p size bytes of @p from to @p into; false when there are fewer.
 [[nodiscard]] bool extract(std::span<const std::byte>& from, void* into, std::size_t size);
 
-/// Turns values into bytes, or bytes into values; types describe themselves once for both by a free function
-/// `describe(archive, value)` that names their fields: `archive(value.a, value.b)`. Reading believes nothing:
+/// Turns values into bytes, or bytes into values. A type describes itself once for both by a free function
+/// `describe(archive, value)` that names its fields: `archive(value.a, value.b)`. Reading trusts nothing:
 /// after the first thing that makes no sense, ok() is false and values stay as they are.
 template <bool Writing>
 class Archive {
@@ -60,7 +60,7 @@ private:
         }
     }
 
-    /// A count of things of which each takes at least a byte.
+    /// Reads or writes the count of things that take at least a byte each.
     std::size_t count(std::size_t size) {
         auto number = static_cast<std::uint32_t>(size);
         raw(&number, sizeof number);
@@ -79,7 +79,7 @@ private:
         if constexpr (!Writing) value = byte == 1;
     }
 
-    /// Enumerations end with the value that lastOf() tells.
+    /// Enumerations end with the value that lastOf() returns.
     template <class T>
     requires std::is_enum_v<T>
     void one(T& value) {
@@ -96,7 +96,7 @@ private:
     void one(std::chrono::duration<Rep, Period>& value) {
         std::int64_t number = value.count();
         raw(&number, sizeof number);
-        // What a mission tells is within 136 years of 1970; sums of others would be no numbers.
+        // Times of a mission are within 136 years of 1970; sums of others would overflow.
         constexpr std::chrono::duration<Rep, Period> Most = std::chrono::seconds(1LL << 32);
         if (number > Most.count() || number < -Most.count()) {
             m_ok = false;

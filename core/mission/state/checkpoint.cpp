@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-// The fields stand before the archive, whose templates look for them.
+// The fields come before the archive, whose templates look them up.
 #include "core/mission/state/checkpoint_fields.h"
 
 #include "core/mission/state/archive.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t Magic = 0x534d534c;  // "LSMS"
 
-/// FNV-1a over 64 bits: tells damage, not malice.
+/// FNV-1a over 64 bits: detects damage, not malice.
 std::uint64_t checksum(std::span<const std::byte> bytes) {
     std::uint64_t sum = 14'695'981'039'346'656'037ULL;
     for (const std::byte byte : bytes)

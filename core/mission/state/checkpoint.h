@@ -12,19 +12,19 @@
 
 namespace leitstand {
 
-/// CheckpointSample::version of the bytes that this program writes ...
+/// CheckpointSample::version of the bytes that this program writes.
 inline constexpr std::uint32_t CheckpointVersion = 8;
-/// ... and of the oldest that it reads: what was added since stands behind what they have.
+/// Oldest version that it reads. Fields that were added since come after the older ones.
 inline constexpr std::uint32_t OldestCheckpointVersion = 6;
 
-/// @p state as bytes; equal states make equal bytes.
+/// Returns @p state as bytes; equal states make equal bytes.
 [[nodiscard]] std::vector<std::byte> serialised(const MissionState& state);
-/// The state that @p bytes hold; an error, never more, whatever they are.
+/// Returns the state that @p bytes hold. Whatever they are, the worst result is an error.
 [[nodiscard]] Result<MissionState> deserialised(std::span<const std::byte> bytes);
 
-/// A checkpoint of @p state for the log.
+/// Returns a checkpoint of @p state for the log.
 [[nodiscard]] CheckpointSample checkpointOf(const MissionState& state, Time stamp);
-/// The state of @p checkpoint; an error when it is of another version or broken.
+/// Returns the state of @p checkpoint. Error when it has another version or is broken.
 [[nodiscard]] Result<MissionState> stateOf(const CheckpointSample& checkpoint);
 
 }  // namespace leitstand

@@ -1,7 +1,6 @@
 #pragma once
 
-// The fields of what a checkpoint holds, in the order of its bytes. A change here needs a new
-// CheckpointVersion.
+// The fields of a checkpoint, in the order of its bytes. A change here needs a new CheckpointVersion.
 
 #include "core/mission/state/mission_state.h"
 
@@ -248,7 +247,7 @@ void describe(A& a, ClockSample& v) {
 template <class A, class T>
 void describe(A& a, SharedValue<T>& v) {
     if constexpr (A::Writes) {
-        a(const_cast<T&>(*v));  // an archive that writes changes nothing; edit() would copy
+        a(const_cast<T&>(*v));  // a writing archive changes nothing; edit() would copy
     } else {
         a(v.edit());
     }

@@ -15,7 +15,7 @@ namespace leitstand {
 
 namespace {
 
-/// What decisions do to the state. Editors are taken once: each edit() looks whether others share the value.
+/// Applies decisions to the state. Editors are taken once: each edit() checks whether others share the value.
 class Effects {
 public:
     explicit Effects(MissionState& state) : m_state(state) {}
@@ -52,7 +52,8 @@ private:
             const ScanPose before = scan->second.pose;
             scan->second.pose = pose;
             if (sample.cause == ScanPosesSample::Cause::LoopClosure) {
-                // Whether it counts was decided before the loop moved it, and that may be taken back.
+                // Whether the scan counts is an earlier decision, which may be undone. A loop only moves the
+                // scan.
                 scan->second.pose.trust = before.trust;
                 scan->second.pose.doubts = before.doubts;
             }
@@ -86,11 +87,11 @@ Decision* find(std::vector<Decision>& decisions, std::uint64_t sequence) {
     return found != decisions.end() && found->sequence == sequence ? &*found : nullptr;
 }
 
-/// All that follows from the decisions of @p state, but where the area hangs.
+/// Computes all that follows from the decisions of @p state, except where the area hangs.
 void apply(MissionState& state) {
     std::vector<Decision>& decisions = state.decisions.edit();
     for (Decision& decision : decisions) decision.undone = false;
-    // An undo names an event before it: from the newest on, each is decided when its turn comes.
+    // An undo names an earlier event. From the newest back, each is settled before its turn comes.
     for (auto decision = decisions.rbegin(); decision != decisions.rend(); ++decision) {
         const auto* undo = std::get_if<UndoSample>(&decision->content);
         if (undo == nullptr || decision->undone || undo->event >= decision->sequence) continue;
@@ -108,15 +109,15 @@ void apply(MissionState& state) {
     }
 }
 
-/// The corner @p at of an area that was drawn while the key scans were where @p scans say; @p parts: of which
-/// part each is.
+/// Returns the corner @p at of an area, hung on the nearest of @p scans. The scans are as they were when it
+/// was drawn. @p parts: the part of each scan.
 AreaCorner hung(const Eigen::Vector2d& at, const std::map<std::uint64_t, KeyScanState>& scans,
                 const std::vector<ScanInPart>& parts) {
     const KeyScanState* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
     auto inPart = parts.begin();
     for (const auto& [id, scan] : scans) {
-        const bool aside = (inPart++)->part != 0;  // for show: where it lies says nothing
+        const bool aside = (inPart++)->part != 0;  // for show only: where it lies means nothing
         const double distance = (scan.pose.scanInMap.translation().head<2>() - at).norm();
         if (scan.pose.trust != ScanTrust::Certain || aside || distance >= least) continue;
         least = distance;
@@ -126,7 +127,7 @@ AreaCorner hung(const Eigen::Vector2d& at, const std::map<std::uint64_t, KeyScan
     return {at, nearest->entry.id, nearest->pose.scanInMap};
 }
 
-/// Hangs the area of @p state onto @p scans, which are as they were when it was drawn.
+/// Hangs the area of @p state on @p scans, which are as they were when it was drawn.
 void hangArea(MissionState& state, const std::map<std::uint64_t, KeyScanState>& scans) {
     std::vector<ScanInPart> parts = scansInParts(scans);
     findParts(parts, MapParts({}));
@@ -135,7 +136,7 @@ void hangArea(MissionState& state, const std::map<std::uint64_t, KeyScanState>& 
         state.crop->corners.push_back(hung(corner, scans, parts));
 }
 
-/// The same, of decisions that were read together: what was undone later stood then.
+/// Does the same for decisions that were read together: what was undone later still stood then.
 void hangArea(MissionState& state) {
     if (!state.crop || state.crop->sample.polygon.empty()) return;
     MissionState then;
@@ -146,7 +147,7 @@ void hangArea(MissionState& state) {
     hangArea(state, *then.keyScans);
 }
 
-/// Tells what in @p decision names something that the mission does not have.
+/// Adds a remark for each scan that @p decision names and the mission does not have.
 void tellUnknown(MissionState& state, const Decision& decision) {
     const auto* poses = std::get_if<ScanPosesSample>(&decision.content);
     if (poses == nullptr) return;

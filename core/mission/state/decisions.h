@@ -4,11 +4,11 @@
 
 namespace leitstand {
 
-/// Adds @p decision as the newest and lets it have its effect; an undo changes what stands before it. A key
-/// that makes no sense (an undo of what is no decision) is told in the remarks.
+/// Adds @p decision as the newest and applies it; an undo changes the effect of earlier ones. A key that
+/// makes no sense (an undo of what is no decision) becomes a remark.
 void decide(MissionState& state, Decision decision);
 
-/// Works out from MissionState::decisions which of them are undone, and all that follows from the others:
+/// Computes from MissionState::decisions which of them are undone, and all that follows from the others:
 /// victims, key scans, notes and the area of the map.
 void reconsider(MissionState& state);
 

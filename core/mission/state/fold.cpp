@@ -14,7 +14,7 @@ namespace leitstand {
 
 namespace {
 
-/// The sender's time of a sample; epoch where it has none.
+/// Returns the sender's time of a sample; epoch when it has none.
 template <class T>
 Time stampOf(const T& sample) {
     if constexpr (requires { sample.header.stamp; }) {
@@ -28,8 +28,8 @@ Time stampOf(const T& sample) {
     }
 }
 
-/// Replaces what the same part said before; beyond a sane number of parts, the one that was silent longest
-/// goes.
+/// Replaces the earlier status of the same part. Beyond a sane number of parts, drops the one that was silent
+/// longest.
 void mergeStatus(std::vector<DiagnosticStatus>& statuses, const DiagnosticStatus& status) {
     constexpr std::size_t MostParts = 256;
     std::erase_if(statuses, [&](const DiagnosticStatus& known) { return known.name == status.name; });
@@ -65,7 +65,7 @@ private:
         stream.stamp = std::visit([](const auto& sample) { return stampOf(sample); }, m_event.sample);
     }
 
-    /// Puts @p sample into a robot's state; samples that name no robot say nothing about one.
+    /// Puts @p sample into a robot's state; ignores samples without a robot.
     template <class T>
     void keep(std::optional<Latest<T>> RobotState::*place, const T& sample) {
         if (!m_event.robot.empty()) robot().*place = latest(sample);
@@ -75,12 +75,11 @@ private:
         decide(m_state, {m_event.sequence, m_event.received, false, std::move(content)});
     }
 
-    /// What @p sample counts beyond what the robot counted before. A robot that starts again counts from
-    /// zero.
+    /// Adds the hits of @p sample beyond those counted before. A restarted robot counts from zero.
     void countContacts(const BumpSample& sample) {
         RobotState& state = robot();
         for (const Bumper& bumper : sample.bumpers) {
-            // The first that is said may count what happened before the mission, but for what is pressed now.
+            // The first count may include hits before the mission, except what is pressed now.
             std::uint32_t before = 0;
             if (!state.bumps) before = bumper.hits - (bumper.pressed && bumper.hits > 0 ? 1 : 0);
             if (state.bumps) {
@@ -97,7 +96,7 @@ private:
         }
     }
 
-    /// Who tells of @p sample, as that robot drives now.
+    /// Returns who reports @p sample, and how that robot drives now.
     FirstTold toldNow(const CandidateSample& sample) const {
         FirstTold told{.stamp = sample.stamp, .robot = {}, .autonomous = {}};
         if (sample.cues.empty()) return told;
@@ -108,8 +107,8 @@ private:
         return told;
     }
 
-    /// Takes @p sample into the mean of what the battery gives. A robot that rests takes little and one that
-    /// starts takes much: neither tells how long it lasts.
+    /// Takes @p sample into the mean current of the battery. A robot that rests takes little and one that
+    /// starts takes much: neither shows how long the battery lasts.
     void weigh(const BatterySample& sample) {
         RobotState& state = robot();
         const bool goesOn = state.battery && state.load.current < 0.0 && sample.current < 0.0;
@@ -180,7 +179,7 @@ private:
     void handle(const MapCropSample& sample) { decided(sample); }
     void handle(const ScanBodiesSample& sample) { decided(sample); }
     void handle(const ScanLinksSample& sample) {
-        // What a scan was registered against goes with it; only loops are taken back.
+        // Links of registration go with their scan; only loops can be taken back.
         ScanLinksSample loops = sample;
         std::erase_if(loops.links, [](const Link& link) { return !closesLoop(link.kind); });
         if (!loops.links.empty()) decided(std::move(loops));
@@ -203,7 +202,7 @@ private:
         GrantState& grant = m_state.grants.edit()[{sample.kind, sample.robot}];
         switch (sample.action) {
             case GrantSample::Action::Hold:
-                if (sample.term < grant.term) break;  // a holder that was superseded and does not know yet
+                if (sample.term < grant.term) break;  // a superseded holder that does not know it yet
                 grant.station = sample.station;
                 grant.title = sample.title;
                 grant.term = sample.term;
@@ -271,8 +270,8 @@ private:
     const Event& m_event;
 };
 
-/// Whether @p event comes after all of @p state, or says of another robot what is in it already: robots share
-/// topics, and so one message is an event of each of them.
+/// Whether @p event comes after all of @p state. Robots share topics, so one message is an event of each
+/// robot: the newest sequence may come again for another robot.
 bool isNext(const MissionState& state, const Event& event) {
     if (event.sequence != state.sequence) return event.sequence > state.sequence;
     if (event.robot.empty()) return false;
@@ -315,7 +314,7 @@ MissionState stateAt(MissionHistory& history, std::uint64_t sequence) {
     for (auto stored = history.checkpointUpTo(sequence); stored;
          stored = stored->sequence > 1 ? history.checkpointUpTo(stored->sequence - 1) : std::nullopt) {
         auto state = stateOf(stored->checkpoint);
-        // It is of what came before it; an older one may be readable.
+        // A checkpoint covers what came before it. An older one may be readable.
         if (!state || state->sequence >= stored->sequence) continue;
         replay = Fold(std::move(state).value());
         break;

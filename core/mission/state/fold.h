@@ -12,22 +12,22 @@
 
 namespace leitstand {
 
-/// The state after @p event, from the one before it. Pure; moving @p state in saves copies. Never fails: what
-/// makes no sense is told in MissionState::remarks.
+/// Returns the state after @p event, from the one before it. Pure; moving @p state in saves copies. Never
+/// fails: what makes no sense becomes one of MissionState::remarks.
 [[nodiscard]] MissionState fold(MissionState state, const Event& event);
 
-/// Keeps the state of a mission as its events come. One thread adds; snapshots may go anywhere.
+/// Keeps the state of a mission as its events arrive. One thread adds; snapshots may go to any thread.
 class Fold {
 public:
     explicit Fold(MissionState start = {}) : m_state(std::move(start)) {}
 
     void add(const Event& event);
     [[nodiscard]] const MissionState& state() const { return m_state; }
-    /// An immutable copy for others.
+    /// Returns an immutable copy for others.
     [[nodiscard]] MissionStatePtr snapshot() const { return std::make_shared<const MissionState>(m_state); }
 
-    /// A checkpoint of the state, when events came since the last one and @p interval has passed. The caller
-    /// logs it as an event.
+    /// Returns a checkpoint of the state when events arrived since the last one and @p interval has passed.
+    /// The caller logs it as an event.
     [[nodiscard]] std::optional<CheckpointSample> dueCheckpoint(
         Time now, std::chrono::nanoseconds interval = std::chrono::seconds(20));
 
@@ -37,7 +37,7 @@ private:
     std::uint64_t m_checkpointedSequence = 0;
 };
 
-/// Where stateAt() finds the past: the log, decoded.
+/// The source of the past for stateAt(): the decoded log.
 class MissionHistory {
 public:
     struct StoredCheckpoint {
@@ -45,15 +45,15 @@ public:
         CheckpointSample checkpoint;
     };
     virtual ~MissionHistory() = default;
-    /// The newest checkpoint event up to and with @p sequence; empty when there is none.
+    /// Returns the newest checkpoint event up to and including @p sequence; empty when there is none.
     [[nodiscard]] virtual std::optional<StoredCheckpoint> checkpointUpTo(std::uint64_t sequence) = 0;
-    /// Gives the events after @p after up to and with @p upTo to @p take, in order.
+    /// Passes the events after @p after, up to and including @p upTo, to @p take in order.
     virtual void events(std::uint64_t after, std::uint64_t upTo,
                         const std::function<void(const Event&)>& take) = 0;
 };
 
-/// The state after the event of @p sequence: the nearest checkpoint that can be read and the events after it,
-/// which is the same as folding all from the first.
+/// Returns the state after the event of @p sequence. It folds the events after the nearest readable
+/// checkpoint, which equals folding all from the first.
 [[nodiscard]] MissionState stateAt(MissionHistory& history, std::uint64_t sequence);
 
 }  // namespace leitstand

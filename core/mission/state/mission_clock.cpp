@@ -23,7 +23,7 @@ MissionClock clockAt(const std::optional<ClockSample>& said, Time now) {
     clock.running = said->running;
     clock.limit = std::max(said->limit, std::chrono::nanoseconds(0));
     clock.elapsed = said->elapsed;
-    // A station whose clock was set back shows what it had.
+    // When a station's clock was set back, the elapsed time stays.
     if (clock.running) clock.elapsed += std::max(now - said->stamp, std::chrono::nanoseconds(0));
     if (clock.limit.count() > 0) clock.left = clock.limit - clock.elapsed;
     return clock;

@@ -17,23 +17,23 @@ struct MissionClock {
     std::optional<std::chrono::nanoseconds> left = {};  ///< negative: over; empty without a limit
 };
 
-/// What the clock that was said last in @p said shows at @p now (station's clock); it stands at zero before
-/// any. It goes on while no station runs: the arena's clock does not wait for a restart.
+/// Returns what the clock shows at @p now (station's clock), by the newest sample @p said; zero without one.
+/// It runs on while no station runs, because the arena's clock does not wait for a restart.
 [[nodiscard]] MissionClock clockAt(const std::optional<ClockSample>& said, Time now);
 
-/// Whether a station let it go as its mission began, and nobody has touched it since.
+/// Whether a station started the clock as its mission began and nobody has changed it since.
 [[nodiscard]] bool beganByItself(const ClockSample& clock);
 
-/// @p clock with a length of @p minutes where nobody gave it one; as it is with 0 minutes.
+/// Returns @p clock with a length of @p minutes when it has none; unchanged for 0 minutes.
 [[nodiscard]] MissionClock withLength(MissionClock clock, double minutes);
 
-/// What a station says to make the clock that shows @p clock at @p now go or stand.
+/// Returns the sample that starts or stops the clock, which shows @p clock at @p now.
 [[nodiscard]] ClockSample clockRun(const MissionClock& clock, bool running, Time now,
                                    const std::string& station);
-/// To give it another length; negative lengths are none.
+/// Returns the sample that changes its length; negative lengths mean none.
 [[nodiscard]] ClockSample clockLimited(const MissionClock& clock, std::chrono::nanoseconds limit, Time now,
                                        const std::string& station);
-/// To let it begin again at zero, as it goes or stands.
+/// Returns the sample that resets it to zero, running or stopped as it is.
 [[nodiscard]] ClockSample clockReset(const MissionClock& clock, Time now, const std::string& station);
 
 }  // namespace leitstand

@@ -6,7 +6,7 @@ namespace leitstand {
 
 namespace {
 
-/// Where something that hangs on a scan is now.
+/// Returns where something that hangs on a scan is now, in the map [m].
 template <class Find>
 Eigen::Vector3d placeOf(const MissionState& state, const Find& find) {
     const auto scan = state.keyScans->find(find.scan);

@@ -24,31 +24,31 @@
 
 namespace leitstand {
 
-/// A key scan as a decision: where its points stand in the log, without them.
+/// A key scan as a decision, without its points, which stay in the log.
 struct KeyScanEntry {
     std::uint64_t id = 0;
     std::string robot;
     Time stamp{};                          ///< station's clock
     Pose sensorInBase = Pose::Identity();  ///< at the end of the sweep
-    Pose scanInMap = Pose::Identity();     ///< when it entered
+    Pose scanInMap = Pose::Identity();     ///< when it was added
     std::optional<Pose> sensorInOdom{};    ///< by odometry, at the end of the sweep
     std::uint64_t matched = 0;             ///< id of the scan it was registered against; 0: none
     std::uint64_t points = 0;
 };
 
-/// An event that undo can take back, and whether it is taken back. All of them are kept, in order: they are
-/// also what a timeline offers to jump to.
+/// An event that undo can take back, and whether it is taken back. All of them are kept in order, also for a
+/// timeline to jump to.
 struct Decision {
     std::uint64_t sequence = 0;
     Time received{};      ///< station's clock
-    bool undone = false;  ///< an undo that is not undone itself names it
-    /// ScanLinksSample: of its links, those that close loops.
+    bool undone = false;  ///< by an undo that is not undone itself
+    /// A ScanLinksSample holds only those of its links that close loops.
     std::variant<VictimSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample, MapCropSample,
                  ScanLinksSample, ScanBodiesSample>
         content;
 };
 
-/// What names a victim or another find.
+/// Identifies a victim or another find.
 using FindKey = std::pair<VictimSample::Kind, std::uint32_t>;  ///< kind, number
 
 /// A victim as the newest decision that is not undone has it.
@@ -58,19 +58,19 @@ struct VictimState {
     VictimSample victim;
 };
 
-/// Who told a candidate first, and how that robot drove then: so a find of it counts, however late it is
-/// filed.
+/// The first report of a candidate: its robot, and how that robot drove then. A find of it counts this way,
+/// however late it is filed.
 struct FirstTold {
     Time stamp{};                    ///< station's clock
-    std::string robot;               ///< empty: nobody knows
-    std::optional<bool> autonomous;  ///< it drove itself; empty: nobody knows
+    std::string robot;               ///< empty: unknown
+    std::optional<bool> autonomous;  ///< it drove itself; empty: unknown
 };
 
-/// What the station believes to have found, as it said last.
+/// A candidate: what the station believes to have found, by its newest sample.
 struct CandidateState {
     std::uint64_t sequence = 0;  ///< of the newest
     std::uint64_t first = 0;     ///< sequence of the first of this id
-    FirstTold told;              ///< by that one
+    FirstTold told;              ///< by that event
     CandidateSample candidate;
 };
 
@@ -79,7 +79,7 @@ struct KeyScanState {
     std::uint64_t sequence = 0;  ///< of the event that has its points
     KeyScanEntry entry;
     ScanPose pose;                   ///< newest that is not undone
-    std::uint64_t poseSequence = 0;  ///< of the event that said so; the scan's own when nothing moved it
+    std::uint64_t poseSequence = 0;  ///< of the event that set it; the scan's own when nothing moved it
 };
 
 /// A link that closes a loop, as the newest decision that is not undone has it.
@@ -88,19 +88,19 @@ struct LoopState {
     Link link;
 };
 
-/// Where a corner of what belongs into the map is: it moves with the key scan that was nearest when it was
+/// A corner of the area that belongs to the map. It moves with the key scan that was nearest when it was
 /// drawn.
 struct AreaCorner {
-    Eigen::Vector2d drawn = Eigen::Vector2d::Zero();  ///< map frame, then [m]
+    Eigen::Vector2d drawn = Eigen::Vector2d::Zero();  ///< in the map frame of that time [m]
     std::uint64_t scan = 0;                           ///< id of that scan; 0: there was none
-    Pose scanInMap = Pose::Identity();                ///< then
+    Pose scanInMap = Pose::Identity();                ///< at that time
 };
 
-/// What belongs into the map, as the newest decision that is not undone has it.
+/// The area that belongs to the map, as the newest decision that is not undone has it.
 struct CropState {
     std::uint64_t sequence = 0;       ///< of that decision
     Time received{};                  ///< station's clock
-    MapCropSample sample;             ///< as it was said: areaInMap() tells where it is now
+    MapCropSample sample;             ///< as published: areaInMap() returns where it is now
     std::vector<AreaCorner> corners;  ///< of its polygon
 };
 
@@ -109,7 +109,7 @@ struct GrantState {
     std::string station, title;  ///< empty: nobody
     std::uint64_t term = 0;
     Time heartbeat{};         ///< newest Hold, station's clock
-    std::string requestedBy;  ///< station that asked last and was not answered; may be empty
+    std::string requestedBy;  ///< station whose request is not answered yet; may be empty
 };
 
 /// An alarm as it is now.
@@ -120,21 +120,21 @@ struct AlarmState {
     AlarmSample alarm;
 };
 
-/// A time that a station wrote the mission.
+/// A period in which a station wrote the mission.
 struct SessionState {
     std::uint64_t started = 0;  ///< sequence
-    std::uint64_t ended = 0;    ///< sequence; 0: runs, or was cut off
+    std::uint64_t ended = 0;    ///< sequence; 0: it runs, or was cut off
     SessionSample session;      ///< its start
 };
 
-/// Something the fold met that makes no sense; the mission goes on.
+/// Something that the fold met and that makes no sense; the mission goes on.
 struct FoldRemark {
     std::uint64_t sequence = 0;
     std::string text;  ///< in English
 };
 
-/// The state of a mission after an event (design, section 1): a value, cheap to copy, whose copies share what
-/// they have in common. Equal logs make equal states, bit for bit.
+/// The state of a mission after an event (design, section 1): a value, cheap to copy. Copies share what they
+/// have in common. Equal logs make equal states, bit for bit.
 struct MissionState {
     using GrantKey = std::pair<GrantSample::Kind, std::string>;          ///< kind, robot
     using AlarmKey = std::tuple<std::string, std::string, std::string>;  ///< station, robot, key
@@ -150,9 +150,9 @@ struct MissionState {
     SharedValue<std::map<std::uint32_t, CandidateState>> candidates;       ///< by id
     SharedValue<std::map<std::uint64_t, KeyScanState>> keyScans;           ///< by id
     SharedValue<std::map<std::uint64_t, LoopState>> loops;                 ///< by id of the link
-    SharedValue<std::map<std::uint64_t, std::vector<BodyInScan>>> bodies;  ///< of others, by key scan's id
+    SharedValue<std::map<std::uint64_t, std::vector<BodyInScan>>> bodies;  ///< robots, by key scan's id
     SharedValue<std::vector<Latest<NoteSample>>> notes;                    ///< that are not undone
-    std::optional<CropState> crop;                                         ///< empty: nobody said
+    std::optional<CropState> crop;                                         ///< empty: nobody set one
     SharedValue<std::map<GrantKey, GrantState>> grants;
     SharedValue<std::map<AlarmKey, AlarmState>> alarms;
     SharedValue<std::vector<SessionState>> sessions;
@@ -164,14 +164,14 @@ struct MissionState {
 };
 using MissionStatePtr = std::shared_ptr<const MissionState>;
 
-/// Where @p victim is in the map now: with the scan it hangs on, else where it was filed [m].
+/// Returns the position of @p victim in the map now [m]: by the scan it hangs on, otherwise as filed.
 [[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const VictimSample& victim);
 [[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const CandidateSample& candidate);
-/// Corners of what belongs into the map, as the map is now [m]; empty: nobody drew any.
+/// Returns the corners of the area that belongs to the map, as the map is now [m]; empty: none was drawn.
 [[nodiscard]] std::vector<Eigen::Vector2d> areaInMap(const MissionState& state);
-/// All links that ever closed loops, as they are now: those that are taken back are not active.
+/// Returns all links that ever closed loops, as they are now: those that are taken back are not active.
 [[nodiscard]] std::vector<Link> loopsOf(const MissionState& state);
-/// The decision of @p sequence; null when there is none.
+/// Returns the decision of @p sequence; null when there is none.
 [[nodiscard]] const Decision* decisionAt(const MissionState& state, std::uint64_t sequence);
 
 }  // namespace leitstand

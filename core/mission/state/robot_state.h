@@ -17,7 +17,7 @@
 
 namespace leitstand {
 
-/// How much came over a topic, and when last.
+/// Number of events on a topic, and the newest of them.
 struct StreamState {
     std::optional<StreamRole> role;  ///< empty for the station's own topics
     std::string sensor;              ///< StreamDescription::sensor
@@ -37,22 +37,22 @@ struct Latest {
 
 /// A hit that a robot's bumpers counted.
 struct Contact {
-    std::uint64_t sequence = 0;  ///< of the event that told it
+    std::uint64_t sequence = 0;  ///< of the event that reported it
     Time received{};             ///< station's clock
     std::string bumper;
-    std::uint32_t hits = 1;            ///< counted since the one before
-    std::optional<Pose> baseInOdom{};  ///< by the newest odometry then
+    std::uint32_t hits = 1;            ///< counted since the previous contact
+    std::optional<Pose> baseInOdom{};  ///< by the newest odometry at that time
 };
 
-/// What a battery gave in the mean of the last minute.
+/// Mean current of a battery over the last minute.
 struct BatteryLoad {
     double current = Unknown;  ///< negative: it discharges [A]
-    double seconds = 0.0;      ///< that the mean goes back by
+    double seconds = 0.0;      ///< that the mean covers
 
     static constexpr double AtFirst = 5.0, Longest = 60.0;  ///< [s]
 };
 
-/// What a robot said last. Scans and pictures are not kept: StreamState tells where the newest stands.
+/// Newest samples of a robot. Scans and pictures are not kept: StreamState holds where the newest is.
 struct RobotState {
     std::optional<Latest<OdometrySample>> odometry;  ///< without its covariances
     std::optional<Latest<ImuSample>> imu;            ///< without its covariances
@@ -68,7 +68,7 @@ struct RobotState {
     std::optional<Latest<StopStateSample>> stop;
     std::optional<Latest<StopCommandSample>> stopCommand;  ///< newest that a station sent to it
     std::optional<Latest<ClockOffsetSample>> clockOffset;
-    std::optional<Latest<RobotPlaceSample>> place;  ///< of robots that another one's map was made for
+    std::optional<Latest<RobotPlaceSample>> place;  ///< of robots placed in the map of another robot
     std::map<std::string, StreamState> streams;     ///< by topic
 
     static constexpr std::size_t MostContacts = 10'000;

@@ -9,8 +9,8 @@
 
 namespace leitstand {
 
-/// The key scans @p scans of a mission for findParts(), by rising id; nobody has looked yet which part they
-/// are of.
+/// Returns the key scans @p scans of a mission for findParts(), by rising id. Their parts are not determined
+/// yet.
 [[nodiscard]] inline std::vector<ScanInPart> scansInParts(
     const std::map<std::uint64_t, KeyScanState>& scans) {
     std::vector<ScanInPart> inParts;

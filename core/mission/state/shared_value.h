@@ -28,9 +28,9 @@ public:
     [[nodiscard]] const T& operator*() const { return *m_value; }
     [[nodiscard]] const T* operator->() const { return m_value.get(); }
 
-    /// The value to change; a new one when others may have this one.
+    /// Returns the value to change; a new copy when others may share this one.
     [[nodiscard]] T& edit() {
-        // Not use_count(): that another thread let go of the value does not tell that its reads are over.
+        // Not use_count(): when another thread released the value, its reads need not be over.
         if (m_shared.load(std::memory_order_relaxed)) {
             m_value = std::make_shared<T>(*m_value);
             m_shared.store(false, std::memory_order_relaxed);

@@ -18,7 +18,7 @@ MapDecision scansOf(const ScanPosesSample& decision) {
     return told;
 }
 
-/// The operator's decision on the map that @p decision is; empty: another kind, or another station's.
+/// Returns @p decision as one of the operator on the map; empty: another kind, or another station's.
 std::optional<MapDecision> onMap(const Decision& decision, const std::string& station) {
     std::optional<MapDecision> told;
     if (const auto* poses = std::get_if<ScanPosesSample>(&decision.content)) {
@@ -38,7 +38,7 @@ std::optional<MapDecision> onMap(const Decision& decision, const std::string& st
     return told;
 }
 
-/// The loop that @p decision closed; empty: another kind.
+/// Returns the loop that @p decision closed; empty: another kind.
 std::optional<MapDecision> loopOf(const Decision& decision) {
     const auto* sample = std::get_if<ScanLinksSample>(&decision.content);
     const bool closes = sample != nullptr && std::any_of(sample->links.begin(), sample->links.end(),
@@ -90,7 +90,7 @@ std::optional<MapDecision> lastLoop(const MissionState& state) {
     for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
         const auto* sample = std::get_if<ScanLinksSample>(&decision->content);
         if (sample == nullptr || decision->undone) continue;
-        // What was taken out since, because it contradicts the rest, is none.
+        // A loop that was removed since, because it contradicts the rest, does not count.
         const bool stands = std::any_of(sample->links.begin(), sample->links.end(), [&](const Link& link) {
             const auto now = state.loops->find(link.id);
             return link.active && now != state.loops->end() && now->second.link.active;

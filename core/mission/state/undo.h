@@ -12,39 +12,40 @@
 
 namespace leitstand {
 
-/// A decision on the map that the operator may take back, or do again.
+/// A decision on the map that the operator may take back or do again.
 struct MapDecision {
     enum class Kind {
         Taken,     ///< scans count
-        SetAside,  ///< scans do not
+        SetAside,  ///< scans do not count
         Tried,     ///< scans were registered again, and are still doubted
-        Crop,      ///< what of the world belongs into the map
-        Loop,      ///< the map was brought together where it meets itself
-        Refused,   ///< ... or was not: it is another place
+        Crop,      ///< the area that belongs to the map
+        Loop,      ///< the map was joined where it meets itself
+        Refused,   ///< the map was not joined there: it is another place
     };
     Kind kind = Kind::Taken;
     std::vector<std::uint64_t> scans;  ///< by id
-    std::uint64_t event = 0;           ///< sequence that the UndoSample has to name
+    std::uint64_t event = 0;           ///< sequence that the UndoSample must name
 };
-/// What an undo of @p decision takes back.
+/// Returns what an undo of @p decision takes back.
 [[nodiscard]] UndoneThing undoneThing(const MapDecision& decision);
 
-/// The newest of the operator's decisions on the map that @p station made and that is not taken back yet;
-/// empty: there is none.
+/// Returns the newest of the operator's decisions on the map that @p station made and that is not taken back
+/// yet; empty: there is none.
 [[nodiscard]] std::optional<MapDecision> undoable(const MissionState& state, const std::string& station);
-/// The one that was taken back last; empty: none was, or the operator decided something since.
+/// Returns the decision that was taken back last; empty: none was, or the operator decided something since.
 [[nodiscard]] std::optional<MapDecision> redoable(const MissionState& state, const std::string& station);
 
-/// The newest loop that closed in the map, by itself or by hand, and is not taken back; empty: none did.
+/// Returns the newest loop that closed in the map, by itself or by hand, and is not taken back; empty: none
+/// did.
 [[nodiscard]] std::optional<MapDecision> lastLoop(const MissionState& state);
-/// Takes lastLoop() back.
+/// Returns the undo of lastLoop(); empty when there is none.
 [[nodiscard]] std::optional<UndoSample> undoLoop(const MissionState& state, const std::string& station,
                                                  Time now);
 
-/// Takes undoable() back.
+/// Returns the undo of undoable(); empty when there is none.
 [[nodiscard]] std::optional<UndoSample> undoOnMap(const MissionState& state, const std::string& station,
                                                   Time now);
-/// Does redoable() again.
+/// Returns the redo of redoable(); empty when there is none.
 [[nodiscard]] std::optional<UndoSample> redoOnMap(const MissionState& state, const std::string& station,
                                                   Time now);
 

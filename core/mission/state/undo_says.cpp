@@ -51,7 +51,7 @@ bool isOfReview(Thing kind) {
     return kind == Thing::ReviewedFind || kind == Thing::ReviewNote;
 }
 
-/// The number that @p digits begin with; 0: they do not.
+/// Returns the number that @p digits begin with; 0: there is none.
 template <class Number>
 Number numberIn(std::string_view digits) {
     Number number = 0;
@@ -100,7 +100,7 @@ std::optional<UndoneThing> undoneThing(const std::string& text) {
         if (!isFindName(value)) return std::nullopt;
         thing.find = value;
     }
-    // What would be written otherwise was written by nobody: "scan 007 taken", "1 scans taken".
+    // undoText() writes nothing like "scan 007 taken" or "1 scans taken".
     if (undoText(thing) != text) return std::nullopt;
     return thing;
 }

@@ -53,7 +53,7 @@ std::string wordOf(FindMove::Cause cause) {
     return "undo";
 }
 
-/// What a code or a sign says, else the kinds of cues, the first of each.
+/// Returns the text of a code or a sign, otherwise the kinds of cues, each once.
 std::string cuesOf(const CandidateSample& candidate) {
     std::vector<std::string> kinds;
     for (const Cue& cue : candidate.cues) {
@@ -74,8 +74,7 @@ void TimelineCollector::put(const Event& event, TimelineMark mark) {
 void TimelineCollector::addBumps(const Event& event, const BumpSample& bumps) {
     for (const Bumper& bumper : bumps.bumpers) {
         const auto [known, fresh] = m_hits.try_emplace({event.robot, bumper.name}, bumper.hits);
-        // The first that is said may count what happened before the mission; a count that falls: it
-        // restarted.
+        // The first count may include hits before the mission. A falling count means a restart.
         const bool hit = fresh ? bumper.pressed : bumper.hits > known->second;
         known->second = bumper.hits;
         if (!hit) continue;
@@ -92,7 +91,7 @@ void TimelineCollector::addSightings(const Event& event, const SightingSample& s
 }
 
 void TimelineCollector::addCandidate(const Event& event, const CandidateSample& candidate) {
-    // It is said again whenever it moves, and with less than that when it is taken back.
+    // A candidate is published again whenever it moves, and with a lower confidence when it is taken back.
     const auto known = m_candidates.find(candidate.id);
     const bool shown = candidate.confidence >= LeastShownConfidence && candidate.victim == 0;
     if (candidate.dismissed && !isDismissal(candidate)) return;
@@ -130,7 +129,7 @@ void TimelineCollector::add(const Event& event) {
     if (const auto* victim = std::get_if<VictimSample>(&event.sample)) {
         const std::string name = nameOf(victim->kind, victim->number);
         const auto [known, fresh] = m_victims.try_emplace(name, victim->status);
-        // What is typed into a form is no moment to jump to; that it was filed, confirmed, discarded is.
+        // Typing into a form is no moment to jump to; filing, confirming and discarding are.
         if (!fresh && known->second == victim->status) return;
         known->second = victim->status;
         put(event,
@@ -145,7 +144,7 @@ void TimelineCollector::add(const Event& event) {
                     .text = alarm->text,
                     .act = alarm->severity == AlarmSample::Severity::Critical});
     } else if (const auto* note = std::get_if<NoteSample>(&event.sample)) {
-        // One that was written in a review speaks of an earlier moment.
+        // A note written in a review refers to an earlier moment.
         const bool earlier = note->stamp != Time{} && note->stamp < event.received;
         put(event, {.kind = Kind::Note,
                     .at = earlier ? note->stamp : event.received,

@@ -16,12 +16,13 @@
 
 namespace leitstand {
 
-/// Something of a mission that a reviewer wants to jump to.
+/// A moment of a mission that a reviewer may jump to.
 struct TimelineMark {
     enum class Kind : std::uint8_t {
         Victim,     ///< filed or changed; name: "V1", key: "hypothesis", "confirmed", "discarded"
-        Candidate,  ///< told first, or dismissed by the operator; key: "told", "dismissed", name: "victim",
-                    ///< "hazard", "code", "object", text: kinds of its cues ("heat, motion") or what it says
+        Candidate,  ///< first published, or dismissed by the operator; key: "told", "dismissed", name:
+                    ///< "victim", "hazard", "code", "object", text: its text or the kinds of its cues ("heat,
+                    ///< motion")
         Alarm,      ///< raised; key: AlarmSample::key, text: as logged
         Note,       ///< text: what was written
         Decision,   ///< of the operator on scans, or an undo; key: "poses", "undo", "redo" (an undo of an
@@ -31,27 +32,27 @@ struct TimelineMark {
         Moved,      ///< a find moved with its scan; name: "V1", key: "registration", "loop closure",
                     ///< "operator", "undo"; from, to
         Sighting,   ///< a robot's own; key: Sighting::kind, text: of a code
-        Session,    ///< a station began or ended to write; key: "start", "end"; text: its title
+        Session,    ///< a station started or stopped writing; key: "start", "end"; text: its title
     };
     Kind kind = Kind::Note;
     Time at{};                                       ///< station's clock
     std::uint64_t sequence = 0;                      ///< of the event
     std::string robot = {};                          ///< may be empty
-    std::string key = {};                            ///< as the kind says
-    std::string name = {};                           ///< likewise
-    std::string text = {};                           ///< likewise
-    bool act = false;                                ///< an alarm that says "act", a bump
+    std::string key = {};                            ///< depends on the kind
+    std::string name = {};                           ///< depends on the kind
+    std::string text = {};                           ///< depends on the kind
+    bool act = false;                                ///< an alarm to act on, or a bump
     std::uint32_t candidate = 0;                     ///< CandidateSample::id of one; 0: none
-    double confidence = Unknown;                     ///< of a candidate when it was told, 0 to 1
-    Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< where a find was that moved, in the map [m]
-    Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< where it is since
+    double confidence = Unknown;                     ///< of a candidate when first published, 0 to 1
+    Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< where a moved find was, in the map [m]
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< where it is since [m]
 };
 
-/// Finds the marks in a mission's events, which come in their order. Pure.
+/// Collects the marks from a mission's events, which arrive in order. Pure.
 class TimelineCollector {
 public:
     void add(const Event& event);
-    /// Those found so far, by rising time.
+    /// Returns the marks found so far, by rising time.
     [[nodiscard]] std::vector<TimelineMark> marks() const;
 
 private:
@@ -69,10 +70,10 @@ private:
     MissionState m_mission;                                               ///< finds and scans
     FindMoves m_moves;
     std::set<std::uint64_t> m_undos;             ///< sequences of undos that are no redos
-    std::map<std::uint32_t, bool> m_candidates;  ///< told; whether dismissed
+    std::map<std::uint32_t, bool> m_candidates;  ///< published ones; whether dismissed
 };
 
-/// Leaves out of @p marks the notes that @p mission has taken back.
+/// Removes from @p marks the notes that @p mission has taken back.
 void dropUndone(std::vector<TimelineMark>& marks, const MissionState& mission);
 
 /// A stretch of time in which something was recorded.
@@ -81,7 +82,8 @@ struct TimelineStretch {
     friend bool operator==(const TimelineStretch&, const TimelineStretch&) = default;
 };
 
-/// The first mark later than @p at, or the last one earlier than it; null: there is none. @p marks by time.
+/// Returns the first mark later than @p at, or the last one earlier than it; null: there is none. @p marks
+/// are sorted by time.
 [[nodiscard]] const TimelineMark* markAfter(const std::vector<TimelineMark>& marks, Time at);
 [[nodiscard]] const TimelineMark* markBefore(const std::vector<TimelineMark>& marks, Time at);
 

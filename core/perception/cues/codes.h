@@ -19,7 +19,7 @@ struct FoundCode {
     double size = 0.0;                                 ///< square root of its area [px]
 };
 
-/// Reads QR codes (ZBar), those that are too small for it also in an enlarged picture. One thread.
+/// Reads QR codes (ZBar); those that are too small for it are also read in an enlarged picture. One thread.
 class CodeReader {
 public:
     CodeReader();
@@ -27,7 +27,7 @@ public:
     CodeReader(CodeReader&&) noexcept;
     CodeReader& operator=(CodeReader&&) noexcept;
 
-    /// All codes of a picture (colours or grey of 8 bits; nothing in others), each text once.
+    /// Returns all codes of a picture (colours or grey of 8 bits; none in others), each text once.
     [[nodiscard]] std::vector<FoundCode> read(const Picture& picture);
 
 private:

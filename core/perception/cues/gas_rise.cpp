@@ -9,10 +9,10 @@
 namespace leitstand {
 namespace {
 
-constexpr double Smoothing = 0.5;  // share of a new sample
+constexpr double Smoothing = 0.5;  // weight of a new sample
 constexpr double OwnNoise = 8.0;   // of a usual sensor [ppm]
 constexpr double Breath = 6000.0;  // strongest, at the mouth [ppm]
-constexpr double Thinned = 0.4;    // to half [m]
+constexpr double Thinned = 0.4;    // distance in which breath thins to half [m]
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::optional<GasRise> GasWatch::add(Time stamp, double ppm) {
     if (!std::isfinite(ppm) || ppm < 0.0) return std::nullopt;
     if (!m_entries.empty()) {
         const double since = secondsBetween(m_entries.back().stamp, stamp);
-        if (since < -m_settings.window) m_entries.clear();  // the clock began anew
+        if (since < -m_settings.window) m_entries.clear();  // the clock was set back
         if (since <= 0.0 && !m_entries.empty()) return std::nullopt;
     }
     const double before = m_entries.empty() ? ppm : m_entries.back().level;

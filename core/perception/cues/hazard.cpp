@@ -13,13 +13,13 @@ namespace {
 
 enum Colour : std::uint8_t { Red, Orange, Yellow, Green, Blue, White, Black, Grey, ColourCount };
 
-constexpr int Edge = 64;           // of a placard made straight [px]
+constexpr int Edge = 64;           // side of a straightened placard [px]
 constexpr double Filled = 0.82;    // least share of a contour's hull that the square fills
-constexpr double SameSign = 0.35;  // of its size: contours so near are of one placard
-constexpr double Uneven = 0.6;     // most difference between its sides of what is black along them
-constexpr double Framed = 0.7;     // least share of its edge that is of its ground or a line along it
+constexpr double SameSign = 0.35;  // contours nearer than this share of their size are one placard
+constexpr double Uneven = 0.6;     // greatest difference between its sides in the share of black along them
+constexpr double Framed = 0.7;     // least share of its edge in the colour of its ground or of an edge line
 
-/// What a part of a placard looks like: shares of colours.
+/// Shares of colours in a part of a placard.
 struct Shares {
     std::array<double, ColourCount> of{};
     int pixels = 0;
@@ -30,7 +30,7 @@ struct Shares {
     void close() {
         for (double& one : of) one /= std::max(1, pixels);
     }
-    /// The colour of the ground: what is black may be drawn on it.
+    /// The colour of the ground: black may only be drawn on it.
     [[nodiscard]] Colour ground() const {
         if (of[Black] > 0.6) return Black;
         std::size_t best = Red;
@@ -43,7 +43,7 @@ struct Shares {
 
 using Corners = std::array<cv::Point2f, 4>;
 
-/// Whether @p corners are all within a picture of that size: what goes on beyond it has any shape.
+/// Whether @p corners are all within a picture of that size: beyond its border a placard may have any shape.
 bool isWhole(const Corners& corners, const cv::Size& size) {
     return std::all_of(corners.begin(), corners.end(), [&](const cv::Point2f& corner) {
         return corner.x > 1.0F && corner.y > 1.0F && corner.x < static_cast<float>(size.width - 2) &&
@@ -51,7 +51,7 @@ bool isWhole(const Corners& corners, const cv::Size& size) {
     });
 }
 
-/// Top, right, bottom, left of a square that stands on a corner; empty for others.
+/// Returns top, right, bottom and left of a square that stands on a corner; empty for other shapes.
 std::optional<Corners> standing(const std::vector<cv::Point>& polygon, const HazardSettings& settings) {
     if (polygon.size() != 4 || !cv::isContourConvex(polygon)) return std::nullopt;
     Corners corners;
@@ -68,7 +68,7 @@ std::optional<Corners> standing(const std::vector<cv::Point>& polygon, const Haz
     const double lean = degrees(settings.lean);
     if (std::abs(std::atan2(down.x, down.y)) > lean) return std::nullopt;
     if (std::abs(std::atan2(across.y, across.x)) > lean) return std::nullopt;
-    // Its corners lie about the middle of the diagonals: no kite, no arrow.
+    // The middles of its diagonals are close together: no kite, no arrow.
     const cv::Point2f middle = 0.5F * (corners[0] + corners[2]), other = 0.5F * (corners[1] + corners[3]);
     if (std::hypot(middle.x - other.x, middle.y - other.y) > 0.15 * std::min(height, width))
         return std::nullopt;
@@ -89,7 +89,7 @@ Colour colourOf(const cv::Vec3b& hsv, double brightest) {
     return Grey;
 }
 
-/// Colours of its upper and lower half, of what of these lies around the pictogram, and of its edge.
+/// Colours of the upper and the lower half, of their parts around the pictogram, and of the edge.
 struct Parts {
     Shares upper, lower, upperRim, lowerRim, edge;
     std::array<Shares, 4> sides;  ///< of the edge
@@ -149,10 +149,10 @@ constexpr std::array<Meaning, 10> Meanings = {{{Orange, Orange, "explosive"},
                                                {Yellow, White, "radioactive"},
                                                {White, Black, "corrosive"}}};
 
-/// Name and confidence of what has these parts.
+/// Returns the name and confidence of a placard with these parts.
 std::pair<std::string, double> meaningOf(const Parts& parts) {
     const Colour upper = parts.upperRim.ground(), lower = parts.lowerRim.ground();
-    // What is drawn on it is black; on red, green and blue it may be white.
+    // Drawings are black; on red, green and blue they may be white.
     const auto drawnOn = [](const Shares& part, Colour ground) {
         const bool white = ground == Red || ground == Green || ground == Blue;
         return (ground == Black ? 0.0 : part.of[Black]) + (white ? part.of[White] : 0.0);
@@ -163,17 +163,17 @@ std::pair<std::string, double> meaningOf(const Parts& parts) {
     if (upper == White && lower == White) {
         if (drawn < 0.06 || drawn > 0.65) return {{}, 0.0};  // an empty sheet, or a hole
         if (parts.edge.of[Red] > 0.4) return {"GHS", sure};
-        // A black line frames it; so does many a tile.
+        // A black line frames it, as it frames many tiles.
         return {"poison or infectious", parts.lower.of[Black] > 0.4 ? 0.0 : 0.75 * sure};
     }
     if (upper == White && drawn < 0.03) sure *= 0.6;
-    // A symbol is in the upper half of each: a patch of one colour without any is a thing.
+    // Each has a symbol in its upper half: a patch of one colour without a symbol is some object.
     if (upper == lower && drawn < 0.03) return {{}, 0.0};
-    // It is a placard to its very edge; clothes that happen to lie square are not.
+    // A placard reaches to its very edge; clothes that happen to lie square do not.
     double edge = parts.edge.of[upper] + (upper == lower ? 0.0 : parts.edge.of[lower]);
     edge += std::max(drawnOn(parts.edge, upper), drawnOn(parts.edge, lower));
     if (edge < Framed) return {{}, 0.0};
-    // A line runs along all sides or none: what is dark along some of them is something beside a thing.
+    // A line runs along all sides or none: black along only some of them is an object beside it.
     const auto [least, most] =
         std::minmax_element(parts.sides.begin(), parts.sides.end(),
                             [](const Shares& a, const Shares& b) { return a.of[Black] < b.of[Black]; });
@@ -198,7 +198,7 @@ void take(const cv::Mat& rgb, const Corners& corners, const HazardSettings& sett
     sign.size = ((sign.corners[2] - sign.corners[0]).norm() + (sign.corners[1] - sign.corners[3]).norm()) / 2;
     for (HazardPlacard& one : found) {
         if ((one.centre - sign.centre).norm() > SameSign * std::max(one.size, sign.size)) continue;
-        // The outer contour has all of it; one that is not surer is the same from within.
+        // The outer contour holds all of it. One that is not surer is the same placard, seen from within.
         if (sign.confidence > one.confidence + 0.05 || (sign.size > one.size && sign.name == one.name))
             one = sign;
         return;
@@ -217,7 +217,7 @@ void look(const cv::Mat& rgb, const cv::Mat& binary, const HazardSettings& setti
         std::vector<cv::Point> hull, polygon;
         cv::convexHull(contour, hull);
         cv::approxPolyDP(hull, polygon, 0.05 * cv::arcLength(hull, true), true);
-        // Discs have four corners too, if one asks for them.
+        // Discs approximate to four corners too.
         if (cv::contourArea(polygon) < Filled * cv::contourArea(hull)) continue;
         const auto corners = standing(polygon, settings);
         if (corners && isWhole(*corners, rgb.size())) take(rgb, *corners, settings, found);
@@ -239,7 +239,7 @@ std::vector<HazardPlacard> findHazards(const Picture& picture, const HazardSetti
     cv::Mat local;
     cv::adaptiveThreshold(soft, local, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, 31, 8);
     look(rgb, local, settings, found);
-    // Placards that no line frames stand out by their colour.
+    // Placards without a line around them stand out by their colour.
     cv::cvtColor(rgb, hsv, cv::COLOR_RGB2HSV);
     cv::Mat vivid;
     cv::extractChannel(hsv, vivid, 1);

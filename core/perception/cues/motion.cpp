@@ -11,9 +11,9 @@
 namespace leitstand {
 namespace {
 
-constexpr double UsualMean = 1.0;  // so dark a picture tells no brightness to compare by
+constexpr double UsualMean = 1.0;  // a darker picture gives no brightness to compare by
 
-/// Middle of the absolute values of @p change, of every third pixel.
+/// Median of @p change (absolute values), over every third pixel.
 double middleOf(const cv::Mat& change) {
     std::vector<float> values;
     for (int y = 0; y < change.rows; y += 3) {
@@ -117,7 +117,7 @@ std::vector<MotionBlob> MotionFinder::look(const Picture& picture, Time stamp) {
     state.newest = stamp;
     cv::Mat soft, now;
     cv::GaussianBlur(grey, soft, {5, 5}, 0.0);
-    // Gain control makes all of the picture brighter or darker: that is no motion.
+    // Gain control makes the whole picture brighter or darker: this is no motion.
     const double mean = cv::mean(soft)[0], usual = cv::mean(state.background)[0];
     soft.convertTo(now, CV_32F, mean > UsualMean ? usual / mean : 1.0);
     cv::Mat change;

@@ -10,12 +10,12 @@
 
 namespace leitstand {
 
-/// What counts as motion.
+/// Settings of the detection of motion.
 struct MotionSettings {
-    double background = 2.0;   ///< time constant of what is taken for still [s]
+    double background = 2.0;   ///< time constant of the still background [s]
     double activity = 0.8;     ///< ... of how often a place moved [s]
-    double longestGap = 1.5;   ///< between pictures; beyond, all begins anew [s]
-    double warmUp = 1.0;       ///< before anything is told [s]
+    double longestGap = 1.5;   ///< longest gap between pictures; after a longer one all starts again [s]
+    double warmUp = 1.0;       ///< time before motion is reported [s]
     double contrast = 14.0;    ///< least change of brightness, of 255
     double noise = 8.0;        ///< ... in deviations of the picture's own noise
     double often = 0.3;        ///< share of the last pictures in which a place must move
@@ -25,13 +25,13 @@ struct MotionSettings {
 
 /// Something that moves before a camera at rest.
 struct MotionBlob {
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of the motion; middle of the first: 0.5 [px]
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of the motion; first pixel's middle: 0.5 [px]
     int left = 0, top = 0, right = 0, bottom = 0;      ///< box, both ends within [px]
     double strength = 0.0;                             ///< 0 to 1: how often and how much it changes
 };
 
-/// Finds motion by differences against a short background. For a camera at rest: the caller says when it is
-/// not. Pictures that repeat the one before, as of a driver that hangs, tell nothing. One camera, one thread.
+/// Finds motion by differences from a short background. For a camera at rest: the caller reports when it
+/// moves. Repeated pictures, as from a driver that hangs, show no motion. One camera, one thread.
 class MotionFinder {
 public:
     explicit MotionFinder(const MotionSettings& settings = {});
@@ -39,10 +39,10 @@ public:
     MotionFinder(MotionFinder&&) noexcept;
     MotionFinder& operator=(MotionFinder&&) noexcept;
 
-    /// Takes a picture (colours or grey of 8 bits; others and ones of another size begin anew) and tells what
-    /// moves, the strongest first.
+    /// Takes a picture (colours or grey of 8 bits) and returns what moves, the strongest first. Other
+    /// pictures, and those of another size, start all again.
     [[nodiscard]] std::vector<MotionBlob> look(const Picture& picture, Time stamp);
-    /// The camera moves: what was still is forgotten.
+    /// The camera moves: forgets the background.
     void moved();
 
 private:

@@ -7,7 +7,7 @@
 namespace leitstand {
 namespace {
 
-/// Pixels of @p blob, and around it those that are lukewarm and hang together with it.
+/// Pixels of @p blob, and the lukewarm ones around that are connected to it.
 class Flood {
 public:
     Flood(const ThermalPicture& picture, const HeatBlob& blob, double lukewarm, double warm, int reach)
@@ -15,7 +15,7 @@ public:
           m_least(static_cast<float>(lukewarm)),
           m_warm(static_cast<float>(warm)),
           m_distance(picture.celsius.size(), Far) {
-        // From all that is as warm as skin in the blob's box.
+        // Starts from all pixels in the blob's box that are as warm as skin.
         for (int y = std::max(0, blob.top); y <= std::min(picture.height - 1, blob.bottom); ++y) {
             for (int x = std::max(0, blob.left); x <= std::min(picture.width - 1, blob.right); ++x) {
                 if (at(x, y) >= m_warm) push(x, y, 0);
@@ -27,7 +27,7 @@ public:
         int pixels = 0;
         bool cut = false;  ///< by the picture's border
     };
-    /// Lukewarm pixels beyond the mixed ones around what is warm.
+    /// Returns the lukewarm pixels beyond the mixed ones around the warm ones.
     [[nodiscard]] Clothes clothes(double mixed) const {
         Clothes result;
         for (const int place : m_open) {
@@ -65,7 +65,7 @@ private:
     }
     const ThermalPicture& m_picture;
     float m_least, m_warm;
-    std::vector<int> m_distance;  ///< from what is warm [px]
+    std::vector<int> m_distance;  ///< from the warm pixels [px]
     std::vector<int> m_open;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 using Mask = std::vector<char>;
 
-/// Size of a pixel as the camera sees it [rad].
+/// Angle of a pixel, as the camera sees it [rad].
 Eigen::Vector2d pixelAngles(const CameraInfoSample& camera, const ThermalPicture& picture) {
     const double fx = camera.intrinsics[0], fy = camera.intrinsics[4];
     if (fx > 0.0 && fy > 0.0 && camera.width > 0 && camera.height > 0) {

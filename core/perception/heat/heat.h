@@ -28,7 +28,7 @@ struct HeatBlob {
     enum class Kind : std::uint8_t { Body, Lamp, Heater, Other };
     Kind kind = Kind::Other;
     Eigen::Vector2d centre =
-        Eigen::Vector2d::Zero();                   ///< weighted by the heat; middle of the first: 0.5 [px]
+        Eigen::Vector2d::Zero();                   ///< weighted by the heat; first pixel's middle: 0.5 [px]
     int left = 0, top = 0, right = 0, bottom = 0;  ///< box, both ends within [px]
     int pixels = 0;
     double mean = 0.0, peak = 0.0;     ///< [degrees C]
@@ -40,16 +40,16 @@ struct HeatBlob {
 /// "body", "lamp", "heater", "other".
 [[nodiscard]] std::string toString(HeatBlob::Kind kind);
 
-/// Temperature of what is around the warm things in @p picture [degrees C]: that of its coolest quarter,
-/// since a body near by fills most of it. 20 where nothing is measured.
+/// Returns the temperature around the warm things in @p picture [degrees C]: that of its coolest quarter,
+/// since a near body fills most of it. 20 where nothing is measured.
 [[nodiscard]] double surroundings(const ThermalPicture& picture);
 
-/// The warm things in @p picture, bodies first, then by confidence and size; the detector that robots and
-/// station share. @p camera tells what a pixel measures; uncalibrated, 45 degrees across are assumed.
+/// Returns the warm things in @p picture, bodies first, then by confidence and size. Robots and station share
+/// this detector. The angle of a pixel comes from @p camera; uncalibrated, 45 degrees across are assumed.
 ///
-/// A body is within a band of temperatures and neither tiny nor huge. Lamps and heaters have a hot core;
-/// the mixed pixels around it, which have all temperatures, are theirs. A heater that is as warm as skin
-/// cannot be told from a body by heat alone.
+/// A body is within a band of temperatures and neither tiny nor huge. Lamps and heaters have a hot core; the
+/// mixed pixels around it, which have all temperatures, belong to them. Heat alone cannot distinguish a
+/// heater that is as warm as skin from a body.
 [[nodiscard]] std::vector<HeatBlob> findHeat(const ThermalPicture& picture, const CameraInfoSample& camera,
                                              const HeatSettings& settings = {});
 

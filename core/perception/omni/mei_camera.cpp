@@ -41,7 +41,7 @@ std::optional<Eigen::Vector2d> MeiCamera::project(const Eigen::Vector3d& directi
     const double length = direction.norm();
     if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
     const Eigen::Vector3d onSphere = direction / length;
-    // Beyond, two directions would share a pixel.
+    // Farther from the axis, two directions would share a pixel.
     if (!(onSphere.z() > -std::min(m_xi, 1.0 / std::max(m_xi, 1e-9)) + 1e-6)) return std::nullopt;
     const Eigen::Vector2d plane = onSphere.head<2>() / (onSphere.z() + m_xi);
     const Eigen::Vector2d seen = distorted(plane);

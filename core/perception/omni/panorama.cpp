@@ -16,7 +16,7 @@ Eigen::Vector3d directionOf(double yaw, double elevation) {
     return {std::cos(elevation) * std::cos(yaw), std::cos(elevation) * std::sin(yaw), std::sin(elevation)};
 }
 
-/// As many pixels around as the picture has where it shows the horizon, or its upper border.
+/// Returns as many pixels around as the picture has at the horizon, or at its upper border.
 int widthFor(const MeiCamera& camera, const Eigen::Matrix3d& baseInCamera, double highest) {
     constexpr int Parts = 72;
     double around = 0.0;

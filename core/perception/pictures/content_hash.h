@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// A number that differs between pictures that differ (FNV-1a over words), of their compressed or raw bytes:
-/// a driver that stamps one picture again and again is found out by it.
+/// Returns a hash of a picture's compressed or raw bytes (FNV-1a over words). It detects a driver that stamps
+/// one picture again and again.
 [[nodiscard]] std::uint64_t contentHash(std::span<const std::byte> bytes);
 
 }  // namespace leitstand

@@ -8,7 +8,7 @@
 namespace leitstand {
 namespace {
 
-constexpr int Tiles = 8;  ///< a side, each with a histogram of its own
+constexpr int Tiles = 8;  ///< per side, each with its own histogram
 
 struct Strength {
     double gamma, clip;

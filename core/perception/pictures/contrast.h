@@ -6,15 +6,15 @@
 
 namespace leitstand {
 
-/// Help for eyes in the dark.
+/// Contrast enhancement for pictures in the dark.
 enum class ContrastHelp : std::uint8_t {
     Off,
     Gentle,  ///< local contrast
-    Strong,  ///< shadows lifted, and much local contrast: noise comes up too
+    Strong,  ///< shadows lifted, and much local contrast: noise rises too
 };
 
-/// @p picture with more contrast in its brightness (gamma, then CLAHE: Zuiderveld 1994); colours keep their
-/// hue. Pictures of numbers (Grey16, Float32) and empty ones come back as they are.
+/// Returns @p picture with more contrast in its brightness (gamma, then CLAHE: Zuiderveld 1994); colours keep
+/// their hue. Pictures of numbers (Grey16, Float32) and empty ones are returned unchanged.
 [[nodiscard]] Picture withContrast(const Picture& picture, ContrastHelp help);
 
 }  // namespace leitstand

@@ -36,7 +36,7 @@ struct Picture {
 /// Temperatures of a thermal picture.
 struct ThermalPicture {
     int width = 0, height = 0;   ///< [px]
-    std::vector<float> celsius;  ///< row-major [degrees C]; NaN where the camera tells nothing
+    std::vector<float> celsius;  ///< row-major [degrees C]; NaN where the camera measures nothing
 };
 
 }  // namespace leitstand

@@ -10,18 +10,18 @@
 
 namespace leitstand {
 
-/// How old what a camera shows is.
+/// Age of what a camera shows.
 struct PictureAges {
     double arrival = std::numeric_limits<double>::infinity();  ///< since a picture came [s]; infinite: never
     double content = std::numeric_limits<double>::infinity();  ///< since one came that differs [s]
 
     [[nodiscard]] double seconds() const { return arrival > content ? arrival : content; }
-    /// Pictures come, but for @p limit seconds it was one and the same.
+    /// Whether pictures come, but the same one for @p limit seconds.
     [[nodiscard]] bool isFrozen(double limit) const { return content > limit && arrival <= limit; }
 };
 
-/// Tells the age of a camera's pictures by the gaps between their arrivals and by their content: a driver
-/// that hangs and stamps one picture again and again is found out. Stamps are not looked at. Pure.
+/// Measures the age of a camera's pictures by the gaps between their arrivals and by their content. This
+/// detects a driver that hangs and stamps one picture again and again. Stamps are ignored. Pure.
 class PictureWatch {
 public:
     /// A picture arrived; @p bytes as they were sent, compressed or raw.

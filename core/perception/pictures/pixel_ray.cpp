@@ -5,7 +5,7 @@
 namespace leitstand {
 namespace {
 
-/// Where a plumb_bob or rational lens puts @p point of the plane z = 1.
+/// Distorts @p point of the plane z = 1 by a plumb_bob or rational lens.
 Eigen::Vector2d distorted(const Eigen::Vector2d& point, const std::vector<double>& d) {
     const auto term = [&d](std::size_t i) { return i < d.size() ? d[i] : 0.0; };
     const double x = point.x(), y = point.y();

@@ -4,8 +4,9 @@
 
 namespace leitstand {
 
-/// How sharp @p picture is, in grey levels squared: the variance of its Laplacian on a picture of at most 320
-/// pixels' width (Pech-Pacheco et al. 2000). Only pictures of one camera compare. 0 for empty ones.
+/// Returns the sharpness of @p picture in grey levels squared: the variance of its Laplacian, at a width of
+/// at most 320 pixels (Pech-Pacheco et al. 2000). Comparable only between pictures of one camera. 0 for empty
+/// ones.
 [[nodiscard]] double sharpness(const Picture& picture);
 
 }  // namespace leitstand

@@ -8,7 +8,7 @@ namespace leitstand {
 
 std::vector<Eigen::Vector3f> laserPoints(const RangesSample& turn, const Pose& sensorInBase,
                                          const BaseInOdomAt& baseInOdom) {
-    constexpr std::chrono::milliseconds Step(5);  // in which a robot hardly moves
+    constexpr std::chrono::milliseconds Step(5);  // a robot hardly moves in this time
     std::vector<Eigen::Vector3f> points;
     points.reserve(turn.ranges.size());
     std::optional<Pose> sensor;

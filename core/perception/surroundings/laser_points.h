@@ -9,8 +9,8 @@
 
 namespace leitstand {
 
-/// Where the rays of @p turn ended, in odom [m], each from where the robot was then; rays without an echo,
-/// and those of which nobody knows where the robot was, are left out. @p sensorInBase: the laser.
+/// Returns the end points of the rays of @p turn in odom [m], each from the robot's place at the time of the
+/// ray. Rays without an echo or without a known place of the robot are left out. @p sensorInBase: the laser.
 [[nodiscard]] std::vector<Eigen::Vector3f> laserPoints(const RangesSample& turn, const Pose& sensorInBase,
                                                        const BaseInOdomAt& baseInOdom);
 

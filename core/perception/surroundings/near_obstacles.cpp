@@ -12,8 +12,8 @@ namespace {
 
 constexpr auto Memory = std::chrono::seconds(30);
 constexpr double Same = 0.03;          // [m]
-constexpr double Far = 2.0;            // is seen again before it matters [m]
-constexpr double Beam = degrees(1.2);  // half of what a raw scan looks through
+constexpr double Far = 2.0;            // farther obstacles are seen again before they matter [m]
+constexpr double Beam = degrees(1.2);  // half the width that a raw scan looks through
 constexpr std::size_t Most = 1'000;
 
 }  // namespace

@@ -9,25 +9,25 @@
 
 namespace leitstand {
 
-/// Obstacles close to a robot, which its scanner cannot see any more once they are beside its wheels: they
-/// stay until a raw scan looks through where they were, or for half a minute; of more than a thousand the
-/// newest.
+/// Obstacles close to a robot, which its scanner no longer sees once they are beside its wheels. They stay
+/// until a raw scan looks through their place, or for half a minute. Of more than a thousand, the newest
+/// stay.
 class NearObstacles {
 public:
     struct One {
         Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< odometry's frame [m]
-        double top = 0.0;                                 ///< height of what stands there [m]
+        double top = 0.0;                                 ///< height of its upper end [m]
         Time at{};
         Eigen::Vector3d shot =
-            Eigen::Vector3d::Zero();  ///< from the scanner to it then; base_link's axes [m]
-        double bottom = 0.0;          ///< where what stands there begins: more for what hangs [m]
-        double z = 0.0;               ///< of the point that was measured, odometry's frame [m]
-        double rise = 0.0;            ///< ... over the robot's ground then [m]
+            Eigen::Vector3d::Zero();  ///< from the scanner to it at that time; base_link's axes [m]
+        double bottom = 0.0;          ///< height of its lower end: more for what hangs [m]
+        double z = 0.0;               ///< of the measured point, odometry's frame [m]
+        double rise = 0.0;            ///< ... over the robot's ground at that time [m]
     };
     void add(const One& one);
-    /// A raw scan from @p origin to @p heading [rad] saw the ground free from @p from to @p to [m] away.
+    /// A raw scan from @p origin to @p heading [rad] saw free ground from @p from to @p to [m] away.
     void lookThrough(const Eigen::Vector2d& origin, double heading, double from, double to, Time at);
-    /// What turns out to be mixed with the robot's own edges, which @p mask has learned since.
+    /// Forgets points that are mixed with the robot's own edges, which @p mask has learned since.
     void forgetMixed(const OwnBodyMask& mask, double within);
     template <class Is>
     void forgetWhere(Is is) {

@@ -10,8 +10,8 @@
 
 namespace leitstand {
 
-/// In which directions a scanner sees its own robot. A shot beside one that met the robot may be a mixture of
-/// the robot's edge and what is behind: it stands in the air before the robot, and moves along with it.
+/// Directions in which a scanner sees its own robot. A shot beside one that met the robot may mix the robot's
+/// edge with what is behind. Its point is in the air before the robot, and moves along with it.
 class OwnBodyMask {
 public:
     /// @p direction: of the shot that met the robot, from the scanner; in base_link.

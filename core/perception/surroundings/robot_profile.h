@@ -5,11 +5,11 @@
 
 namespace leitstand {
 
-/// So much must be free above a robot: it bounces, and its height is measured standing [m].
+/// Clearance needed above a robot: it bounces, and its height is measured standing [m].
 inline constexpr double HeadClearance = 0.10;
 
-/// What floor and obstacles are to @p robot: up to its height and HeadClearance, by the climb and the step of
-/// its file. What that does not tell is as @p usual says.
+/// Returns what floor and obstacles are to @p robot: up to its height and HeadClearance, by the climb and the
+/// step of its file. Values missing there are those of @p usual.
 [[nodiscard]] ProfileSettings profileOf(const RobotDescription& robot, ProfileSettings usual = {});
 
 }  // namespace leitstand

@@ -7,7 +7,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Upright = 0.15;  // points so near above each other are of one thing [m]
+constexpr double Upright = 0.15;  // points so near above each other are of one object [m]
 
 /// Follows the floor outwards along a raw scan.
 class FloorFollower {
@@ -19,8 +19,8 @@ public:
     [[nodiscard]] bool reaches(const ProfilePoint& point) const {
         return point.height <= m_lowest + m_climb * point.distance + m_settings.step;
     }
-    /// Whether the floor breaks off before @p point: it is deeper than a ramp that the robot climbs leads
-    /// from edge(), and than it may fall. So do stairs, of which no step is that deep.
+    /// Whether the floor breaks off before @p point: it is more than the allowed drop below a climbable ramp
+    /// down from edge(). Stairs break off too, although none of their steps is that deep.
     [[nodiscard]] bool breaksBefore(const ProfilePoint& point) const {
         return rampDownTo(point) < rampDownTo(m_edge) - m_settings.drop;
     }
@@ -39,11 +39,11 @@ public:
         }
         return height;
     }
-    /// The floor from which the steepest ramp would lead down, beyond all others.
+    /// The floor point from which the steepest ramp down reaches beyond those of all others.
     [[nodiscard]] const ProfilePoint& edge() const { return m_edge; }
 
 private:
-    /// Where that ramp would begin at the robot's place.
+    /// Height at the robot's place of the steepest ramp down to @p point.
     [[nodiscard]] double rampDownTo(const ProfilePoint& point) const {
         return point.height + m_climb * point.distance;
     }
@@ -60,7 +60,7 @@ bool isBeside(const ProfilePoint& a, const ProfilePoint& b, const ProfileSetting
     return std::abs(a.distance - b.distance) < reach && std::abs(a.height - b.height) < reach;
 }
 
-/// Whether another point stands near points[i]: in its raw scan or in the one beside it.
+/// Whether another point is near points[i], in its raw scan or in the one beside it.
 bool isSupported(std::span<const ProfilePoint> points, std::size_t i, std::span<const ProfilePoint> neighbour,
                  const ProfileSettings& settings) {
     constexpr std::size_t Reach = 2;  // points before and after
@@ -89,7 +89,7 @@ ProfileContour contourOf(std::span<const ProfilePoint> points, std::span<const P
         }
         if (floor.reaches(point)) {
             const bool broken = floor.breaksBefore(point);
-            // One low point may be a mixed or mirrored one; two are a hole.
+            // One low point may be mixed or mirrored; two are a hole.
             if (broken && (i + 1 >= points.size() || !floor.breaksBefore(points[i + 1]))) continue;
             if (broken) offer(floor.edge().distance > 0.0 ? floor.edge() : point);
             floor.add(point);

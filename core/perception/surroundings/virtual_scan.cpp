@@ -15,14 +15,14 @@ namespace {
 constexpr double Pi = std::numbers::pi;
 constexpr double SliceGap = 0.25;          // raw scans so close in time belong together [s]
 constexpr double WidestStep = degrees(6);  // ... and in direction
-constexpr double LowPoint = 0.15;          // points so low over the ground tell of it [m]
-constexpr double NearBy = 1.5;             // obstacles so near are remembered for themselves [m]
-constexpr double NearInPlane = 0.8;        // ... of scanners in a plane, which look only ahead [m]
-constexpr std::size_t LookEvery = 3;       // of such a scanner's rays looks through what is remembered
-constexpr double Sunk = 0.03;              // so much more than a step may be off the plane of its wheels [m]
-constexpr double SameSurface = 0.15;       // from point to point of one that it stands on [m]
-constexpr double Behind = 0.05;            // before an obstacle its own points may lie [m]
-constexpr auto SameLook = std::chrono::milliseconds(500);  // rays of a direction so close in time are one
+constexpr double LowPoint = 0.15;          // points so low over the ground show it [m]
+constexpr double NearBy = 1.5;             // obstacles so near are remembered separately [m]
+constexpr double NearInPlane = 0.8;        // ... of plane scanners, which look only ahead [m]
+constexpr std::size_t LookEvery = 3;       // every third of their rays looks through what is remembered
+constexpr double Sunk = 0.03;              // distance from the plane of its wheels, beyond a step [m]
+constexpr double SameSurface = 0.15;       // between neighbouring points of a surface that it stands on [m]
+constexpr double Behind = 0.05;            // an obstacle's own points may lie so far before it [m]
+constexpr auto SameLook = std::chrono::milliseconds(500);  // rays of one direction in this time are one look
 
 double wrapped(double angle) {
     return std::remainder(angle, 2.0 * Pi);
@@ -32,9 +32,9 @@ Eigen::Vector2d flat(const Eigen::Vector3d& point) {
     return point.head<2>();
 }
 
-/// Whether the points of a row look one way, as those of a vertical raw scan do: in base_link's axes.
+/// Whether the points of a row lie in one direction, as those of a vertical raw scan do; in base_link's axes.
 bool isUpright(const CloudSample& cloud, std::size_t row, const Eigen::Matrix3d& toBase) {
-    constexpr double Widest = 0.2;  // mean offset to the side, of the distance
+    constexpr double Widest = 0.2;  // mean offset to the side, as a share of the distance
     const auto columns = static_cast<std::size_t>(cloud.columns);
     std::vector<Eigen::Vector2d> ways;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -59,7 +59,7 @@ bool hasUprightRows(const CloudSample& cloud, const Eigen::Matrix3d& toBase) {
     return 2 * upright > rows;
 }
 
-/// Whether an echo of a scanner in a plane has another beside it, and is no mixed pixel at an edge.
+/// Whether an echo of a plane scanner has another one beside it, and is no mixed pixel at an edge.
 bool isSupported(const RangesSample& ranges, std::size_t ray, const ProfileSettings& profile) {
     const double range = static_cast<double>(ranges.ranges[ray]);
     const double near = profile.support + profile.supportRate * range;
@@ -70,7 +70,7 @@ bool isSupported(const RangesSample& ranges, std::size_t ray, const ProfileSetti
     return supports(ray + 1) || (ray > 0 && supports(ray - 1));
 }
 
-/// A point of a raw scan before it is put in order.
+/// A point of a raw scan before sorting.
 struct Measured {
     Eigen::Vector3d inOdom;
     double elevation = 0.0;  ///< from the scanner [rad]
@@ -105,7 +105,7 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
         return cloud.times.empty() ? cloud.header.stamp
                                    : cloud.header.stamp + std::chrono::nanoseconds(cloud.times[i]);
     };
-    // Before what is mixed with it is judged: in the first turn nothing else tells where it is.
+    // Before mixed points are judged: in the first turn nothing else shows where the body is.
     for (std::size_t i = 0; i < cloud.points.size(); ++i) {
         if (cloud.points[i].squaredNorm() < 1e-6F) continue;  // no echo
         const Eigen::Vector3d inBase = sensorInBase * cloud.points[i].cast<double>();
@@ -161,7 +161,7 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
         if (!point.allFinite()) continue;
         raws[static_cast<std::size_t>(binOf(std::atan2(point.y(), point.x())))].push_back(i);
     }
-    // A sweep that tilts sees a direction again and again: the last look counts.
+    // A tilting sweep sees a direction again and again: the last look counts.
     for (const auto& indices : raws) {
         if (!indices.empty()) addRaw(indices, timeOf(indices.back()));
     }
@@ -172,12 +172,12 @@ void VirtualScan::add(const CloudSample& cloud, const Pose& sensorInBase, const 
 void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Pose& base,
                              const Eigen::Vector3d& scanner, Time at) {
     const Eigen::Vector2d origin = flat(scanner);
-    // Which way a raw scan looks is told by its farther points: near the axis directions are noise.
+    // The farther points give the direction of a raw scan: near the axis directions are noise.
     Eigen::Vector2d towards = Eigen::Vector2d::Zero();
     for (const ProfilePoint& point : points) towards += point.where - origin;
     if (towards.norm() < 1e-3) return;
     const double heading = std::atan2(towards.y(), towards.x());
-    // What closed a turn is sent once more as the beginning of the next, and is no neighbour of itself.
+    // The last raw scan of a turn is sent again as the first of the next: it is no neighbour of itself.
     constexpr double SameHeading = 1e-3;
     if (m_before && m_before->at == at && std::abs(wrapped(heading - m_before->heading)) < SameHeading)
         return;
@@ -215,7 +215,7 @@ void VirtualScan::addProfile(std::vector<ProfilePoint> points, const Pose& base,
 
 void VirtualScan::remember(std::span<const ProfilePoint> points, const Ray& ray,
                            const Eigen::Vector2d& origin, double heading) {
-    // The robot itself hides the ground beside it: what is nearer than the nearest ground in sight stays.
+    // The robot itself hides the ground beside it: what is nearer than the nearest visible ground stays.
     double nearest = std::numeric_limits<double>::infinity();
     for (const ProfilePoint& point : points) {
         if (point.height < LowPoint) nearest = std::min(nearest, point.distance);
@@ -232,7 +232,7 @@ void VirtualScan::put(const Ray& ray, double heading, Time look) {
         old = ray;
         return;
     }
-    // Two of one look: the nearer obstacle and the farther wall.
+    // Of one look, the nearer obstacle and the farther wall count.
     const auto toFar = (ray.far - old.far).dot(Eigen::Vector2d(std::cos(heading), std::sin(heading)));
     if (toFar > 0.0 || (ray.echo && !old.echo)) {
         old.far = ray.far;
@@ -280,7 +280,7 @@ void VirtualScan::add(const RangesSample& ranges, const Pose& sensorInBase, cons
             sensorInBase.linear() * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
         const double range = static_cast<double>(ranges.ranges[i]);
         const bool echo = std::isfinite(range) && range >= ranges.rangeMin && range < farthest && range > 0.0;
-        // Nearer than the sensor can measure, or swallowed: nothing is known of that direction.
+        // Too near to measure, or absorbed: nothing is known of that direction.
         if (!echo && (std::isnan(range) || range < ranges.rangeMin)) {
             before = std::numeric_limits<double>::quiet_NaN();
             continue;
@@ -320,7 +320,7 @@ void VirtualScan::forgetClimbed(const Pose& base) {
     const auto look = [&](const Eigen::Vector2d& where, double z, double rise) {
         const Eigen::Vector3d inBase = odomInBase * Eigen::Vector3d(where.x(), where.y(), z);
         const bool inPlane = std::abs(inBase.z()) <= m_settings.profile.step + Sunk;
-        // What stands on level ground is as high over it as ever.
+        // An object on level ground is as high over it as before.
         if (!inPlane || inBase.z() > 0.5 * rise || flat(inBase).norm() > NearBy) return;
         (about.contains(flat(inBase)) ? climbed : level).push_back(inBase);
     };
@@ -329,7 +329,7 @@ void VirtualScan::forgetClimbed(const Pose& base) {
     }
     for (const NearObstacles::One& one : m_near.all()) look(one.where, one.z, one.rise);
     if (climbed.empty()) return;
-    // What goes on from there in the plane that the robot stands in is of the same surface.
+    // Points that continue from there in the plane of the robot's wheels are of the same surface.
     for (std::size_t next = 0; next < climbed.size(); ++next) {
         const Eigen::Vector3d here = climbed[next];
         const auto on = std::partition(level.begin(), level.end(), [&](const Eigen::Vector3d& point) {

@@ -77,7 +77,7 @@ void VirtualScanView::closeGaps(int widest) {
         return sectors[static_cast<std::size_t>((i % count + count) % count)];
     };
     std::vector<VirtualSector> closed = sectors;
-    /// Fills what sector i lacks from the next ones on both sides that have it, when they are close enough.
+    /// Fills what sector i lacks from the next ones on both sides that have it, if they are close enough.
     const auto close = [&](int i, int most, const auto& has, const auto& join) {
         int before = 1, after = 1;
         while (before <= most && !has(at(i - before))) ++before;
@@ -85,7 +85,7 @@ void VirtualScanView::closeGaps(int widest) {
         if (before + after <= most + 1)
             join(closed[static_cast<std::size_t>(i)], at(i - before), at(i + after));
     };
-    /// Two points of one surface, told by their distance.
+    /// Middle of two points of one surface; empty when they are too far apart for that.
     const auto middle = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
         const double apart = (a - b).norm();
         return apart < 0.15 + 0.1 * a.norm() ? std::optional<Eigen::Vector2d>(0.5 * (a + b)) : std::nullopt;

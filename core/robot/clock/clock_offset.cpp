@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-/// Steps up to this are corrected without a word: a clock that is slewed looks like that [ns].
+/// Steps up to this are not reported: a slewed clock looks like them [ns].
 constexpr std::int64_t QuietStep = 50'000'000;
 
 ClockBounds widened(const ClockBounds& bounds, nanoseconds passed) {
@@ -152,7 +152,7 @@ void ClockOffset::stamp(Time written, Time received, SteadyTime now) {
     const auto before = estimate(now);
     std::optional<nanoseconds> stepped;
     m_stamps.add(written, received, now, &stepped);
-    if (before && before->source == ClockSource::Stamps) tell(stepped, now);  // else the pings tell
+    if (before && before->source == ClockSource::Stamps) tell(stepped, now);  // otherwise the pings report it
 }
 
 std::optional<ClockStatus> ClockOffset::status(SteadyTime now) const {

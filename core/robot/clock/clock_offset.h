@@ -26,35 +26,35 @@ struct ClockEstimate {
     ClockSource source = ClockSource::Pings;
 };
 
-/// How far one clock can be ahead of another: no less and no more than so [ns].
+/// Bounds of how far one clock is ahead of another [ns].
 struct ClockBounds {
     std::int64_t least = 0, most = 0;
 };
 
-/// The offset of a clock from pings. No packet arrives before it was sent, so every ping bounds the offset
-/// from both sides (Marzullo 1984); the bounds of all pings together are as narrow as the quickest way there
-/// and the quickest way back (Cristian 1989), however long the others take. Old bounds widen with the drift
-/// that clocks may have. Pings that contradict the bounds are outliers, until several agree: then the clock
-/// stepped. Constant memory, no allocation.
+/// Estimates the offset of a clock from pings. No packet arrives before it was sent, so every ping bounds the
+/// offset from both sides (Marzullo 1984). The bounds of all pings together are as narrow as the quickest way
+/// there and the quickest way back (Cristian 1989), however long the others take. Old bounds widen with the
+/// possible drift of clocks. Pings that contradict the bounds are outliers, until several agree: then the
+/// clock stepped. Constant memory, no allocation.
 class PingClock {
 public:
     static constexpr double MaxDrift = 100e-6;               ///< of one clock against the other
     static constexpr std::int64_t ReadingError = 1'000'000;  ///< clocks may be read in milliseconds [ns]
     static constexpr int Remembered = 8;                     ///< newest pings, for outliers
-    static constexpr int Convinced = 3;  ///< so many of them that agree with each other are right
+    static constexpr int Convinced = 3;  ///< number of them that must agree to be believed
 
-    /// Takes a ping; false when its times contradict themselves. Returns by how much the clock stepped in
-    /// @p stepped, where it did.
+    /// Takes a ping; false when its times contradict each other. Sets @p stepped to the step of the clock, if
+    /// it stepped.
     bool add(const PingTimes& ping, SteadyTime now,
              std::optional<std::chrono::nanoseconds>* stepped = nullptr);
     [[nodiscard]] std::optional<ClockEstimate> estimate(SteadyTime now) const;
-    [[nodiscard]] SteadyTime newest() const { return m_at; }  ///< ping that was believed
+    [[nodiscard]] SteadyTime newest() const { return m_at; }  ///< the newest accepted ping
 
 private:
     struct Doubt {
         ClockBounds bounds;
         SteadyTime at;
-        bool open = false;  ///< it contradicted what was believed
+        bool open = false;  ///< it contradicted the bounds
     };
     [[nodiscard]] std::optional<ClockBounds> agreement(SteadyTime now) const;
 
@@ -64,16 +64,16 @@ private:
     std::size_t m_count = 0;
 };
 
-/// The offset of a clock from when samples were written and when they arrived: none arrives before it was
-/// written, and the quickest of the last seconds takes no longer than LeastDelay. For robots that answer no
-/// pings. A clock that steps forward is followed within a few samples, one that steps back within Window
-/// (it looks like a link that became slow, until the last sample from before is forgotten).
+/// Estimates the offset of a clock from when samples were written and when they arrived. None arrives before
+/// it was written, and the quickest of the last seconds takes no longer than LeastDelay. For robots that
+/// answer no pings. A step forward is followed within a few samples. A step back is followed within Window:
+/// it looks like a link that became slow, until the last sample from before is forgotten.
 class StampClock {
 public:
     static constexpr std::int64_t LeastDelay = 50'000'000;  ///< [ns]
     static constexpr std::int64_t Step = 500'000'000;       ///< less is no step [ns]
     static constexpr int Window = 10;                       ///< [s]
-    static constexpr int Convinced = 3;                     ///< samples that agree on a step forward
+    static constexpr int Convinced = 3;                     ///< samples that must agree on a step forward
 
     /// @p stepped: as of PingClock::add.
     void add(Time written, Time received, SteadyTime now,
@@ -89,20 +89,20 @@ private:
     void put(std::int64_t second, std::int64_t difference);
 
     std::array<Second, Window> m_seconds;
-    std::optional<std::int64_t> m_told;  ///< envelope as of the last sample
+    std::optional<std::int64_t> m_told;  ///< envelope at the last sample
     SteadyTime m_at;
     std::int64_t m_doubted = 0;  ///< a difference far beyond the envelope
-    int m_doubts = 0;            ///< how often in a row
+    int m_doubts = 0;            ///< number of them in a row
 };
 
-/// The offset of a robot's clock from what there is: pings, else stamps.
+/// Estimates the offset of a robot's clock from pings or, without them, from stamps.
 class ClockOffset {
 public:
-    static constexpr std::chrono::seconds PingsHold{60};  ///< stamps are asked after so long without answer
+    static constexpr std::chrono::seconds PingsHold{60};  ///< without an answer for longer, stamps are used
 
-    /// False when the times contradict themselves.
+    /// Takes a ping; false when its times contradict each other.
     bool ping(const PingTimes& ping, SteadyTime now);
-    /// A sample of the robot that was @p written on its clock.
+    /// Takes a sample of the robot, @p written on the robot's clock and @p received on the station's.
     void stamp(Time written, Time received, SteadyTime now);
     /// Empty while nothing is known.
     [[nodiscard]] std::optional<ClockStatus> status(SteadyTime now) const;

@@ -4,12 +4,12 @@
 
 namespace leitstand {
 
-/// A robot's clock that is so far beside the station's is far: a robot whose readers have a lifespan may then
-/// take every drive command for too old and drop it [s].
+/// Least difference from the station's clock that makes a robot's clock far [s]. A robot whose readers have a
+/// lifespan may then take every drive command for expired and drop it.
 inline constexpr double FarClock = 1.0;
 
-/// How far @p clock is beside the station's at least: what is uncertain is taken off; below 0: nobody knows
-/// whether it is [s].
+/// Returns the least possible difference of @p clock from the station's, its uncertainty taken off [s]; below
+/// 0 when the clocks may agree.
 [[nodiscard]] double surelyOff(const ClockStatus& clock);
 
 }  // namespace leitstand

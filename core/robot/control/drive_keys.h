@@ -8,17 +8,17 @@
 
 namespace leitstand {
 
-/// What the operator does with keys while driving.
+/// Keys that the operator drives with.
 enum class DriveKey : std::uint8_t { Forward, Back, Left, Right, Slow, Fast };
 inline constexpr std::size_t DriveKeyCount = 6;
 
-/// The sticks that held keys make: 60 % of what the robot may do, a quarter of it with Slow, all of it with
-/// Fast. Keys against each other make nothing. Pure.
+/// Turns held keys into sticks: 60 % of the robot's limits, 25 % with Slow, all with Fast. Opposite keys
+/// cancel. Pure.
 class DriveKeys {
 public:
     void set(DriveKey key, bool held) { m_held[static_cast<std::size_t>(key)] = held; }
     void releaseAll() { m_held.fill(false); }
-    [[nodiscard]] bool any() const;  ///< of the keys that move
+    [[nodiscard]] bool any() const;  ///< whether a key that moves the robot is held
     [[nodiscard]] DriveVelocity sticks(const DriveLimits& limits) const;
 
     static constexpr double Usual = 0.6, Slowly = 0.25;  ///< shares of the limits

@@ -10,7 +10,7 @@ DriveSchedule::Decision DriveSchedule::decide(const DriveVelocity& velocity, boo
     if (m_zerosLeft == 0) return {false, now + m_rhythm.period, false};
 
     const bool changed = velocity != m_last;
-    // A stop waits for nothing.
+    // A stop is sent at once.
     const bool changeDue = changed && (isZero(velocity) || now >= m_sent + m_rhythm.shortest);
     if (!changeDue && now < m_due) {
         return {false, changed ? std::min(m_due, m_sent + m_rhythm.shortest) : m_due, true};
@@ -18,7 +18,7 @@ DriveSchedule::Decision DriveSchedule::decide(const DriveVelocity& velocity, boo
     if (!active) --m_zerosLeft;
     m_last = velocity;
     m_sent = now;
-    // In step as long as it is punctual: who wakes up 2 ms late each time still sends 20 a second.
+    // Keeps in step while punctual: a caller that wakes up 2 ms late each time still sends 20 a second.
     m_due = !changeDue && now < m_due + m_rhythm.period ? m_due + m_rhythm.period : now + m_rhythm.period;
     return {true, m_due, m_zerosLeft > 0};
 }

@@ -26,7 +26,7 @@ DriveVelocity limited(const DriveVelocity& velocity, const DriveLimits& limits) 
     if (!limits.sideways) slow.left = 0.0;
     const double most = usable(limits.speed), speed = std::hypot(slow.forward, slow.left);
     if (speed > most) {
-        // Huge numbers would overflow in the products: hypot may be infinite.
+        // The products of huge numbers would overflow: hypot may be infinite.
         const double scale = std::isfinite(speed) ? most / speed : 0.0;
         slow.forward *= scale;
         slow.left *= scale;

@@ -63,7 +63,7 @@ void GrantArbiter::hear(const GrantSample& sample, const Sender& from, SteadyTim
             ++m_changes;
             m_reservedFor = sample.action == Action::Consent ? sample.other : std::string();
             m_reserved = now;
-            // Its heartbeat may have been quicker than the consent.
+            // Its heartbeat may have arrived before the consent.
             if (m_other && m_other->station == m_reservedFor && !isSilent(*m_other, now)) take(*m_other);
             return;
         case Action::Request:

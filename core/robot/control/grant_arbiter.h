@@ -10,26 +10,28 @@
 
 namespace leitstand {
 
-/// Whom a robot obeys, from the heartbeats that it hears (design, section 4). Pure: no clock, no thread.
+/// Decides whom a robot obeys, from the heartbeats that it receives (design, section 4). Pure: no clock, no
+/// thread.
 ///
-/// Commands carry no identity: they are tied to the holder by the process that they come from, which has to
-/// be the one that writes its heartbeats. There is one holder at most, at any time:
-/// - the first station that says so, when there is none;
-/// - another when the holder consents to it or releases, or was silent for 3 s by the robot's steady clock;
-/// - the holder's station started anew (same identity, other process) at once; its earlier process is then
-///   out, even if it should still run.
-/// Terms and stamps play no role here: who is right between stations they settle themselves (GrantBook), and
-/// the robot follows when the wrong one consents.
+/// Commands carry no identity: they are tied to the holder by their process, which must be the one that sends
+/// its heartbeats. There is at most one holder at any time:
+/// - the first station that claims the grant, when there is none;
+/// - another station, when the holder consents to it or releases, or was silent for 3 s by the robot's steady
+///   clock;
+/// - the holder's station after a restart (same identity, other process), at once; its earlier process no
+///   longer counts, even if it still runs.
+/// Terms and stamps play no role here: stations settle conflicts between themselves (GrantBook), and the
+/// robot follows when the wrong one consents.
 class GrantArbiter {
 public:
     explicit GrantArbiter(GrantId id, const GrantTiming& timing = {});
 
-    /// Whatever is said about grants; other grants are ignored.
+    /// Takes any message about grants; other grants are ignored.
     void hear(const GrantSample& sample, const Sender& from, SteadyTime now);
 
     /// Whether commands of @p from count: it is the holder, and was heard within 3 s.
     [[nodiscard]] bool obeys(const Sender& from, SteadyTime now) const;
-    /// Identity of the station that is obeyed; empty when there is none, or it is silent.
+    /// Identity of the station that is obeyed; empty when there is none or it is silent.
     [[nodiscard]] std::string holder(SteadyTime now) const;
     /// Rises whenever another process is obeyed.
     [[nodiscard]] std::uint64_t changes() const { return m_changes; }
@@ -47,8 +49,8 @@ private:
     GrantId m_id;
     GrantTiming m_timing;
     std::optional<Holder> m_holder;
-    std::optional<Holder> m_other;  ///< newest that said to hold it and was not believed
-    std::string m_reservedFor;      ///< to whom the last holder consented
+    std::optional<Holder> m_other;  ///< newest station that claimed the grant and was not accepted
+    std::string m_reservedFor;      ///< station that the last holder consented to
     SteadyTime m_reserved = {};
     std::deque<Sender> m_superseded;  ///< earlier processes of the holder's station
     std::uint64_t m_changes = 0;

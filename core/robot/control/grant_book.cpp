@@ -8,8 +8,8 @@ namespace {
 
 using Action = GrantSample::Action;
 
-constexpr std::uint64_t HighestTerm = std::uint64_t{1} << 62U;  // what is beyond is nonsense, not a term
-constexpr std::size_t MostEntries = 256, MostRequests = 16;     // whatever others say
+constexpr std::uint64_t HighestTerm = std::uint64_t{1} << 62U;  // higher ones are nonsense, not terms
+constexpr std::size_t MostEntries = 256, MostRequests = 16;     // limits on what others send
 
 }  // namespace
 
@@ -25,7 +25,7 @@ GrantBook::GrantBook(const StationIdentity& me, const Sender& sender, SteadyTime
         entry->holderSender = m_sender;
         entry->term = entry->highest = grant.term;
         entry->nextSay = now;
-        entry->sent = now - m_timing.silence;  // may act once it has said so
+        entry->sent = now - m_timing.silence;  // may act once it has sent a heartbeat
     }
 }
 
@@ -100,7 +100,7 @@ bool GrantBook::isSilent(const Entry& entry, SteadyTime now) const {
 bool GrantBook::mayTake(const Entry& entry, SteadyTime now) const {
     if (entry.offered) return true;
     if (entry.holder.empty()) return entry.released || now - m_began >= m_timing.silence;
-    // An earlier run of this very station, which did not remember what it held.
+    // An earlier run of this station, which did not remember what it held.
     if (entry.holder == m_station && entry.holderSender != Sender{} && entry.holderSender != m_sender)
         return true;
     return isSilent(entry, now);
@@ -126,7 +126,7 @@ void GrantBook::hearHold(const GrantId& id, Entry& entry, const GrantSample& sam
     const bool same = entry.holder == sample.station;
     if (entry.mine) {
         if (!beats(sample, from, entry)) {
-            entry.nextSay = now;  // it shall hear at once that it is wrong
+            entry.nextSay = now;  // it shall learn at once that it is wrong
             return;
         }
         giveTo(id, entry, sample.station, now);
@@ -168,7 +168,7 @@ void GrantBook::hearWord(Entry& entry, const GrantSample& sample, const Sender& 
                 entry.holder.clear();
                 entry.holderTitle.clear();
             } else {
-                entry.holder = sample.other;  // for 3 s it is only his
+                entry.holder = sample.other;  // for 3 s only this station may take it
                 entry.holderTitle.clear();
                 entry.heard = now;
             }

@@ -14,51 +14,51 @@ namespace leitstand {
 
 /// A grant as a station sees it.
 struct GrantView {
-    bool mine = false;                ///< this station has it
-    bool asked = false;               ///< this station wants it and waits
-    bool silent = false;              ///< its holder was not heard for 3 s
-    std::string holder, holderTitle;  ///< who has it, this station too; empty: nobody that was heard
-    std::string requestedBy, requestedByTitle;  ///< of a grant of this station: who asked first for it
-    std::string refusedBy;                      ///< who said no to the last question of this station
-    std::string lostTo;                         ///< who has it now that this station had; until it asks again
+    bool mine = false;                          ///< this station holds it
+    bool asked = false;                         ///< this station requests it and waits
+    bool silent = false;                        ///< its holder was not heard for 3 s
+    std::string holder, holderTitle;            ///< who holds it, also this station; empty: nobody known
+    std::string requestedBy, requestedByTitle;  ///< of a grant of this station: its first requester
+    std::string refusedBy;                      ///< who refused this station's last request
+    std::string lostTo;                         ///< who holds what this station lost; until it requests again
     friend bool operator==(const GrantView&, const GrantView&) = default;
 };
 
-/// What a station holds, asks for and hears of others (design, section 4). Pure: no clock, no thread.
+/// The grants that a station holds, requests and hears of (design, section 4). Pure: no clock, no thread.
 ///
-/// - A grant that nobody holds is taken by who asks for it, after 3 s of listening (at once when its holder
-///   released it). One that is held is asked for once a second: the holder consents or refuses; when it was
-///   silent for 3 s, the asking station takes over.
-/// - Every taking raises the term. When two stations hold the same grant (both took it in the same moment, or
-///   could not hear each other for a while), the higher term is right, and of equal terms the smaller
-///   identity: both come to the same result, and the one that is wrong consents to the other.
-/// - A station that starts again holds what it held under the term of then: whoever took over meanwhile has a
-///   higher one.
-/// - Terms begin with the seconds of the wall clock, so that a station that lost its memory is not below
-///   itself. A wrong clock only decides who is right after a conflict; silence is never measured with it.
+/// - A grant without a holder goes to whoever requests it, after 3 s of listening (at once when its holder
+///   released it). A held grant is requested once a second, and the holder consents or refuses. When the
+///   holder was silent for 3 s, the requesting station takes over.
+/// - Taking a grant raises its term. Two stations may hold the same grant: both took it at the same moment,
+///   or could not hear each other for a while. Then the higher term is right and, of equal terms, the smaller
+///   identity. Both come to the same result, and the wrong one consents to the other.
+/// - A restarted station holds its grants under their former terms: whoever took over meanwhile has a higher
+///   one.
+/// - Terms begin with the seconds of the wall clock, so that a station that lost its memory is not below its
+///   earlier terms. A wrong clock only decides who is right after a conflict; silence is never measured with
+///   it.
 class GrantBook {
 public:
     GrantBook(const StationIdentity& me, const Sender& sender, SteadyTime now,
               const GrantTiming& timing = {});
 
-    /// The station's process has another identity in the domain from now on; what it holds it goes on
-    /// holding.
+    /// The station's process has another identity in the domain from now on; it keeps what it holds.
     void rejoined(const Sender& sender);
-    void ask(const GrantId& id);                      ///< wants it from now on
+    void ask(const GrantId& id);                      ///< requests it from now on
     void release(const GrantId& id, SteadyTime now);  ///< gives it up (to who asked first), asks no more
-    /// The operator's answer to the station that asked first; nothing when nobody asks.
+    /// The operator's answer to the first requester; does nothing without one.
     void answer(const GrantId& id, bool consent, SteadyTime now);
-    void leave(SteadyTime now);  ///< gives up everything, as at the end of the program
+    void leave(SteadyTime now);  ///< gives up everything, at the end of the program
 
     void hear(const GrantSample& sample, const Sender& from, SteadyTime now);
-    /// What has to be sent now, in this order; to be asked ten times a second, and after every change.
+    /// Returns what must be sent now, in this order; call it ten times a second, and after every change.
     [[nodiscard]] std::vector<GrantSample> due(SteadyTime now, Time wall);
 
     [[nodiscard]] GrantView view(const GrantId& id, SteadyTime now) const;
-    /// Whether this station may act on it: it has it, and others heard so within 3 s.
+    /// Whether this station may act on it: it holds it, and sent a heartbeat within 3 s.
     [[nodiscard]] bool mayAct(const GrantId& id, SteadyTime now) const;
-    [[nodiscard]] std::vector<HeldGrant> held() const;  ///< to be remembered
-    [[nodiscard]] std::vector<GrantId> known() const;   ///< all that was asked for or heard of
+    [[nodiscard]] std::vector<HeldGrant> held() const;  ///< to remember for the next run
+    [[nodiscard]] std::vector<GrantId> known() const;   ///< all that were requested or heard of
 
 private:
     struct Request {
@@ -67,15 +67,15 @@ private:
     };
     struct Entry {
         bool mine = false, asked = false;
-        bool offered = false;   ///< asked for, and consented
-        bool released = false;  ///< nobody has it, as its last holder said
+        bool offered = false;   ///< requested, and the holder consented
+        bool released = false;  ///< its last holder released it
         std::string holder, holderTitle;
         Sender holderSender = {};
         std::uint64_t term = 0;     ///< of the holder
-        std::uint64_t highest = 0;  ///< ever heard
+        std::uint64_t highest = 0;  ///< highest term ever heard
         SteadyTime heard = {};      ///< last heartbeat of another holder
-        SteadyTime sent = {};       ///< last heartbeat of our own
-        SteadyTime nextSay = {};    ///< heartbeat or request
+        SteadyTime sent = {};       ///< last heartbeat of this station
+        SteadyTime nextSay = {};    ///< when the next heartbeat or request is due
         std::vector<Request> requests;
         std::string refusedBy, lostTo;
     };
@@ -101,7 +101,7 @@ private:
     SteadyTime m_began;
     GrantTiming m_timing;
     std::map<GrantId, Entry> m_entries;
-    std::vector<Saying> m_sayings;  ///< decided, to be sent before heartbeats
+    std::vector<Saying> m_sayings;  ///< answers and releases, to be sent before heartbeats
 };
 
 }  // namespace leitstand

@@ -11,14 +11,15 @@
 
 namespace leitstand {
 
-/// A process in the domain, told apart by where its samples come from, never by what they say: the 12 bytes
-/// that all its endpoints' GUIDs begin with (RTPS 2.2, section 8.2.4). A program that starts anew has others.
+/// A process in the domain, identified by where its samples come from, never by their content. These are the
+/// 12 bytes that the GUIDs of all its endpoints begin with (RTPS 2.2, section 8.2.4). A restarted program has
+/// others.
 struct Sender {
     std::array<std::uint8_t, 12> bytes{};
     friend auto operator<=>(const Sender&, const Sender&) = default;
 };
 
-/// What can be granted: to drive a robot, to move its cameras, to register the map (robot empty).
+/// What can be granted: driving a robot, moving its cameras, registering the map (robot empty).
 struct GrantId {
     GrantSample::Kind kind = GrantSample::Kind::Drive;
     std::string robot;
@@ -29,18 +30,18 @@ struct GrantId {
     return {GrantSample::Kind::Drive, robot};
 }
 
-/// A grant that a station has, and under which term.
+/// A grant that a station holds, with its term.
 struct HeldGrant {
     GrantId id;
     std::uint64_t term = 0;
     friend bool operator==(const HeldGrant&, const HeldGrant&) = default;
 };
 
-/// Who a station is, in all its runs.
+/// Identity of a station, the same in all its runs.
 struct StationIdentity {
     std::string id;               ///< random, made once, never empty
     std::string title;            ///< for people
-    std::vector<HeldGrant> held;  ///< when it ended last: it has them back at once
+    std::vector<HeldGrant> held;  ///< at the end of its last run: it holds them again at once
 };
 
 /// Times of the grants (design, section 4), measured on the receiver's steady clock.

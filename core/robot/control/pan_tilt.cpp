@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 constexpr auto LeastGap = 40ms;    ///< between two commands
 constexpr auto RepeatGap = 500ms;  ///< of the same command
 constexpr auto Patience = 5s;
-constexpr auto LongestStep = 100ms;       ///< of a rate: after a pause it does not jump
+constexpr auto LongestStep = 100ms;       ///< longest step of a rate: after a pause it does not jump
 constexpr double Reached = degrees(0.5);  ///< [rad]
 constexpr PanTiltAngles Still = {};
 
@@ -26,7 +26,7 @@ bool near(const PanTiltAngles& a, const PanTiltAngles& b) {
     return std::abs(a.pan - b.pan) < Reached && std::abs(a.tilt - b.tilt) < Reached;
 }
 
-/// A direction of the optical frame in the frame that has x ahead, y left, z up.
+/// Converts a direction of the optical frame to the frame with x ahead, y left, z up.
 Eigen::Vector3d upright(const Eigen::Vector3d& optical) {
     return {optical.z(), -optical.x(), -optical.y()};
 }
@@ -52,9 +52,9 @@ PanTiltAngles towards(const Eigen::Vector3d& direction) {
 
 PanTiltAngles dragged(const PanTiltAngles& start, const Eigen::Vector3d& grabbed,
                       const Eigen::Vector3d& pointer) {
-    const Eigen::Vector3d thing = tilted(upright(grabbed.normalized()), start.tilt);  // but for the pan
+    const Eigen::Vector3d thing = tilted(upright(grabbed.normalized()), start.tilt);  // without the pan
     const Eigen::Vector3d seen = upright(pointer.normalized());
-    // First the tilt that brings the pointer's direction to the height of the thing, then the pan.
+    // First the tilt that brings the pointer's direction to the height of the target, then the pan.
     const double reach = std::hypot(seen.x(), seen.z());
     if (!(reach > 1e-6) || !thing.allFinite()) return start;
     const double height = std::clamp(thing.z() / reach, -1.0, 1.0);
@@ -71,7 +71,7 @@ void PanTiltControl::want(const PanTiltAngles& angles, SteadyTime now) {
 
 void PanTiltControl::turnTo(const PanTiltAngles& angles, SteadyTime now) {
     m_rate = {};
-    m_changed = now;  // the same wish again is tried again
+    m_changed = now;  // a repeated wish is tried again
     m_sent.reset();
     want(angles, now);
 }

@@ -15,36 +15,36 @@ struct PanTiltAngles {
     friend bool operator==(const PanTiltAngles&, const PanTiltAngles&) = default;
 };
 
-/// @p angles cut to what @p mount can do; what is no number is ahead.
+/// Returns @p angles limited to the range of @p mount; an angle that is not finite becomes 0.
 [[nodiscard]] PanTiltAngles within(const PanTiltMount& mount, const PanTiltAngles& angles);
 
-/// The angles at which a camera looks towards @p direction, of the frame that its unit is mounted on (x
-/// ahead, y left, z up).
+/// Returns the angles at which a camera looks towards @p direction, in the frame that its unit is mounted on
+/// (x ahead, y left, z up).
 [[nodiscard]] PanTiltAngles towards(const Eigen::Vector3d& direction);
 
-/// The angles at which the camera sees under the pointer what it saw where the pointer took hold: a picture
-/// that is dragged. @p grabbed and @p pointer are directions of the camera's optical frame (x right, y down,
-/// z ahead); @p start: the angles when it was grabbed.
+/// Returns the angles that keep what was grabbed under the pointer, as in a dragged picture. Directions
+/// @p grabbed and @p pointer are in the camera's optical frame (x right, y down, z ahead). Angles @p start
+/// are those when it was grabbed.
 [[nodiscard]] PanTiltAngles dragged(const PanTiltAngles& start, const Eigen::Vector3d& grabbed,
                                     const Eigen::Vector3d& pointer);
 
-/// What an operator wants of one pan-tilt unit: where it is, where it shall be, what is to be sent. Pure: no
+/// Control of one pan-tilt unit by the operator: where it is, where it shall be, what must be sent. Pure: no
 /// clock, no thread.
 class PanTiltControl {
 public:
     explicit PanTiltControl(const PanTiltMount& mount) : m_mount(mount) {}
 
-    void said(const PanTiltAngles& now) { m_now = now; }  ///< by the robot's joint states
+    void said(const PanTiltAngles& now) { m_now = now; }  ///< as reported by the robot's joint states
     void turnTo(const PanTiltAngles& angles, SteadyTime now);
-    void turnBy(const PanTiltAngles& step, SteadyTime now);  ///< on from the wish
-    /// Turns on until told otherwise [rad/s]; zero: it stays where the wish has come to.
+    void turnBy(const PanTiltAngles& step, SteadyTime now);  ///< from the current wish
+    /// Turns at this rate [rad/s] until it is set again; zero: it stays at the wish reached so far.
     void setRate(const PanTiltAngles& perSecond, SteadyTime now);
-    /// What to send now, at most 25 times a second. A wish is repeated until the unit is there; after 5 s
-    /// without a change it is dropped: something holds the unit.
+    /// Returns what to send now, at most 25 times a second. A wish is repeated until the unit is there. It is
+    /// dropped after 5 s without a change: something blocks the unit.
     [[nodiscard]] std::optional<PanTiltAngles> due(SteadyTime now);
 
     [[nodiscard]] const PanTiltMount& mount() const { return m_mount; }
-    [[nodiscard]] const std::optional<PanTiltAngles>& now() const { return m_now; }    ///< empty: unsaid
+    [[nodiscard]] const std::optional<PanTiltAngles>& now() const { return m_now; }    ///< empty: unknown
     [[nodiscard]] const std::optional<PanTiltAngles>& wish() const { return m_wish; }  ///< empty: none
     [[nodiscard]] bool turning() const { return m_rate != PanTiltAngles{}; }           ///< at a rate
 

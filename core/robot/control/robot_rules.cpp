@@ -23,7 +23,7 @@ DriveVerdict RobotRules::obeyAnybody(const DriveVelocity& velocity) {
 DriveVerdict RobotRules::drive(const DriveVelocity& velocity, const Sender& from, SteadyTime now) {
     if (m_settings.careless) return obeyAnybody(velocity);
     if (!m_grant.obeys(from, now)) {
-        // Commands and grants are two topics: its grant may be on the way.
+        // Commands and grants are two topics: its grant may still be on the way.
         if (isZero(velocity)) m_earlyZero = {from, now};
         return DriveVerdict::NotHolder;
     }
@@ -31,7 +31,7 @@ DriveVerdict RobotRules::drive(const DriveVelocity& velocity, const Sender& from
         std::isfinite(velocity.forward) && std::isfinite(velocity.left) && std::isfinite(velocity.turn);
     const bool early =
         m_earlyZero && m_earlyZero->first == from && now - m_earlyZero->second < m_settings.early;
-    // Nothing for so long: it stood, and what comes now may be a stick that was held through a hang.
+    // After so long without a command it stands. A new command may come from a stick held through a hang.
     if (now - m_driven >= m_settings.watchdog + SetpointForgotten) m_neutral = false;
     const bool neutral = early || (m_neutral && m_neutralIn == m_grant.changes());
     m_velocity = {};

@@ -12,44 +12,44 @@
 
 namespace leitstand {
 
-/// How a robot treats commands.
+/// Settings of how a robot treats commands.
 struct RobotRuleSettings {
     DriveLimits limits = {};
-    std::chrono::nanoseconds watchdog = DriveWatchdog;  ///< without a command it stops
+    std::chrono::nanoseconds watchdog = DriveWatchdog;  ///< it stops after this long without a command
     GrantTiming grants = {};
     StandingRules standing = {};
-    std::uint64_t firstStop = 0;                               ///< of StopLatch
-    std::chrono::nanoseconds early = std::chrono::seconds(1);  ///< what overtook its grant counts so long
-    /// As a stock robot without a watchdog: the newest command of whoever sends one counts, for ever. STOP
+    std::uint64_t firstStop = 0;                               ///< first count of stops of StopLatch
+    std::chrono::nanoseconds early = std::chrono::seconds(1);  ///< of a zero that overtook its grant
+    /// Behaves like a stock robot without a watchdog: the newest command of any sender counts, for ever. STOP
     /// holds.
     bool careless = false;
 };
 
-/// What became of a drive command.
+/// Result of a drive command.
 enum class DriveVerdict : std::uint8_t {
     Taken,
     NotHolder,   ///< from a process that does not hold the grant
-    Stopped,     ///< the stop stands
+    Stopped,     ///< the robot is stopped
     NotNeutral,  ///< after a stop, a new holder or a long silence, the first command must be zero
-    NoNumber,    ///< it stops the robot
+    NoNumber,    ///< one of its numbers is not finite: it stops the robot
 };
 
 /// All rules of design section 4 that a robot itself keeps: whose commands count, for how long, and when it
-/// must not move at all. Pure: no clock, no thread. Robots that take their commands through this are safe
-/// from stations that are not: from two that drive at once, from one that went silent, from old releases.
+/// must not move at all. Pure: no clock, no thread. A robot that takes its commands through this is safe from
+/// faulty stations: from two that drive at once, from a silent one, from old releases.
 class RobotRules {
 public:
     explicit RobotRules(const std::string& robot, const RobotRuleSettings& settings = {});
 
     void hear(const GrantSample& sample, const Sender& from, SteadyTime now);
     DriveVerdict drive(const DriveVelocity& velocity, const Sender& from, SteadyTime now);
-    /// The answer, to be sent with a header.
+    /// Returns the answer, to be sent with a header.
     [[nodiscard]] StopStateSample hear(const StopCommandSample& command, const Sender& from, SteadyTime now);
     void press();  ///< the robot's own stop button
-    /// The robot's odometry: speed [m/s], turn rate [rad/s].
+    /// Takes the robot's odometry: speed [m/s], turn rate [rad/s].
     void moved(double speed, double turnRate, SteadyTime now);
 
-    /// How it has to move at @p now. A pure function of what was heard: to be asked in the control loop.
+    /// Returns how it must move at @p now. A pure function of what was received; call it in the control loop.
     [[nodiscard]] DriveVelocity commanded(SteadyTime now) const;
     [[nodiscard]] bool isStopped() const { return m_latch.isStopped(); }
     [[nodiscard]] StopStateSample stopState(SteadyTime now) const;
@@ -66,9 +66,9 @@ private:
     Sender m_driver = {};
     SteadyTime m_driven = {};
     bool m_neutral = false;         ///< a zero came since the last stop or change of holder
-    std::uint64_t m_neutralIn = 0;  ///< GrantArbiter::changes() of then
+    std::uint64_t m_neutralIn = 0;  ///< GrantArbiter::changes() at that zero
     std::optional<std::pair<Sender, SteadyTime>>
-        m_earlyZero;  ///< newest of who was not obeyed, since the stop
+        m_earlyZero;  ///< newest from a sender that was not obeyed, since the stop
 };
 
 }  // namespace leitstand

@@ -14,7 +14,7 @@
 namespace leitstand {
 namespace {
 
-/// After each time that the station joins anew.
+/// Pause after each time that the station rejoins.
 constexpr std::array Pauses = {std::chrono::seconds(5), std::chrono::seconds(15), std::chrono::seconds(5)};
 constexpr std::size_t MostNames = 4;
 /// A topic that was announced for longer is not worth leaving the network for [s].
@@ -24,7 +24,7 @@ bool isOwn(const StreamDescription& stream, const RobotDescription& robot) {
     return stream.role != StreamRole::Transforms || stream.topic.starts_with("/" + robot.name + "/");
 }
 
-/// Streams that are judged by whether they are heard.
+/// Whether a stream is judged by whether it is heard.
 bool isJudged(const AnnouncedWriter& writer, const RobotDescription& robot) {
     return std::any_of(robot.streams.begin(), robot.streams.end(), [&](const auto& stream) {
         return stream.topic == writer.topic && streamFacts(stream.role).quick && isOwn(stream, robot);
@@ -55,8 +55,8 @@ constexpr const char* wordsOf(HearingFault::Kind kind) {
     return translatable("leitstand::Hearing", "announced, but nothing comes: {}");
 }
 
-/// Of a robot that was never heard, or is lost. Nodes of a robot are judged apart: one that stands must not
-/// hide behind one that was heard before.
+/// Returns the fault of a robot that was never heard, or is lost. Its nodes are judged separately: a hung one
+/// must not hide behind one that was heard before.
 std::optional<HearingFault> faultWhileDown(const RobotDescription& robot, LinkState link,
                                            const Announced& announced) {
     struct Process {
@@ -72,7 +72,7 @@ std::optional<HearingFault> faultWhileDown(const RobotDescription& robot, LinkSt
         process.heard = process.heard || writer.heard;
     }
     for (auto& [name, process] : processes) {
-        // One that was heard and is not any more has lost its link, which is told as that.
+        // A process that was heard before has lost its link, which is reported as such.
         if (!process.due || process.heard) continue;
         std::sort(process.topics.begin(), process.topics.end());
         return HearingFault{HearingFault::Kind::Silent, std::move(process.topics), HearWithin};
@@ -86,10 +86,10 @@ std::optional<HearingFault> faultWhileDown(const RobotDescription& robot, LinkSt
     return mute;
 }
 
-/// Of a robot that says something: events and answers come also where no stream does.
+/// Returns the fault of a robot that is heard: events and answers come even when no stream does.
 std::optional<HearingFault> faultWhileUp(const RobotDescription& robot, const Announced& announced) {
     struct Topic {
-        double seconds = 0.0;  ///< of the writer that is there for the longest [s]
+        double seconds = 0.0;  ///< since its oldest writer was discovered [s]
         bool heard = false, alwaysOn = false;
     };
     std::map<std::string, Topic> topics;
@@ -106,7 +106,7 @@ std::optional<HearingFault> faultWhileUp(const RobotDescription& robot, const An
     const bool any = isHeard(robot, announced);
     const double within = any ? HearTopicWithin : HearWithin;
     HearingFault fault{any ? HearingFault::Kind::Partial : HearingFault::Kind::Silent, {}, 1e9};
-    bool due = false;  // nothing comes at all: those that are newer are not heard either
+    bool due = false;  // nothing comes at all: newer topics count as not heard too
     for (const auto& [name, topic] : topics) {
         if (topic.heard || (any && (topic.seconds < within || !topic.alwaysOn))) continue;
         due = due || topic.seconds >= within;

@@ -12,27 +12,27 @@
 
 namespace leitstand {
 
-/// A writer that the domain announces on a topic that the station listens to.
+/// A writer that the domain announces on a topic to which the station listens.
 struct AnnouncedWriter {
     std::string topic;     ///< ROS name
-    std::string process;   ///< whose it is: any text that tells processes apart
+    std::string process;   ///< its process: any text that identifies it
     double seconds = 0.0;  ///< since it was discovered [s]
-    bool heard = false;    ///< a sample of it came
+    bool heard = false;    ///< a sample of it was received
 };
 
-/// A process that is announced in the domain, but none of its topics.
+/// A process that is announced in the domain, without any of its topics.
 struct MuteProcess {
     std::string name;      ///< "kurt3d"
     double seconds = 0.0;  ///< since it was discovered [s]
 };
 
-/// What is announced in a domain, and what of it comes.
+/// What is announced in a domain, and what of it is heard.
 struct Announced {
     std::vector<AnnouncedWriter> writers;
     std::vector<MuteProcess> mute;
 };
 
-/// A robot is announced, and the station does not hear of it what it should.
+/// A robot is announced, and the station does not receive from it what it should.
 struct HearingFault {
     enum class Kind : std::uint8_t {
         Mute,     ///< processes are announced, topics of the robot are not; names: the processes'
@@ -44,42 +44,42 @@ struct HearingFault {
     double seconds = 0.0;  ///< since the newest of them was discovered [s]
 };
 
-/// What is announced has so long until it is to be heard [s].
+/// Time within which an announced robot must be heard [s].
 inline constexpr double HearWithin = 2.0;
-/// ... and odometry and IMU, while others of the robot are heard [s]: a sensor may take a while to start.
+/// ... and its odometry and IMU, while other streams are heard [s]: a sensor may start slowly.
 inline constexpr double HearTopicWithin = 5.0;
 
-/// What is not heard of @p robot although it is announced; empty while nothing is announced: then it is not
-/// there. Judged by the streams that come several times a second and are the robot's own: streams on events
-/// and answers to pings say nothing, and neither do gas, battery and diagnostics, which may be slow. A link
-/// (@p link) that was heard and is lost is no such fault.
+/// Returns what is not heard of @p robot although it is announced; empty while nothing is announced, as it is
+/// then absent. Judged by the robot's own streams that come several times a second. Streams on events and
+/// answers to pings do not count, nor do gas, battery and diagnostics, which may be slow. A link (@p link)
+/// that was heard and is lost is no such fault.
 [[nodiscard]] std::optional<HearingFault> hearingFaultOf(const RobotDescription& robot, LinkState link,
                                                          const Announced& announced);
-/// Whether a sample came of any stream that hearingFaultOf() judges by.
+/// Whether a sample was received of any stream that hearingFaultOf() judges by.
 [[nodiscard]] bool isHeard(const RobotDescription& robot, const Announced& announced);
-/// Whether @p fault is over, by what came since it was found.
+/// Whether @p fault is over, by what was received since it was found.
 [[nodiscard]] bool isOver(const HearingFault& fault, LinkState link, const Announced& announced);
 
 /// For logs: "announced, but nothing comes: /kurt3d/odom, /kurt3d/points".
 [[nodiscard]] std::string toString(const HearingFault& fault);
-/// Likewise, in the window's language.
+/// The same in the window's language.
 [[nodiscard]] std::string worded(const HearingFault& fault);
 
-/// What toString() said, in the window's language; as it is where it is none of that.
+/// Returns a text of toString() in the window's language; any other text stays as it is.
 [[nodiscard]] std::string hearingWorded(const std::string& said);
 
-/// When a station joins its domain again because of a robot that is announced and not heard. Of a robot of
-/// which nothing comes: at once, after 5 s and after 15 s more; then the fault is the robot's, until it was
-/// heard once. For single topics: once each, and only soon after they were discovered, since it may be that
-/// the sensor is off. Pure.
+/// Decides when a station joins its domain again because of a robot that is announced and not heard. For a
+/// silent robot: at once, after 5 s and after 15 s more. Then the fault is the robot's, until it is heard
+/// once. For single topics: once each, and only soon after they were discovered, since the sensor may be off.
+/// Pure.
 class RejoinPlan {
 public:
-    /// @p may: nothing moves by this station, and nothing is being stopped.
+    /// @p may: this station moves nothing and is stopping nothing.
     [[nodiscard]] bool isDue(const std::optional<HearingFault>& fault, bool may, SteadyTime now);
-    /// Whether @p fault stands although all was tried; true once for each robot until it was heard, and once
+    /// Whether @p fault stays although all was tried. True once for each robot until it is heard, and once
     /// for each topic.
     [[nodiscard]] bool hasFailed(const std::optional<HearingFault>& fault, SteadyTime now);
-    /// A periodic sample of the robot came.
+    /// A periodic sample of the robot was received.
     void heard();
 
 private:

@@ -12,19 +12,19 @@ namespace leitstand {
 namespace {
 
 constexpr double PongInterval = 0.5;  ///< of robots that answer pings [s]
-/// Deviations over the limit that a loss must be: bad luck with few samples is no bad link.
+/// Deviations by which a loss must exceed the limit: bad luck with few samples is no bad link.
 constexpr double ChanceOfLoss = 1.5;
 constexpr int NoRank = 100;
-/// A robot may have computers whose clocks differ: delays are told of streams that were once so quick [s].
+/// Robots may have several clocks: delays are given only of streams that were once this quick [s].
 constexpr double OnTime = 0.25;
-constexpr std::chrono::milliseconds SureEnough{200};  ///< of a clock by which delays are told
+constexpr std::chrono::milliseconds SureEnough{200};  ///< largest uncertainty of a clock for delays
 
-/// Topics that a robot shares with others when they are not its own: "/tf", "/diagnostics".
+/// Whether robots share the topic and it is not this robot's own: "/tf", "/diagnostics".
 bool isShared(const StreamDescription& stream, const std::string& robot) {
     return streamFacts(stream.role).shared && !stream.topic.starts_with("/" + robot + "/");
 }
 
-/// Over @p limit, or not yet down to @p over when it was.
+/// Whether a value is over @p limit or, once it was, not yet down to @p over.
 bool isOver(double value, double limit, double over, bool before) {
     return value > (before ? over : limit);
 }
@@ -106,11 +106,11 @@ void LinkMonitor::enter(LinkState state, SteadyTime now) {
 
 void LinkMonitor::heard(SteadyTime now) {
     const bool speaks = m_state == LinkState::Connected || m_state == LinkState::Degraded;
-    if (speaks && isSilent(now)) enter(LinkState::Lost, now);  // also when nobody asked meanwhile
-    m_heard = std::max(m_heard, now);                          // two threads of the node hand over
+    if (speaks && isSilent(now)) enter(LinkState::Lost, now);  // also without a call of status() meanwhile
+    m_heard = std::max(m_heard, now);                          // two threads of the node call this
     ++m_signs;
     if (m_state == LinkState::NeverSeen || (m_state == LinkState::Lost && m_signs >= m_rules.backAfter))
-        enter(LinkState::Connected, now);  // until judged
+        enter(LinkState::Connected, now);  // until it is judged
 }
 
 StreamStatus LinkMonitor::statusOf(const Stream& stream, SteadyTime now) const {
@@ -133,8 +133,7 @@ StreamStatus LinkMonitor::statusOf(const Stream& stream, SteadyTime now) const {
     const double expectedFor = toSeconds(now - std::max(stream.expectedFrom, stream.monitor.newest()));
     status.stale = status.steady && !status.paused && expectedFor > patience;
     if (status.stale) {
-        // What has to come and does not is lost as far as anybody can tell: no gap in the numbers tells it
-        // yet.
+        // Expected samples that do not come count as lost: no gap in the numbers shows them yet.
         const double window = toSeconds(StreamMonitor::Slots * StreamMonitor::Slot);
         const double silent = status.expectedRate * std::min(window, status.age);
         const auto all = static_cast<double>(figures.lossBasis);

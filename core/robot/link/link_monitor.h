@@ -13,17 +13,17 @@
 
 namespace leitstand {
 
-/// When a link counts as degraded or lost. What is over a limit is told at once; what fell below `...Over` is
-/// forgiven, and the link is connected again after `recovery` seconds without a reason.
+/// Rules for when a link counts as degraded or lost. A value over a limit is reported at once, and cleared
+/// when it falls below `...Over`. The link is connected again after `recovery` seconds without a reason.
 struct LinkRules {
     double lostAfter = 2.0;    ///< silence of everything [s]; longer for robots whose quickest stream is slow
     double lostAtMost = 10.0;  ///< ... but no longer than that [s]
-    int backAfter = 3;         ///< samples that must come before a lost link is no longer lost
+    int backAfter = 3;         ///< samples that must come before a lost link counts as back
     double staleAfter = 1.0;   ///< silence of a steady stream [s], but at least three of its intervals
     double slowest = 10.0;     ///< streams with longer intervals are not steady [s]
-    double forgottenAfter = 60.0;         ///< stale for so long: no matter of the link any more [s]
+    double forgottenAfter = 60.0;         ///< a stream stale for longer no longer affects the link [s]
     double loss = 0.10, lossOver = 0.06;  ///< of a stream's samples; more where they are few
-    int lossBasis = 20;                   ///< fewer samples tell no loss
+    int lossBasis = 20;                   ///< fewer samples give no loss
     double late = 1.0, lateOver = 0.5;    ///< of steady streams, from writing to arrival [s]
     double lateFor = 2.0;                 ///< ... for so long: a clock that steps looks late at first [s]
     double roundTrip = 0.300, roundTripOver = 0.200;  ///< median [s]
@@ -31,23 +31,23 @@ struct LinkRules {
     double recovery = 2.0;                            ///< [s]
 };
 
-/// How the link to one robot is, from what arrives. Pure: no clock of its own, no thread; constant memory,
-/// no allocation but in status(). Streams are those that its description lists, commands left out.
+/// Judges the link to one robot by what arrives. Pure: no clock of its own, no thread; constant memory, no
+/// allocation except in status(). Its streams are those of the robot's description, without commands.
 class LinkMonitor {
 public:
     explicit LinkMonitor(const RobotDescription& robot, const LinkRules& rules = {});
 
-    /// A sample on @p topic (ROS name); topics that the description does not list are ignored.
+    /// Takes a sample on @p topic (ROS name); topics that the description does not list are ignored.
     void sample(std::string_view topic, const StreamArrival& arrival, SteadyTime now);
-    /// Ping @p number of this station is being sent, @p stamp on the station's clock.
+    /// Takes ping @p number of this station, which is being sent, with @p stamp on the station's clock.
     void ping(std::uint64_t number, Time stamp, SteadyTime now);
-    /// An answer to this station, @p received on its clock; the sample that it came in goes to sample(), too.
-    /// False, and nothing was learned, when it answers no ping that is remembered, or contradicts itself.
+    /// Takes an answer to this station, @p received on its clock; its sample goes to sample() too. False,
+    /// without effect, when it answers no remembered ping or contradicts itself.
     bool pong(const PongSample& pong, Time received, SteadyTime now);
-    /// The station switched a stream off (or on again): silence is no fault. Unknown topics are ignored.
+    /// The station switched a stream off (or on again): silence is then no fault. Unknown topics are ignored.
     void setPaused(std::string_view topic, bool paused, SteadyTime now);
 
-    /// The state is as of @p now; call it a few times a second.
+    /// Returns the state at @p now; call it a few times a second.
     [[nodiscard]] LinkStatus status(SteadyTime now);
 
 private:
@@ -55,12 +55,12 @@ private:
         StreamRole role = StreamRole::Points;
         std::string sensor = {}, topic = {};
         bool steadyRole = true;  ///< comes at a rate; others on change
-        bool shared = false;     ///< other robots speak on it too: no sign of this one's life
-        int stampRank = 0;       ///< streams of lowest rank tell the clock
+        bool shared = false;     ///< other robots use it too: no sign of this one's life
+        int stampRank = 0;       ///< the clock is estimated from streams of lowest rank
         StreamMonitor monitor = {};
         bool paused = false, lossy = false, late = false;
-        bool knownClock = false;       ///< its times are of the clock that the pings tell
-        SteadyTime onTime = {};        ///< when it was last
+        bool knownClock = false;       ///< its times are of the clock that the pings measure
+        SteadyTime onTime = {};        ///< when it last was
         SteadyTime expectedFrom = {};  ///< when it was switched on again
     };
     void heard(SteadyTime now);
@@ -79,17 +79,17 @@ private:
     std::vector<std::uint32_t> m_byTopic;  ///< places in m_streams, sorted by topic
     ClockOffset m_clock;
     RoundTrips m_roundTrips;
-    int m_stampRank;  ///< lowest that came
+    int m_stampRank;  ///< lowest that was received
     LinkState m_state = LinkState::NeverSeen;
     SteadyTime m_since;      ///< since when in this state
     SteadyTime m_spoke;      ///< since when not lost
     SteadyTime m_heard;      ///< last sign of life
-    SteadyTime m_faultless;  ///< last reason
-    bool m_began = false;    ///< m_since has a meaning
-    bool m_slow = false;     ///< round trip
-    int m_signs = 0;         ///< of life since it was lost
+    SteadyTime m_faultless;  ///< time of the last reason
+    bool m_began = false;    ///< whether m_since is set
+    bool m_slow = false;     ///< whether the round trip is over its limit
+    int m_signs = 0;         ///< signs of life since it was lost
     int m_reconnects = 0;
-    std::vector<LinkReason> m_reasons;  ///< newest that there were
+    std::vector<LinkReason> m_reasons;  ///< the newest non-empty ones
 };
 
 }  // namespace leitstand

@@ -7,8 +7,8 @@
 
 namespace leitstand {
 
-/// What toString() of a reason says, read again from alarms of the log; without the topic, figures as rounded
-/// there. Empty: it is none of its sentences.
+/// Reads a reason from its toString() text in an alarm of the log; without the topic, figures as rounded
+/// there. Empty when @p said is no such text.
 [[nodiscard]] std::optional<LinkReason> linkReasonFrom(std::string_view said);
 
 }  // namespace leitstand

@@ -42,7 +42,7 @@ bool readStream(std::string_view said, LinkReason& reason) {
         reason.role = *role;
         return true;
     }
-    // The longest words first: "left thermal pictures" are none of a sensor "left thermal".
+    // The longest words first: "left thermal pictures" are not "pictures" of a sensor "left thermal".
     for (const StreamRole role : {StreamRole::Thermal, StreamRole::Picture, StreamRole::CameraInfo}) {
         const std::string words = fmt::format(" {}", wordsOf(role));
         if (said.size() <= words.size() || !said.ends_with(words)) continue;
@@ -131,7 +131,7 @@ std::optional<ClockOffsetSample> clockOffsetOf(const LinkStatus& status, Time st
     sample.stamp = stamp;
     sample.robot = status.robot;
     sample.ahead = status.clock->ahead;
-    // anywhere within the bounds is as likely as anywhere else
+    // any place within the bounds is equally likely
     const double deviation = static_cast<double>(status.clock->uncertainty.count()) / std::sqrt(3.0);
     sample.uncertainty = std::chrono::nanoseconds(std::llround(deviation));
     if (status.roundTrip)

@@ -14,12 +14,12 @@
 
 namespace leitstand {
 
-/// How the link to a robot is.
+/// State of the link to a robot.
 enum class LinkState : std::uint8_t {
     NeverSeen,  ///< nothing came since the station began to listen
     Connected,
-    Degraded,  ///< it speaks, but LinkStatus::reasons say what is wrong
-    Lost,      ///< it spoke, and is silent now
+    Degraded,  ///< it is heard, but LinkStatus::reasons name its faults
+    Lost,      ///< it was heard, and is silent now
 };
 /// "never seen", "connected", "degraded", "lost".
 [[nodiscard]] std::string toString(LinkState state);
@@ -27,26 +27,26 @@ enum class LinkState : std::uint8_t {
 /// One thing that is wrong with a link.
 struct LinkReason {
     enum class Kind : std::uint8_t {
-        Silent,    ///< nothing at all was heard for so long [s]
+        Silent,    ///< nothing at all was heard for this long [s]
         Stale,     ///< a steady stream stopped: age of its newest sample [s]
-        Late,      ///< a steady stream comes, but so late [s]
+        Late,      ///< a steady stream comes, but this late [s]
         Loss,      ///< share of a stream's samples that never arrived, 0 to 1
         Slow,      ///< round trip of the pings [s]
-        NoAnswer,  ///< it speaks, but has answered no ping for so long [s]
+        NoAnswer,  ///< it is heard, but has answered no ping for this long [s]
     };
     Kind kind = Kind::Silent;
-    double value = 0.0;                         ///< as the kind says
+    double value = 0.0;                         ///< meaning by kind
     StreamRole role = StreamRole::Diagnostics;  ///< of Stale, Late, Loss
     std::string sensor = {};                    ///< of that stream; may be empty
     std::string topic = {};                     ///< of that stream
 };
-/// In words, for logs and tables (widgets translate by kind): "odometry 1.4 s old", "12 % of points lost",
+/// Text for logs and tables (widgets translate by kind): "odometry 1.4 s old", "12 % of points lost",
 /// "left pictures 2.0 s late", "round trip 380 ms", "no answer to pings for 3.1 s".
 [[nodiscard]] std::string toString(const LinkReason& reason);
-/// All of them: "odometry 1.4 s old, round trip 380 ms"; empty when there is none.
+/// All of them: "odometry 1.4 s old, round trip 380 ms"; empty without reasons.
 [[nodiscard]] std::string toString(const std::vector<LinkReason>& reasons);
 
-/// How one stream of a robot comes in.
+/// State of one stream of a robot.
 struct StreamStatus {
     StreamRole role = StreamRole::Points;
     std::string sensor;                                       ///< StreamDescription::sensor
@@ -57,15 +57,15 @@ struct StreamStatus {
     double expectedRate = 0.0;                                ///< as learned from its writer [Hz]; 0: unknown
     double age = std::numeric_limits<double>::infinity();     ///< of the newest, by its arrival [s]
     double delay = std::numeric_limits<double>::quiet_NaN();  ///< from writing to arrival [s]; NaN: unknown
-    double lossRatio = 0.0;                                   ///< over the last 10 s, 0 to 1, of a stale
-                                                              ///< stream with what did not come; NaN: unknown
+    double lossRatio = 0.0;                                   ///< over the last 10 s, 0 to 1; missing samples
+                                                              ///< of a stale stream count; NaN: unknown
     double megabitsPerSecond = 0.0;                           ///< without headers and repeats; NaN: unknown
     bool steady = false;  ///< comes at a rate of its own; others come on change and are never stale
     bool stale = false;   ///< steady, and nothing came for longer than it should
     bool paused = false;  ///< switched off by the station: never stale
 };
 
-/// What the pings of the last seconds told; without the time that the robot held them.
+/// Round trips of the last seconds' pings, without the time that the robot held them.
 struct RoundTripStatus {
     double last = 0.0;        ///< [s]
     double median = 0.0;      ///< [s]
@@ -73,20 +73,20 @@ struct RoundTripStatus {
     double unanswered = 0.0;  ///< share of the pings, 0 to 1
 };
 
-/// Where an estimate of a robot's clock comes from.
+/// Source of an estimate of a robot's clock.
 enum class ClockSource : std::uint8_t {
     Pings,   ///< both ways: good to half a round trip
     Stamps,  ///< one way: when samples were written; assumes that the quickest take no longer than 50 ms
 };
 
-/// How a robot's clock stands to the station's.
+/// A robot's clock relative to the station's.
 struct ClockStatus {
     std::chrono::nanoseconds ahead{};        ///< robot's clock minus station's
     std::chrono::nanoseconds uncertainty{};  ///< the truth is within ahead +- uncertainty
     ClockSource source = ClockSource::Pings;
-    int steps = 0;                                             ///< how often it jumped
-    std::chrono::nanoseconds lastStep{};                       ///< by how much, last time
-    double stepAge = std::numeric_limits<double>::infinity();  ///< since then [s]
+    int steps = 0;                                             ///< number of steps so far
+    std::chrono::nanoseconds lastStep{};                       ///< size of the last step
+    double stepAge = std::numeric_limits<double>::infinity();  ///< since the last step [s]
 };
 
 /// The link to one robot, as views show it.
@@ -102,10 +102,10 @@ struct LinkStatus {
     double megabitsPerSecond = 0.0;     ///< of all streams
     std::vector<StreamStatus> streams;  ///< in the order of the robot's description
 
-    [[nodiscard]] const StreamStatus* stream(std::string_view topic) const;  ///< null: it has none such
+    [[nodiscard]] const StreamStatus* stream(std::string_view topic) const;  ///< null: it has none
 };
 
-/// What the log keeps of @p status, @p stamp on the station's clock; empty while the clock is unknown.
+/// Returns what the log keeps of @p status at @p stamp, station's clock; empty while the clock is unknown.
 [[nodiscard]] std::optional<ClockOffsetSample> clockOffsetOf(const LinkStatus& status, Time stamp);
 
 }  // namespace leitstand

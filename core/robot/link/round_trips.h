@@ -18,14 +18,15 @@ public:
     static constexpr std::chrono::seconds Window{10};           ///< older answers do not count
     static constexpr std::chrono::milliseconds Patience{1000};  ///< then a ping counts as unanswered
 
-    /// Ping @p number is being sent.
+    /// Takes ping @p number, which is being sent.
     void sent(std::uint64_t number, Time stamp, SteadyTime now);
-    /// Its answer came at @p now; the robot held it for @p held. False when it answers none of the pings
-    /// remembered, or one for the second time.
+    /// Takes its answer at @p now; the robot held it for @p held. False when it answers no remembered ping,
+    /// or one for the second time.
     bool answered(std::uint64_t number, Time stamp, std::chrono::nanoseconds held, SteadyTime now);
 
     [[nodiscard]] std::optional<RoundTripStatus> status(SteadyTime now) const;  ///< empty: never answered
-    /// Since when pings go out without answer [s]; 0 while they are answered, or none is sent.
+    /// Returns for how long pings have gone out without an answer [s]; 0 while they are answered, or none is
+    /// sent.
     [[nodiscard]] double waiting(SteadyTime now) const;
 
 private:

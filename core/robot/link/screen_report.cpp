@@ -37,7 +37,7 @@ std::string grouped(std::uint64_t number, const std::string& between) {
     return text;
 }
 
-/// @p words finds what a text of the program is in the language wanted.
+/// @p words translates a text of the program.
 template <class Words>
 std::string told(const ScreenDrop& drop, Words words) {
     const std::string packets =

@@ -7,8 +7,8 @@
 namespace leitstand {
 namespace {
 
-constexpr std::uint64_t LargestGap = 1'000'000;  ///< more is no loss but a writer that counts otherwise
-constexpr double LearningShare = 0.1;            ///< of a new interval in the mean
+constexpr std::uint64_t LargestGap = 1'000'000;  ///< a larger gap is no loss, but a writer with other numbers
+constexpr double LearningShare = 0.1;            ///< weight of a new interval in the mean
 constexpr double MuchLonger = 4.0;               ///< times the usual interval: a pause, or slower from now on
 
 std::int64_t slotOf(SteadyTime now) {
@@ -60,7 +60,7 @@ void StreamMonitor::add(const StreamArrival& arrival, SteadyTime now) {
     } else if (follows) {
         learn(writer, arrival, now);
     }
-    if (follows || !writer.known) {  // others are repeats of what came before
+    if (follows || !writer.known) {  // others are repeats of earlier samples
         writer.sequence = arrival.sequence;
         writer.written = arrival.written;
     }

@@ -12,16 +12,16 @@
 
 namespace leitstand {
 
-/// One sample of a stream, as the wire told it.
+/// One received sample of a stream.
 struct StreamArrival {
     std::size_t bytes = 0;
-    std::array<std::uint8_t, 16> writer{};  ///< identity of who wrote it: a restarted robot has another
-    std::uint64_t sequence = 0;             ///< number at its writer, from 1: gaps are losses; 0: not told
-    Time written{};                         ///< writer's clock; epoch when not told
+    std::array<std::uint8_t, 16> writer{};  ///< identity of the writer: a restarted robot has another
+    std::uint64_t sequence = 0;             ///< number at its writer, from 1: gaps are losses; 0: unknown
+    Time written{};                         ///< writer's clock; epoch when unknown
     Time received{};                        ///< station's clock
 };
 
-/// What StreamMonitor makes of a stream.
+/// Figures of a stream, as StreamMonitor computes them.
 struct StreamFigures {
     double rate = 0.0;            ///< [Hz]
     double lossRatio = 0.0;       ///< 0 to 1
@@ -29,24 +29,23 @@ struct StreamFigures {
     double megabitsPerSecond = 0.0;
     double age = std::numeric_limits<double>::infinity();  ///< [s]
     /// Arrival on the station's clock minus writing on the robot's: the least of the last second, or of the
-    /// newest sample; empty when not told.
+    /// newest sample; empty when unknown.
     std::optional<std::chrono::nanoseconds> transit;
 };
 
-/// Counts what comes over one topic. Constant memory, no allocation.
+/// Counts the samples of one topic. Constant memory, no allocation.
 class StreamMonitor {
 public:
     static constexpr std::chrono::milliseconds Slot{500};
     static constexpr int Slots = 20;      ///< loss is taken over the last 10 s
     static constexpr int RateSlots = 10;  ///< rate and Mbit/s over the last 5 s
-    static constexpr int Writers = 4;     ///< told apart; of more, the longest silent is forgotten
+    static constexpr int Writers = 4;     ///< kept separate; of more, the longest silent is forgotten
     static constexpr int Learned = 5;     ///< intervals after which a rate is known
     static constexpr int Convinced = 3;   ///< long intervals after which a stream is slower now, not broken
 
     void add(const StreamArrival& arrival, SteadyTime now);
     [[nodiscard]] StreamFigures figures(SteadyTime now) const;
-    /// Time between samples as their writer makes them, whatever the link does to them [s]; empty until
-    /// learned.
+    /// Interval at which the writer makes samples, whatever the link does to them [s]; empty until learned.
     [[nodiscard]] std::optional<double> interval() const;
     [[nodiscard]] std::uint64_t samples() const { return m_samples; }
     [[nodiscard]] std::uint64_t lost() const { return m_lost; }
@@ -75,8 +74,8 @@ private:
     SteadyTime m_newest;
     std::optional<std::chrono::nanoseconds> m_transit;  ///< of the newest
     double m_interval = 0.0;
-    int m_intervals = 0;  ///< that it is learned from, at most Learned
-    int m_long = 0;       ///< much longer ones in a row
+    int m_intervals = 0;  ///< number of intervals that it is learned from, at most Learned
+    int m_long = 0;       ///< number of much longer ones in a row
 };
 
 }  // namespace leitstand

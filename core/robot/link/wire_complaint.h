@@ -10,7 +10,7 @@ namespace leitstand {
 /// a writer meet requests of a reader).
 struct WireProblem {
     enum class Kind : std::uint8_t {
-        OffersLess,       ///< theirs, ours: what is offered and asked for, "best effort", "reliable"
+        OffersLess,       ///< theirs, ours: what is offered and requested, "best effort", "reliable"
         AsksMore,         ///< the same where the robot reads
         SendsOther,       ///< theirs, ours: types
         ExpectsOther,     ///< the same where the robot reads
@@ -18,17 +18,17 @@ struct WireProblem {
         OffersExclusive,  ///< ownership; we share as ROS 2 does
         AsksExclusive,
         Partition,    ///< theirs: other than the default one
-        WritesXcdr2,  ///< and not XCDR1, which we read
+        WritesXcdr2,  ///< not XCDR1, which we read
         ReadsXcdr2,
-        Liveliness,  ///< the robot asks for one that we do not offer
+        Liveliness,  ///< the robot requests one that we do not offer
         Security,    ///< permissions or governance of one side do not let them talk
     };
     Kind kind = Kind::OffersLess;
-    std::string theirs = {}, ours = {};  ///< as the kind says; terms of DDS and ROS 2
+    std::string theirs = {}, ours = {};  ///< meaning by kind; terms of DDS and ROS 2
     friend bool operator==(const WireProblem&, const WireProblem&) = default;
 };
 
-/// All that stands between our reader or writer and one of a robot.
+/// All problems between our reader or writer and one of a robot.
 struct WireComplaint {
     std::string topic;  ///< ROS name
     std::vector<WireProblem> problems;
@@ -39,7 +39,7 @@ struct WireComplaint {
 [[nodiscard]] std::string toString(const WireProblem& problem);
 /// "/kurt3d/odom: robot offers best effort, we asked for reliable", several joined by "; ".
 [[nodiscard]] std::string toString(const WireComplaint& complaint);
-/// Likewise, in the window's language.
+/// The same in the window's language.
 [[nodiscard]] std::string worded(const WireComplaint& complaint);
 
 }  // namespace leitstand

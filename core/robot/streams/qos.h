@@ -5,7 +5,7 @@
 
 namespace leitstand {
 
-/// The parts of a DDS quality of service that ROS 2 robots differ in.
+/// The parts of a DDS quality of service in which ROS 2 robots differ.
 struct Qos {
     enum class Reliability : std::uint8_t { BestEffort, Reliable };
     enum class Durability : std::uint8_t { Volatile, TransientLocal };
@@ -13,7 +13,7 @@ struct Qos {
     Durability durability = Durability::Volatile;
     int depth = 1;          ///< keep_last; 0: keep_all
     double lifespan = 0.0;  ///< [s]; 0: for ever
-    double deadline = 0.0;  ///< [s]; 0: none; requested only where the robot's file says it offers one
+    double deadline = 0.0;  ///< [s]; 0: none; requested only where the robot's file offers one
     friend bool operator==(const Qos&, const Qos&) = default;
 };
 

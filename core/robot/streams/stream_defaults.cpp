@@ -9,7 +9,7 @@
 namespace leitstand {
 namespace {
 
-/// /tf, where robots do not have one of their own.
+/// Whether the topic is /tf, for robots without one of their own.
 bool isOnSharedTree(const StreamFacts& row, TfPrefix prefix) {
     return row.shared && prefix != TfPrefix::Topic;
 }

@@ -6,9 +6,9 @@
 
 namespace leitstand {
 
-/// The stream of @p role that a robot called @p robot has when its file says nothing else: topic, type and
-/// QoS of design section 4. @p sensor names the camera of pictures ("left"); unless robots are told by their
-/// topics (@p prefix), transforms are on /tf.
+/// Returns the default stream of @p role for a robot called @p robot: topic, type and QoS of design section
+/// 4. @p sensor names the camera of pictures ("left"). Transforms are on /tf, unless @p prefix distinguishes
+/// robots by their topics.
 [[nodiscard]] StreamDescription defaultStream(StreamRole role, const std::string& robot,
                                               const std::string& sensor, TfPrefix prefix = TfPrefix::Topic);
 

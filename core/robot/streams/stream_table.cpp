@@ -303,7 +303,7 @@ constexpr StreamFacts Table[] = {
      .toldBy = ToldBy::Name},
 };
 
-/// Whether each row stands where its role wants it.
+/// Whether each row is at the index of its role.
 constexpr bool isInOrder() {
     for (std::size_t i = 0; i < std::size(Table); ++i) {
         if (Table[i].role != static_cast<StreamRole>(i) || Table[i].types.empty() || Table[i].topic.empty())

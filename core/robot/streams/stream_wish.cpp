@@ -5,7 +5,7 @@
 namespace leitstand {
 namespace {
 
-/// The smaller of two limits of which 0 is none.
+/// The smaller of two limits; 0 is no limit.
 template <class T>
 T lower(T one, T other) {
     if (one <= T{}) return other;
@@ -22,7 +22,7 @@ StreamWish stricter(const StreamWish& one, const StreamWish& other) {
 }
 
 bool isFollowed(const StreamWish& wish, const StreamStatus& stream) {
-    // Rates are taken over some seconds, so what was just switched off still has one.
+    // Rates are taken over some seconds, so a stream that was just switched off still has one.
     if (!wish.enabled) return stream.rate <= 0.0 || stream.age > 1.0;
     return wish.rate <= 0.0 || stream.rate <= 1.3 * wish.rate + 0.3;
 }

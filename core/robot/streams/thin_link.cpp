@@ -11,11 +11,11 @@ namespace {
 
 constexpr double UsualWidth = 640.0;   ///< of cameras [px]
 constexpr double UsualQuality = 80.0;  ///< of their JPEGs
-/// What is left of a datagram of 1400 B for a piece of a sample, and what its headers take: IP, UDP, RTPS,
-/// time, data, and the statistics that Fast DDS appends [B].
+/// Room for a piece of a sample in a datagram of 1400 B, and the size of its headers: IP, UDP, RTPS, time,
+/// data, and the statistics that Fast DDS appends [B].
 constexpr double Piece = 1240.0, Headers = 160.0;
 
-/// From what the eye hardly misses to what still tells a wall from a door.
+/// From reductions that the eye hardly notices to pictures that still show a wall apart from a door.
 constexpr std::array<StreamWish, 6> Rungs = {{{true, 10.0, 60, 0},
                                               {true, 8.0, 45, 0},
                                               {true, 5.0, 40, 0},
@@ -23,7 +23,7 @@ constexpr std::array<StreamWish, 6> Rungs = {{{true, 10.0, 60, 0},
                                               {true, 3.0, 25, 320},
                                               {true, 1.0, 20, 320}}};
 
-/// What is given up, the last first: of pictures, those of the camera that is looked through last.
+/// What is given up, the last first. Of pictures, the last is the camera that the driver looks through.
 enum class Rank { Kept, Telemetry, Scans, Camera, Rest };
 
 Rank rankOf(StreamRole role) {
@@ -40,7 +40,7 @@ Rank rankOf(StreamRole role) {
     return Rank::Kept;
 }
 
-/// One stream on its way to a wish.
+/// One stream and its wish so far.
 struct Share {
     StreamCost cost;
     Rank rank = Rank::Kept;
@@ -79,7 +79,7 @@ public:
     [[nodiscard]] const std::vector<Share>& all() const { return m_all; }
 
 private:
-    /// That its driver looks through; null: it has none.
+    /// The camera that the driver looks through; null: none.
     static const StreamCost* cameraOf(const ThinRobot& robot) {
         const auto& all = robot.streams;
         const auto looked = std::find_if(all.begin(), all.end(), [&](const StreamCost& one) {
@@ -106,7 +106,7 @@ StreamWish glimpse(StreamRole role) {
     return role == StreamRole::Picture ? Rungs.back() : StreamWish{.rate = 1.0};
 }
 
-/// What is off comes back once a second where there is room for it, the selected robot's first.
+/// Switches streams back on, once a second where there is room for it, the selected robot's first.
 void giveBack(Shares& shares, const std::vector<Share*>& off) {
     for (auto one = off.rbegin(); one != off.rend(); ++one) {
         Share& share = **one;

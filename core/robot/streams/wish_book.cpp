@@ -47,7 +47,7 @@ std::vector<StreamCommandSample> WishBook::due(SteadyTime now) {
     std::vector<StreamCommandSample> commands;
     for (auto& [topic, entry] : m_entries) {
         const StreamWish wish = stricter(entry.own, entry.thin);
-        // A wish that was taken back is what the robot does by itself: said, and then forgotten.
+        // A withdrawn wish is the robot's own default: it is sent, and then forgotten.
         if ((entry.left == 0 && wish.isPlain()) || now < entry.next) continue;
         if (entry.left > 0) --entry.left;
         entry.next = now + (entry.left > 0 ? m_rhythm.again : m_rhythm.reminder);

@@ -10,36 +10,36 @@
 
 namespace leitstand {
 
-/// When wishes are said.
+/// When wishes are sent.
 struct WishRhythm {
-    std::chrono::nanoseconds again = std::chrono::seconds(1);     ///< a new one, the first times
-    int times = 3;                                                ///< ... so often
-    std::chrono::nanoseconds reminder = std::chrono::seconds(5);  ///< what is not as the robot likes
+    std::chrono::nanoseconds again = std::chrono::seconds(1);     ///< between the first times of a new one
+    int times = 3;                                                ///< number of those first times
+    std::chrono::nanoseconds reminder = std::chrono::seconds(5);  ///< for wishes in force
 };
 
-/// What a station wants of the streams of one robot, and when that has to be said: the operator's own wishes,
-/// and on top of them those of a thin link. A new wish is said at once and twice more; as long as it stands,
-/// every 5 s, so that a robot that starts again or missed it follows too. Pure: no clock, no thread.
+/// A station's wishes for the streams of one robot, and when to send them. The operator's own wishes are
+/// combined with those of a thin link. A new wish is sent at once and twice more. While it is in force it is
+/// sent every 5 s, so that a robot that restarts or missed it follows too. Pure: no clock, no thread.
 class WishBook {
 public:
     explicit WishBook(const WishRhythm& rhythm = {}) : m_rhythm(rhythm) {}
 
-    /// The operator's wish for @p topic.
+    /// Sets the operator's wish for @p topic.
     void set(const std::string& topic, const StreamWish& wish);
-    /// What a thin link asks for, by topic; replaces what it asked before. Empty: the link is not thin.
+    /// Sets the wishes of a thin link, by topic, in place of its earlier ones. Empty: the link is not thin.
     void setThin(const std::map<std::string, StreamWish>& wishes);
-    /// The robot was there anew: it knows nothing of any wish.
+    /// The robot came back and knows of no wish.
     void returned();
 
     [[nodiscard]] StreamWish own(const std::string& topic) const;        ///< of the operator
     [[nodiscard]] StreamWish effective(const std::string& topic) const;  ///< with the thin link
-    /// What has to be said now; to be asked a few times a second.
+    /// Returns what must be sent now; call it a few times a second.
     [[nodiscard]] std::vector<StreamCommandSample> due(SteadyTime now);
 
 private:
     struct Entry {
         StreamWish own, thin;
-        int left = 0;          ///< times that it is said in short order
+        int left = 0;          ///< remaining sends in short order
         SteadyTime next = {};  ///< not before
     };
     void change(Entry& entry, const StreamWish& before);

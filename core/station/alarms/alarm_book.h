@@ -10,11 +10,11 @@
 
 namespace leitstand {
 
-/// When alarms come and go.
+/// When alarms begin and end.
 struct AlarmTiming {
-    std::chrono::nanoseconds raiseAfter = std::chrono::milliseconds(300);  ///< of the cause, without a break
-    std::chrono::nanoseconds endAfter = std::chrono::seconds(2);  ///< without the cause: nothing flaps
-    std::chrono::nanoseconds shown = std::chrono::seconds(10);  ///< after its end; longer when it said "act"
+    std::chrono::nanoseconds raiseAfter = std::chrono::milliseconds(300);  ///< cause holds without a break
+    std::chrono::nanoseconds endAfter = std::chrono::seconds(2);  ///< the cause is gone, against flapping
+    std::chrono::nanoseconds shown = std::chrono::seconds(10);  ///< after its end; longer for an "act" alarm
 };
 
 /// What happened to an alarm, for the log.
@@ -26,28 +26,28 @@ struct AlarmChange {
 
 /// The alarms of a mission: raised, acknowledged, ended. Pure: no clock, no thread.
 ///
-/// One whose severity rises, or that comes again after it ended, is raised anew and has to be acknowledged
-/// anew; so is one that was acknowledged when its count rises. One that said "act" stays, ended, until it is
-/// acknowledged; others go some seconds after their end.
+/// An alarm is raised again, and must be acknowledged again, when its severity rises or when it returns after
+/// its end. An acknowledged one is also raised again when its count rises. An ended "act" alarm stays until
+/// it is acknowledged; others go some seconds after their end.
 class AlarmBook {
 public:
     explicit AlarmBook(const AlarmTiming& timing = {}) : m_timing(timing) {}
 
-    /// @p causes: all that are so at @p now; to be told five times a second.
+    /// Takes all @p causes that hold at @p now. Called five times a second.
     std::vector<AlarmChange> update(const std::vector<AlarmCause>& causes, Time now);
-    /// The operator has seen it. Nothing happens to one that is unknown or acknowledged.
+    /// Acknowledges an alarm. Does nothing when it is unknown or already acknowledged.
     std::vector<AlarmChange> acknowledge(const AlarmId& id, Time now);
-    std::vector<AlarmChange> acknowledgeNewest(Time now);  ///< of those that are not
-    /// No tones until @p until; an earlier moment ends it.
+    std::vector<AlarmChange> acknowledgeNewest(Time now);  ///< the newest unacknowledged one
+    /// Mutes the tones until @p until; an earlier moment ends that.
     void mute(Time until) { m_mutedUntil = until; }
 
-    /// Newest first; those that ended last.
+    /// Returns all alarms, newest first, ended ones last.
     [[nodiscard]] std::vector<Alarm> alarms() const;
     [[nodiscard]] bool stands(const AlarmId& id) const;  ///< raised, and not ended
-    /// The severity it stands with; empty: it does not.
+    /// Returns the severity of a standing alarm; empty: it does not stand.
     [[nodiscard]] std::optional<AlarmSeverity> severity(const AlarmId& id) const;
     [[nodiscard]] Time mutedUntil() const { return m_mutedUntil; }
-    /// How often something was raised that is to be looked at, not acted on.
+    /// Returns how often an alarm was raised that only needs a look, no action.
     [[nodiscard]] std::uint64_t attentions() const { return m_attentions; }
 
 private:
@@ -65,7 +65,7 @@ private:
 
     AlarmTiming m_timing;
     std::map<AlarmId, Entry> m_entries;
-    std::map<AlarmId, Pending> m_pending;  ///< causes too young
+    std::map<AlarmId, Pending> m_pending;  ///< causes that are still too young
     std::uint64_t m_number = 0, m_attentions = 0;
     Time m_mutedUntil{};
 };

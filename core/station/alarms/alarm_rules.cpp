@@ -26,7 +26,7 @@ std::string batteryText(double share, double minutes) {
                                 : fmt::format(alarm_says::BatteryMinutes, left);
 }
 
-/// Puts together the causes of one robot.
+/// Collects the causes of one robot.
 class Judge {
 public:
     Judge(const RobotWatch& robot, const AlarmBook& book, Time now, const AlarmLimits& limits)
@@ -60,7 +60,7 @@ private:
         m_causes.push_back(
             {std::move(id), severity, fmt::format("{}: {}", m_robot.description.title, text), value, note});
     }
-    /// How loud a number is that shall stay under @p attention and @p act; empty: not at all.
+    /// Returns the severity of @p value, which should stay under @p attention and @p act; empty: none.
     [[nodiscard]] std::optional<Severity> above(const AlarmId& id, double value, double attention,
                                                 double act) const {
         const auto standing = m_book.severity(id);
@@ -68,7 +68,7 @@ private:
         if (value >= (standing ? m_limits.over : 1.0) * attention) return Severity::Attention;
         return std::nullopt;
     }
-    /// ... or shall stay over them.
+    /// Returns the severity of @p value, which should stay over @p attention and @p act; empty: none.
     [[nodiscard]] std::optional<Severity> below(const AlarmId& id, double value, double attention,
                                                 double act) const {
         const auto standing = m_book.severity(id);

@@ -14,19 +14,19 @@
 
 namespace leitstand {
 
-/// From where on the operator is told.
+/// Limits from which the operator is notified.
 struct AlarmLimits {
     double attitude = 0.70, attitudeAct = 0.90;  ///< shares of the limits where the robot tips over
     double rolledOver = degrees(60);             ///< tilt [rad]
     double batteryMinutes = 10.0, batteryMinutesAct = 3.0;  ///< left at the present load [min]
     double batteryShare = 0.20, batteryShareAct = 0.08;     ///< of a full one, 0 to 1
     double gas = 2000.0;      ///< CO2: the breath of a victim, clearly above air [ppm]
-    double spinning = 0.5;    ///< way that wheels turn while the map says that the robot stands [m]
-    double bumped = 3.0;      ///< a bump is told for so long [s]
+    double spinning = 0.5;    ///< distance that wheels turn while the robot stands in the map [m]
+    double bumped = 3.0;      ///< how long a bump lasts as an alarm [s]
     double unanswered = 2.0;  ///< a stop without an answer [s]
     double frozen = 2.0;      ///< pictures that are always the same [s]
-    double clock = FarClock;  ///< a robot's clock beside the station's [s]
-    double over = 0.85;       ///< what stands ends below (or above 1 /) so much of its limit
+    double clock = FarClock;  ///< offset between a robot's clock and the station's [s]
+    double over = 0.85;       ///< a standing alarm ends below this share (or above 1 / share) of its limit
 };
 
 /// What is known of one robot.
@@ -39,8 +39,8 @@ struct RobotWatch {
     double spinning = 0.0;               ///< RobotInMap::spinning [m]
 };
 
-/// What the operator has to be told of a robot at @p now, station's clock. @p book: what stands already,
-/// which takes more to end than it took to begin. Pure.
+/// Returns what the operator must know of a robot at @p now, station's clock. @p book: the standing alarms,
+/// which take more to end than they took to begin. Pure.
 [[nodiscard]] std::vector<AlarmCause> alarmsOf(const RobotWatch& robot, const AlarmBook& book, Time now,
                                                const AlarmLimits& limits = {});
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What alarms say in the log, in English, after the robot's title and ": ". "{}" stands for a figure or for
-/// the alarm's note; views tell all of it in their own words, by key.
+/// Texts of alarms in the log, in English, after the robot's title and ": ". "{}" stands for a figure or for
+/// the alarm's note. Views use their own words for all of it, by key.
 namespace leitstand::alarm_says {
 
 inline constexpr const char* LinkLost = "link lost, silent for {} s";

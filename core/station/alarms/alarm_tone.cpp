@@ -10,7 +10,7 @@ namespace {
 /// A part of a tone.
 struct Note {
     double pitch;    ///< [Hz]
-    double seconds;  ///< that it sounds
+    double seconds;  ///< duration [s]
     double pause;    ///< after it [s]
     double harsh;    ///< share of its third harmonic
     double loud;

@@ -8,12 +8,12 @@
 
 namespace leitstand {
 
-/// Which tone is to be heard when: "act" again and again until it is acknowledged, "attention" once for each.
+/// Decides which tone sounds when: "act" again and again until it is acknowledged, "attention" once for each.
 /// Pure.
 class AlarmVoice {
 public:
-    /// @p loud: an alarm says "act" and is not acknowledged; @p attentions: AlarmBook::attentions(). To be
-    /// asked a few times a second. What came while it was muted is not made up for.
+    /// Returns the tone to play now; empty: none. @p loud: an "act" alarm is not acknowledged; @p attentions:
+    /// AlarmBook::attentions(). Called a few times a second. What arrives while muted is not made up for.
     [[nodiscard]] std::optional<AlarmTone> due(bool loud, std::uint64_t attentions, Time mutedUntil,
                                                Time now);
 

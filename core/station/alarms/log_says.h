@@ -6,8 +6,8 @@
 #include "core/base/said.h"
 #include "core/base/words.h"
 
-/// What the log's own alarms say of the disk, in English as it is logged, after a file and ": "; in the
-/// window's language where it is shown. "{}" stands for a figure.
+/// Texts of the log's own alarms about the disk. They are logged in English, after a file and ": ", and shown
+/// in the window's language. "{}" stands for a figure.
 namespace leitstand::log_says {
 
 constexpr auto DiskFilling = translatable("leitstand::LogSays", "the disk is full in {} minutes at {} MB/s");
@@ -27,8 +27,8 @@ inline constexpr auto All =
     std::to_array<const char*>({DiskFilling, DiskLasts, DiskLastsForDays, DiskFull, DiskFree, DiskSlow,
                                 DiskKeepsUp, EventsLost, EventsKept, WrittenAgain});
 
-/// Which of All an alarm of the log says, with its figures; none where one of them is no number, and of
-/// failures, which say what the system says.
+/// Returns which of All an alarm of the log contains, with its figures. Empty when one of them is no number,
+/// and for failures, whose text is the system's.
 [[nodiscard]] SaidSentence newsIn(std::string_view text);
 
 }  // namespace leitstand::log_says

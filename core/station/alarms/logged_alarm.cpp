@@ -15,12 +15,12 @@ namespace {
 constexpr std::array LogKeys = {log_key::DiskFilling, log_key::DiskSlow, log_key::DiskFull,
                                 log_key::EventsLost, log_key::Failed};
 
-/// A sentence with an alarm's value in it.
+/// A sentence that contains an alarm's value.
 struct MeasuredSentence {
     const char* key;
     const char* words;
-    double unit = 1.0;      ///< of the figure, as the key's value has it
-    std::size_t which = 0;  ///< of its figures
+    double unit = 1.0;      ///< factor from the figure to the key's value
+    std::size_t which = 0;  ///< index among its figures
     const char* note = "";
 };
 
@@ -54,7 +54,7 @@ void readValue(AlarmCause& cause) {
     }
 }
 
-/// What @p part said stands after its name; what it says may have its name in it, too.
+/// Returns the message of @p part, which follows its name. The message may contain the name, too.
 std::string messageOf(const std::string& part, const std::string& text) {
     const std::string name = part + ": ";
     if (const auto at = text.find(": " + name); at != std::string::npos)

@@ -64,7 +64,7 @@ PadControl padAxis(int index, int towards, double rest) {
 }
 
 PadControl oppositeOf(const PadControl& control) {
-    // A trigger, which rests at one end, has no other one.
+    // A trigger rests at one end and has no other one.
     if (control.kind != PadControl::Kind::Axis || std::abs(control.rest) > 0.5) return {};
     PadControl other = control;
     other.negative = !control.negative;

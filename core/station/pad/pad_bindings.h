@@ -11,7 +11,7 @@
 
 namespace leitstand {
 
-/// What a control of a gamepad can do. Two that are opposite are the two ends of one stick, or two buttons.
+/// What a control of a gamepad can do. Opposite actions are the two ends of one stick, or two buttons.
 enum class PadAction : std::uint8_t {
     DeadMan,  ///< the robot moves only while it is held
     Forward,
@@ -31,9 +31,9 @@ enum class PadAction : std::uint8_t {
 };
 inline constexpr std::size_t PadActionCount = 15;
 [[nodiscard]] std::array<PadAction, PadActionCount> padActions();
-/// As in files: "turn_left".
+/// Returns the name in files: "turn_left".
 [[nodiscard]] std::string toString(PadAction action);
-/// Forward for Back and so on; nothing for those without.
+/// Returns the opposite, such as Forward for Back; empty when there is none.
 [[nodiscard]] std::optional<PadAction> oppositeOf(PadAction action);
 
 /// One way to push one control: a button, or an axis from its rest towards one of its ends.
@@ -48,9 +48,9 @@ struct PadControl {
 [[nodiscard]] PadControl padButton(int index);
 /// @p towards: -1 or 1.
 [[nodiscard]] PadControl padAxis(int index, int towards, double rest = 0.0);
-/// The other end of a stick; none for others.
+/// Returns the other end of a stick; none for other controls.
 [[nodiscard]] PadControl oppositeOf(const PadControl& control);
-/// How far @p control is pushed, 0 to 1.
+/// Returns how far @p control is pushed, 0 to 1.
 [[nodiscard]] double amountOf(const PadControl& control, const PadState& state);
 
 /// A command of the window on a control.
@@ -64,14 +64,14 @@ struct PadCommand {
 struct PadBindings {
     static constexpr double MostDeadZone = 0.6, LeastPress = 0.1, MostPress = 0.95, MostRate = 6.3;
     static constexpr std::size_t MostCommands = 64;
-    static constexpr int MostControls = 128;  ///< indices of axes and buttons are below
+    static constexpr int MostControls = 128;  ///< indices of axes and buttons are below this
 
     PadLayout layout = PadLayout::Standard;
     std::array<PadControl, PadActionCount> controls{};
     std::vector<PadCommand> commands;
-    double deadZone = 0.12;   ///< of sticks: share around the rest that is nothing
+    double deadZone = 0.12;   ///< of sticks: share around the rest that counts as zero
     double expo = 0.4;        ///< 0: sticks are linear, 1: cubic, finer around the rest
-    double press = 0.5;       ///< share from which on an axis counts as pressed
+    double press = 0.5;       ///< share from which an axis counts as pressed
     double cameraRate = 1.2;  ///< of pan and tilt at the end of the stick [rad/s]
 
     [[nodiscard]] const PadControl& at(PadAction action) const {
@@ -81,23 +81,24 @@ struct PadBindings {
     friend bool operator==(const PadBindings&, const PadBindings&) = default;
 };
 
-/// Where the stick between @p plus and its opposite is, -1 to 1, as the hand holds it.
+/// Returns the position of the stick between @p plus and its opposite, -1 to 1, as the hand holds it.
 [[nodiscard]] double deflectionOf(const PadBindings& bindings, PadAction plus, const PadState& state);
-/// The same as it counts, without dead zone and with expo.
+/// Returns the position as it counts, with dead zone and expo.
 [[nodiscard]] double shapedOf(const PadBindings& bindings, PadAction plus, const PadState& state);
 
-/// Of a known pad: left trigger dead-man, right trigger turbo, right shoulder slow, left shoulder drives
-/// without eyes, left stick drives, right stick turns cameras, B stops all, X files a victim, A confirms it,
-/// the cross fills in its form. Of any other joystick: nothing, and so nothing moves.
+/// Returns the default bindings of a known pad; of any other joystick nothing, so nothing moves. Left
+/// trigger: dead-man; right trigger: turbo. Right shoulder: slow; left shoulder: drives without eyes. Left
+/// stick: drives; right stick: turns cameras. B stops all, X files a victim, A confirms it, the cross fills
+/// in its form.
 [[nodiscard]] PadBindings defaultBindings(PadLayout layout);
 
-/// Gives @p action to @p control, and to its other end the opposite action. Who had the control has none
-/// then. False, and nothing is changed: it is the control that stops all.
+/// Gives @p action to @p control, and the opposite action to its other end. Earlier actions of the control
+/// are removed. False, without a change, when the control is the one that stops all.
 [[nodiscard]] bool bindPad(PadBindings& bindings, PadAction action, const PadControl& control);
-/// The same for the command @p id; of none, it is taken off the pad.
+/// Does the same for the command @p id; without a control, removes the command from the pad.
 [[nodiscard]] bool bindPad(PadBindings& bindings, const std::string& id, const PadControl& control);
 
-/// The control that does @p id; none when the pad does not.
+/// Returns the control that does @p id; none when the pad does not.
 [[nodiscard]] PadControl controlOf(const PadBindings& bindings, const std::string& id);
 
 }  // namespace leitstand

@@ -8,9 +8,10 @@ namespace leitstand {
 namespace {
 
 constexpr double WellPushed = 0.6;  ///< share of the way to the end
-constexpr double NearEnd = 0.7;     ///< axes that rest beyond are triggers
+constexpr double NearEnd = 0.7;     ///< axes that rest beyond this are triggers
 
-/// Where an axis that was at @p value when nobody touched it rests: sticks are never quite in the middle.
+/// Returns where an axis rests that is at @p value while nobody touches it: sticks are never quite in the
+/// middle.
 double restOf(double value) {
     if (std::abs(value) < NearEnd) return 0.0;
     return value < 0.0 ? -1.0 : 1.0;

@@ -6,14 +6,14 @@
 
 namespace leitstand {
 
-/// Finds out which control the operator pushes, on any joystick: of buttons the first that comes down, of
-/// axes the one that is pushed furthest from where it was at the beginning. Pure.
+/// Finds which control the operator pushes, on any joystick. It is the first button that goes down, or the
+/// axis that is pushed furthest from where it was at the beginning. Pure.
 class PadCapture {
 public:
-    /// @p rest: the pad while nobody touches it. Buttons held then count only once they were let go.
+    /// @p rest: the pad while nobody touches it. Buttons held then count only after they are released.
     explicit PadCapture(PadState rest);
 
-    /// The control once it is pushed well.
+    /// Returns the control once it is pushed far enough.
     [[nodiscard]] std::optional<PadControl> update(const PadState& now);
 
 private:

@@ -7,7 +7,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Hysteresis = 0.8;  ///< an axis that is pressed is let go below this share of the press
+constexpr double Hysteresis = 0.8;  ///< a pressed axis is released below this share of the press
 
 }  // namespace
 
@@ -56,7 +56,7 @@ void PadMapping::readCommands(const PadState& state, PadScope scope, PadWishes& 
     for (std::size_t i = 0; i < m_bindings.commands.size(); ++i) {
         const bool before = m_commandHeld[i], now = isHeld(m_bindings.commands[i].control, state, before);
         m_commandHeld[i] = now;
-        // What is held when the pad comes was not pressed for us.
+        // What is held when the pad is connected was not pressed for us.
         if (now && !before && m_known && scope != PadScope::Nothing)
             wishes.commands.push_back(m_bindings.commands[i].id);
     }

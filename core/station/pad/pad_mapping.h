@@ -9,48 +9,48 @@
 
 namespace leitstand {
 
-/// How fast the cameras are to turn.
+/// Requested turn rates of the cameras.
 struct PanTiltRate {
     double pan = 0.0;   ///< to the left [rad/s]
     double tilt = 0.0;  ///< upwards [rad/s]
     friend bool operator==(const PanTiltRate&, const PanTiltRate&) = default;
 };
 
-/// What the operator wants by a gamepad.
+/// What the operator requests with a gamepad.
 struct PadWishes {
-    DriveVelocity drive;        ///< zero unless driving
-    bool driving = false;       ///< the dead-man trigger is held and counts: this pad has the sticks
-    bool withoutEyes = false;   ///< while driving: old pictures shall not cap the speed
-    bool needsNeutral = false;  ///< the trigger is held, but trigger or sticks have to be let go first
-    PanTiltRate cameras;        ///< needs no trigger: nobody is hurt by a look around
-    bool stop = false;          ///< the button that stops all robots was pressed
+    DriveVelocity drive;                ///< zero unless driving
+    bool driving = false;               ///< the dead-man trigger is held and counts: this pad drives
+    bool withoutEyes = false;           ///< while driving: old pictures do not cap the speed
+    bool needsNeutral = false;          ///< the trigger is held, but trigger or sticks must be released first
+    PanTiltRate cameras;                ///< needs no trigger: nobody is hurt by a look around
+    bool stop = false;                  ///< the button that stops all robots was pressed
     std::vector<std::string> commands;  ///< that were pressed
     friend bool operator==(const PadWishes&, const PadWishes&) = default;
 };
 
 /// What a gamepad may do now.
 enum class PadScope {
-    Nothing,   ///< another window has the operator
-    Commands,  ///< the robot is stopped: what files, looks or selects goes on
-    All,       ///< drive and turn cameras, too
+    Nothing,   ///< the operator is at another window
+    Commands,  ///< the robot is stopped: commands that file, look or select still work
+    All,       ///< also drive and turn cameras
 };
 
-/// From the state of a gamepad to what the operator wants (design, section 7). Pure.
+/// Maps the state of a gamepad to what the operator requests (design, section 7). Pure.
 ///
-/// Nothing drives without the dead-man trigger; letting it go is zero at once. The sticks count from when
-/// they were neutral while the trigger was held: motion begins only with the operator's hand. After the pad
-/// came, and whenever it had not PadScope::All (another window, a stop, another robot), the trigger must have
-/// been let go first. Stop needs none of that.
+/// Nothing drives without the dead-man trigger; releasing it means zero at once. The sticks count after they
+/// were neutral while the trigger was held: motion begins only with the operator's hand. The trigger must be
+/// released first when the pad was connected, and whenever it lost PadScope::All (another window, a stop,
+/// another robot). Stop needs none of that.
 class PadMapping {
 public:
     explicit PadMapping(PadBindings bindings = {});
 
-    void setBindings(PadBindings bindings);  ///< trigger and sticks have to be let go first
+    void setBindings(PadBindings bindings);  ///< trigger and sticks must be released first
     [[nodiscard]] const PadBindings& bindings() const { return m_bindings; }
     void setLimits(const DriveLimits& limits) { m_limits = limits; }
-    void needNeutral();  ///< trigger and sticks have to be let go first
+    void needNeutral();  ///< trigger and sticks must be released first
 
-    /// The wishes of the pad as it is now; to be asked with every change.
+    /// Returns the wishes of the pad as it is now. Called with every change.
     [[nodiscard]] PadWishes update(const PadState& state, PadScope scope);
 
 private:
@@ -64,8 +64,8 @@ private:
     DriveLimits m_limits;
     std::array<bool, PadActionCount> m_held{};
     std::vector<bool> m_commandHeld;  ///< as m_bindings.commands
-    bool m_known = false;             ///< the pad has been seen since it came
-    bool m_triggerFree = false;       ///< the trigger was let go since it had to be
+    bool m_known = false;             ///< the pad was read since it was connected
+    bool m_triggerFree = false;       ///< the trigger was released since it had to be
     bool m_sticksFree = false;        ///< the sticks were neutral while the trigger was held
     bool m_camerasFree = false;       ///< their stick was neutral since it had to be
 };

@@ -8,7 +8,7 @@ namespace leitstand {
 
 /// How the controls of a gamepad are numbered.
 enum class PadLayout : std::uint8_t {
-    Standard,  ///< a known pad: as StandardAxis and StandardButton say, whatever its maker calls them
+    Standard,  ///< a known pad: as in standard_axis and standard_button, whatever its maker calls them
     Plain      ///< any joystick: as its driver numbers them, four buttons for each hat after its own buttons
 };
 
@@ -26,7 +26,7 @@ inline constexpr int A = 0, B = 1, X = 2, Y = 3, Back = 4, Guide = 5, Start = 6,
 inline constexpr int Count = 15;
 }  // namespace standard_button
 
-/// What a gamepad says at one moment.
+/// The state of a gamepad at one moment.
 struct PadState {
     bool connected = false;
     std::vector<double> axes = {};   ///< -1 to 1

@@ -33,7 +33,7 @@ struct CauseWords {
     Cause cause;
     const char* words;
 };
-/// The preflight page has the same.
+/// The preflight page uses the same words.
 constexpr std::array<CauseWords, 11> Causes = {{
     {Cause::KeyLetGo, translatable("leitstand::PreflightList", "the key was let go")},
     {Cause::NotDriven, translatable("leitstand::PreflightList", "the robot was not to be driven any more")},

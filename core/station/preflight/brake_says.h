@@ -6,9 +6,9 @@ namespace leitstand {
 
 struct BrakeResult;
 
-/// For the log, in English: "brake test passed: it stood after 310 ms and 2 cm".
+/// Returns the result for the log, in English: "brake test passed: it stood after 310 ms and 2 cm".
 [[nodiscard]] std::string toString(const BrakeResult& result);
-/// What toString() made of a result, in the window's language; anything else as it is.
+/// Translates what toString() made of a result into the window's language; returns any other text as it is.
 [[nodiscard]] std::string brakeWorded(const std::string& said);
 
 }  // namespace leitstand

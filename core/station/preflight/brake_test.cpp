@@ -10,7 +10,7 @@ namespace {
 using Cause = BrakeResult::Cause;
 using Watchdog = BrakeResult::Watchdog;
 
-constexpr double Braking = 0.8;  ///< of its speed at the cut: slower, it brakes
+constexpr double Braking = 0.8;  ///< share of its speed at the cut below which it brakes
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void BrakeTest::end(BrakeResult::Cause cause) {
 
 BrakeTest::Step BrakeTest::step(const BrakeFacts& facts, SteadyTime now) {
     if (!isRunning()) return {};
-    // Once the stream is cut the robot is on its own: the key being let go tells nothing against it.
+    // After the cut the robot is on its own: releasing the key means nothing against it.
     if (m_phase != Phase::Cut && toSeconds(now - m_held) > m_settings.hold) {
         end(Cause::KeyLetGo);
     } else if (m_phase != Phase::Neutral && !facts.mayDrive) {
@@ -115,7 +115,7 @@ BrakeTest::Step BrakeTest::drive(SteadyTime now) {
 }
 
 BrakeTest::Step BrakeTest::watch(SteadyTime now) {
-    // Between two of the robot's own stamps: however late they come over the link.
+    // Between two of the robot's own stamps, however late they arrive over the link.
     const double duration = toSeconds(m_newest->stamp - m_cut->stamp);
     const double way = (m_newest->position - m_cut->position).norm();
     if (duration > 0.0 && isStanding()) {
@@ -132,7 +132,7 @@ BrakeTest::Step BrakeTest::watch(SteadyTime now) {
         end(Cause::OdometryEnded);
         return {};
     }
-    // What goes on too long or too far is stopped by zeros at once; it has failed all the same.
+    // What goes on too long or too far is stopped by zeros at once, and has failed.
     if (way > 3.0 * m_settings.stopDistance) {
         finish(BrakeResult::Verdict::Failed, Watchdog::None, duration, way);
         return {};

@@ -13,23 +13,23 @@
 
 namespace leitstand {
 
-/// How a robot's brake is tested, and what it must do. Our own robots brake after DriveWatchdog; stock ones
-/// later, or never: they are measured.
+/// How a robot's brake is tested, and what it must do. Our own robots brake after DriveWatchdog. Stock ones
+/// brake later, or never: they are measured.
 struct BrakeTestSettings {
     double speed = 0.1;         ///< [m/s]
-    double neutral = 0.4;       ///< sticks are let go for so long first [s]
+    double neutral = 0.4;       ///< how long the sticks must be released first [s]
     double drive = 1.0;         ///< at most [s]
     double run = 0.5;           ///< driven at speed before the cut [s]
     double stopTime = 0.5;      ///< allowed from the cut until standing [s]
     double stopDistance = 0.1;  ///< allowed way from there [m]
-    double giveUp = 1.5;        ///< still moving so long after the cut: it has no watchdog [s]
+    double giveUp = 1.5;        ///< still moving this long after the cut: it has no watchdog [s]
     double space = 0.6;         ///< that must be free ahead [m]
-    double hold = 0.25;         ///< the operator's key must have been told within [s]
-    double start = 6.0;         ///< waits so long for grant and neutral sticks [s]
+    double hold = 0.25;         ///< the operator's key must be reported at least this often [s]
+    double start = 6.0;         ///< longest wait for grant and neutral sticks [s]
     double standing = 0.01;     ///< slower counts as standing [m/s], ten times that [rad/s]
 };
 
-/// What became of a brake test.
+/// The result of a brake test.
 struct BrakeResult {
     enum class Verdict : std::uint8_t {
         Untested,
@@ -41,21 +41,21 @@ struct BrakeResult {
     enum class Cause : std::uint8_t {
         None,
         KeyLetGo,
-        NotDriven,     ///< the robot was not to be driven any more
-        RoomUnknown,   ///< nothing tells whether there is room ahead
+        NotDriven,     ///< the robot may not be driven any more
+        RoomUnknown,   ///< it is unknown whether there is room ahead
         NoRoom,        ///< free, needed
         NotAllowed,    ///< the station may not drive the robot
-        Deaf,          ///< the robot hears no drive commands
-        NoOdometry,    ///< none comes
-        SticksHeld,    ///< they were not let go
+        Deaf,          ///< the robot receives no drive commands
+        NoOdometry,    ///< none arrives
+        SticksHeld,    ///< they were not released
         NotStanding,   ///< it moved before it was driven
-        TooSlow,       ///< it did not come to its speed
-        OdometryEnded  ///< none came after the cut
+        TooSlow,       ///< it did not reach its speed
+        OdometryEnded  ///< none arrived after the cut
     };
-    /// What the robot does when commands cease.
+    /// What the robot does when commands stop.
     enum class Watchdog : std::uint8_t {
         Unknown,
-        Stops,  ///< it stands by itself, in time or too late
+        Stops,  ///< it stops by itself, in time or too late
         None,   ///< it goes on: zeros had to stop it
     };
     Verdict verdict = Verdict::Untested;
@@ -65,30 +65,30 @@ struct BrakeResult {
     double free = 0.0, needed = 0.0;  ///< of NoRoom [m]
     Time when{};                      ///< station's clock
     Watchdog watchdog = Watchdog::Unknown;
-    double brakesAfter = 0.0;  ///< of one that stops: it drove on so long before it braked [s]; 0: not known
-    /// It failed, and nothing says that it stands by itself: zeros have to be sent to it.
+    double brakesAfter = 0.0;  ///< of one that stops: time until it braked [s]; 0: unknown
+    /// Whether it failed without a sign that it stops by itself: zeros must be sent to it.
     [[nodiscard]] bool showsNoWatchdog() const {
         return verdict == Verdict::Failed && watchdog != Watchdog::Stops;
     }
     friend bool operator==(const BrakeResult&, const BrakeResult&) = default;
 };
 
-/// What the test has to know of the robot.
+/// What the test must know of the robot.
 struct BrakeFacts {
     bool mayDrive = false;                                         ///< grant, no stop, drive focus
-    bool listening = false;                                        ///< it hears drive commands
-    bool needsNeutral = false;                                     ///< the sticks have to be let go first
-    double spaceAhead = std::numeric_limits<double>::quiet_NaN();  ///< [m]; NaN: nobody knows
+    bool listening = false;                                        ///< it receives drive commands
+    bool needsNeutral = false;                                     ///< the sticks must be released first
+    double spaceAhead = std::numeric_limits<double>::quiet_NaN();  ///< [m]; NaN: unknown
 };
 
-/// Drives a robot at 0.1 m/s for up to a second, then says nothing more (no zero either), and measures by its
-/// odometry when it brakes, and how long and how far it goes on. The operator holds a key meanwhile: when it
-/// is let go, or anything else is missing, the test ends and the robot is stopped by zeros. Pure: no clock,
-/// no thread.
+/// Drives a robot at 0.1 m/s for up to a second, then sends nothing more, no zero either. By its odometry it
+/// measures when the robot brakes, and how long and how far it goes on. The operator holds a key meanwhile.
+/// When the key is released or anything else is missing, the test ends and zeros stop the robot. Pure: no
+/// clock, no thread.
 class BrakeTest {
 public:
     enum class Phase : std::uint8_t { Idle, Neutral, Driving, Cut, Done };
-    /// What is to be done with the robot's commands now.
+    /// What to do with the robot's commands now.
     struct Step {
         DriveVelocity sticks = {};
         bool silent = false;  ///< nothing is sent, no zero either
@@ -98,10 +98,10 @@ public:
 
     void start(SteadyTime now);
     void hold(SteadyTime now) { m_held = now; }  ///< the operator's key is down
-    /// The newest odometry, @p stamp on the robot's clock: speeds in its own frame [m/s, rad/s].
+    /// Takes the newest odometry, @p stamp on the robot's clock: speeds in its own frame [m/s, rad/s].
     void odometry(Time stamp, const Eigen::Vector2d& position, double speed, double turn);
     Step step(const BrakeFacts& facts, SteadyTime now);
-    void end(BrakeResult::Cause cause);  ///< inconclusive, unless it is over
+    void end(BrakeResult::Cause cause);  ///< as inconclusive, unless it is over
 
     [[nodiscard]] Phase phase() const { return m_phase; }
     [[nodiscard]] bool isRunning() const { return m_phase != Phase::Idle && m_phase != Phase::Done; }
@@ -123,7 +123,7 @@ private:
     BrakeTestSettings m_settings;
     Phase m_phase = Phase::Idle;
     SteadyTime m_since = {}, m_held = {};
-    std::optional<SteadyTime> m_released;  ///< since when the sticks are let go and accepted
+    std::optional<SteadyTime> m_released;  ///< since when the sticks are released and accepted
     std::optional<SteadyTime> m_moving;    ///< since when it drives at speed
     std::optional<Motion> m_newest, m_cut;
     Time m_atSpeed{};  ///< newest stamp after the cut at which it had not braked yet

@@ -13,11 +13,11 @@ namespace {
 using Kind = PreflightCheck::Kind;
 using Verdict = BrakeResult::Verdict;
 
-constexpr double FreshPicture = 1.5;        ///< older is no picture of now [s]
+constexpr double FreshPicture = 1.5;        ///< an older picture is not current [s]
 constexpr double LeastHours = 2.0;          ///< that the disk must last
-constexpr double UsualLog = 1.5e6;          ///< of both robots, before anything comes [B/s]
-constexpr double Spare = 3.0;               ///< times what the log needs must the disk write
-constexpr std::chrono::hours BrakeFor(24);  ///< a brake test is believed
+constexpr double UsualLog = 1.5e6;          ///< of both robots, before anything arrives [B/s]
+constexpr double Spare = 3.0;               ///< the disk must write this many times what the log needs
+constexpr std::chrono::hours BrakeFor(24);  ///< how long a brake test counts
 
 std::string joined(const std::vector<std::string>& words, const char* between = ", ") {
     std::string text;
@@ -25,7 +25,7 @@ std::string joined(const std::vector<std::string>& words, const char* between = 
     return text;
 }
 
-/// How the operator knows a stream: by its topic below the robot's name.
+/// Returns the name by which the operator knows a stream: its topic below the robot's name.
 std::string shortName(const RobotDescription& robot, const std::string& topic) {
     const std::string prefix = "/" + robot.name + "/";
     return topic.starts_with(prefix) ? topic.substr(prefix.size()) : topic;
@@ -50,7 +50,7 @@ private:
     std::string m_robot;
 };
 
-/// False when there is nobody of whom more could be said.
+/// False when the robot is not there and nothing more can be judged.
 bool judgeLink(Page& page, const LinkStatus& link) {
     if (link.state == LinkState::NeverSeen || link.state == LinkState::Lost) {
         page.add(Kind::RobotMissing, CheckState::Fail, {}, link.silence);
@@ -77,7 +77,7 @@ void judgeStreams(Page& page, const RobotFacts& facts) {
             if (!(stream.age <= FreshPicture)) old.push_back(name);
             oldest = std::max(oldest, stream.age);
         } else if (stream.samples == 0) {
-            // What is said on change, or only by a robot with that part, need not have come.
+            // Streams that come on change, or only from a robot with that part, need not have arrived.
             if (streamFacts(stream.role).needed) missing.push_back(name);
         } else if (stream.stale) {
             stale.push_back(name);

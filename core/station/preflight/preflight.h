@@ -22,7 +22,7 @@ struct NetworkCard {
     bool used = false;  ///< by the station
 };
 
-/// What is to be judged of one robot.
+/// The facts about one robot that are judged.
 struct RobotFacts {
     RobotDescription robot;
     RobotView view;
@@ -49,31 +49,31 @@ struct PreflightFacts {
     bool secured = false;
     std::string security;               ///< who we are, in words, or why not
     std::vector<std::string> versions;  ///< of the programs
-    double farClock = FarClock;         ///< from where on the alarms tell of a robot's clock [s]
+    double farClock = FarClock;         ///< offset from which a robot's clock raises an alarm [s]
     Time now{};                         ///< station's clock
 };
 
-/// A note is neither in order nor wrong: it says how things are.
+/// A note is neither in order nor wrong: it only informs.
 enum class CheckState : std::uint8_t { Ok, Note, Attention, Fail };
 
-/// One line of the page. Core finds what is so; widgets find the words for it by its kind.
+/// One line of the page. Core finds the facts; widgets word them by kind.
 struct PreflightCheck {
     enum class Kind : std::uint8_t {
         RobotConnected,  ///< number: round trip [s]; reasons: why it is degraded
-        RobotMissing,    ///< never heard, or lost; number: silence [s]
+        RobotMissing,    ///< never received, or lost; number: silence [s]
         StreamsComing,   ///< number: how many
         StreamsMissing,  ///< detail: which; a stream of its file that never came
-        StreamsStale,    ///< detail: which came, and do not any more
+        StreamsStale,    ///< detail: which stopped arriving
         PicturesFresh,   ///< number: age of the oldest camera's newest picture [s]
         PicturesOld,     ///< detail: which; number: age of the oldest [s]
         Wire,            ///< wire: what stands between a reader and a writer
         ClockSteady,     ///< number: how far the robot's clock is ahead [s]
-        ClockFar,        ///< number: the same, and that is much
+        ClockFar,        ///< number: the same, which is far
         ClockUnknown,
         Grant,        ///< ours
         GrantFree,    ///< nobody's: taken when driving begins
         GrantOthers,  ///< detail: who has it
-        Deaf,         ///< it hears no drive commands
+        Deaf,         ///< it receives no drive commands
         Stopped,      ///< a stop stands
         BrakePassed,  ///< number: until standing [s]; other: way [m]; brake
         BrakeOld,     ///< the same, more than a day ago
@@ -94,13 +94,13 @@ struct PreflightCheck {
         Sound,
         SoundNone,  ///< detail: why the tones of alarms are not heard
         Secured,    ///< detail: who
-        Open,       ///< anybody in the network may speak
+        Open,       ///< anybody in the network may publish
         Versions,   ///< detail
     };
     Kind kind = Kind::Versions;
     CheckState state = CheckState::Ok;
     std::string robot = {};   ///< name; empty: the station's own
-    std::string detail = {};  ///< as the kind says
+    std::string detail = {};  ///< depends on the kind
     double number = 0.0, other = 0.0;
     BrakeResult brake = {};
     GuardView guard = {};
@@ -108,10 +108,10 @@ struct PreflightCheck {
     std::vector<LinkReason> reasons = {};
 };
 
-/// What is in order, what needs a look, what prevents the mission: robot by robot in their order, then the
-/// station's own.
+/// Returns what is in order, what needs a look and what prevents the mission: robot by robot in their order,
+/// then the station's own.
 [[nodiscard]] std::vector<PreflightCheck> preflight(const PreflightFacts& facts);
-/// The worst of @p checks.
+/// Returns the worst of @p checks.
 [[nodiscard]] CheckState worstOf(const std::vector<PreflightCheck>& checks);
 
 }  // namespace leitstand

@@ -11,11 +11,12 @@ namespace leitstand {
 namespace {
 
 bool isBackwards(const DriveVelocity& wanted) {
-    constexpr double Least = 0.02;  // rules for turns on the spot leave something of that [m/s]
+    constexpr double Least = 0.02;  // rules for turns on the spot leave a little forward speed [m/s]
     return wanted.forward < -Least;
 }
 
-/// Which way leads off from what was met at @p side, for a robot that wanted to drive @p wanted.
+/// Returns the way (-1 backwards, 1 forwards) away from what was met at @p side, for a robot that wanted to
+/// drive @p wanted.
 int wayOff(BodySide side, const DriveVelocity& wanted) {
     if (side == BodySide::Front) return -1;
     if (side == BodySide::Rear) return 1;
@@ -51,14 +52,14 @@ EvasionStep Evasion::step(const DriveVelocity& wanted, const Pose& baseInOdom, T
     const auto bump = std::exchange(m_bump, std::nullopt);
     if (bump) {
         const int off = wayOff(*bump, wanted);
-        // What it is on its way from already, it need not leave again.
+        // It need not leave again what it is already leaving.
         if (m_back == 0 || off != m_back) {
             step.felt = *bump;
             step.touched = true;
             begin(off, baseInOdom, now, robot_says::BacksOut);
         }
     } else if (m_back == 0 && m_lean >= m_settings.backFrom) {
-        // Where backing out led to the same, it goes the other way.
+        // When backing out led to leaning again, it goes the other way.
         const bool again = m_ended && secondsBetween(*m_ended, now) < m_settings.apart;
         const int off = again ? -m_last : isBackwards(wanted) ? 1 : -1;
         step.felt = off < 0 ? BodySide::Front : BodySide::Rear;

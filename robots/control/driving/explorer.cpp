@@ -15,7 +15,7 @@ namespace leitstand {
 namespace {
 
 constexpr double Pi = std::numbers::pi;
-constexpr int EmptyPlans = 6;      // so many without a way mean that there is none
+constexpr int EmptyPlans = 6;      // so many plans without a way mean that there is none
 constexpr int MostRecoveries = 2;  // at one place, before the aim is given up
 constexpr int MostDoubts = 2;      // without new floor in between
 constexpr double NewFloor = 4.0;   // [m2]
@@ -65,10 +65,10 @@ void Explorer::plan(const Pose& baseInOdom, Time now) {
     if (m_goal) {
         m_way = m_memory.wayTo(here, *m_goal, m_settings.goalNear);
     } else {
-        // Keeps its aim as long as there is something to see: no dithering between two.
+        // Keeps its aim while there is something to see there: it does not waver between two.
         bool keep = !m_way.empty() && (m_way.back() - here).head<2>().norm() > m_settings.arrived &&
                     m_memory.isBorderNear(m_way.back());
-        // There are ways that seem free from afar only, and others from there.
+        // Some ways seem free only from afar, and other ways only from there.
         if (keep && now > m_patience) {
             m_memory.giveUp(m_way.back(), 0.5);
             keep = false;
@@ -84,7 +84,7 @@ void Explorer::plan(const Pose& baseInOdom, Time now) {
 }
 
 bool Explorer::looksAgain(const Pose& baseInOdom, Time now) {
-    // Whoever stands in the way may have gone on meanwhile.
+    // Whoever stood in the way may have moved on meanwhile.
     if (m_doubted && m_doubts <= MostDoubts && secondsBetween(*m_doubted, now) >= m_settings.waitForOthers)
         m_doubted.reset();
     if (!m_doubted) {
@@ -132,7 +132,7 @@ std::optional<DriveVelocity> Explorer::recover(const VirtualScanView& view, cons
         m_planned.reset();
         m_recoveries = 0;
     }
-    // Whichever motion has most space, backwards first.
+    // Picks the motion with most space, backwards first.
     double best = -1.0;
     const double slow = 0.5 * m_drive.settings().speed, turn = 0.6 * m_drive.settings().turnRate;
     for (const DriveVelocity& one : {DriveVelocity{-slow, 0.0, 0.0}, DriveVelocity{-slow, 0.0, 0.4 * turn},

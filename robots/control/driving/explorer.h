@@ -13,17 +13,17 @@ namespace leitstand {
 
 struct ExplorerSettings {
     FloorMemorySettings memory;
-    double turnCost = 0.0;    ///< half a turn to the unseen is as bad as so long a way [m]
-    double aimAhead = 0.7;    ///< along the way [m]
-    double goalNear = 0.5;    ///< of a goal that cannot be reached itself [m]
-    double arrived = 0.25;    ///< from a goal [m]
-    double stuckAfter = 6.0;  ///< without getting on [s]
-    double recoverFor = 2.5;  ///< backs off or turns [s]
-    double blindAfter = 3.5;  ///< without a raw scan it stands [s]
+    double turnCost = 0.0;    ///< length of way that half a turn to the unseen costs [m]
+    double aimAhead = 0.7;    ///< distance of the aim along the way [m]
+    double goalNear = 0.5;    ///< distance that counts as reached for an unreachable goal [m]
+    double arrived = 0.25;    ///< distance at which a goal is reached [m]
+    double stuckAfter = 6.0;  ///< time without progress [s]
+    double recoverFor = 2.5;  ///< time that it backs off or turns [s]
+    double blindAfter = 3.5;  ///< it stands after so long without a raw scan [s]
     double lookFirst = 5.0;   ///< at the beginning: two turns of the scanner [s]
     double replan = 0.5;      ///< [s]
-    double patience = 30.0;   ///< with one aim, beside the time of a slow drive to it [s]
-    /// Without a way it looks again, so long each of two times: another robot may stand in it [s].
+    double patience = 30.0;   ///< time for one aim, beside a slow drive to it [s]
+    /// Waiting time before it looks for a way again, up to two times [s]. Another robot may stand in the way.
     double waitForOthers = 12.0;
 };
 
@@ -36,24 +36,24 @@ struct ExplorerStep {
     std::vector<Eigen::Vector3d> way;  ///< planned, in odom, on the floor [m]
 };
 
-/// Drives by itself: fuzzy control for the next metre, the memory of the floor for where to go: to the
-/// nearest unseen place, or to a goal. Comes out of dead ends by itself. Pure: times are passed in.
+/// Drives by itself to the nearest unseen place, or to a goal. Fuzzy control drives the next metre, the
+/// memory of the floor chooses where to go. Gets out of dead ends by itself. Pure: times are passed in.
 class Explorer {
 public:
     Explorer(FuzzyDrive drive, const ExplorerSettings& settings = {});
 
-    /// To @p goal in odom, on its floor (goal_pose, the way back to the link) [m]; empty: explores.
+    /// Sets the goal in odom, on its floor (goal_pose, the way back to the link) [m]; empty: explores.
     void setGoal(const std::optional<Eigen::Vector3d>& goal);
     [[nodiscard]] const std::optional<Eigen::Vector3d>& goal() const { return m_goal; }
-    /// Begins anew after another driver: keeps what it remembers of the floor.
+    /// Starts again after another driver; keeps its memory of the floor.
     void resume();
 
-    /// @p newest: VirtualScan::newest(). To be called 10 times a second or more.
+    /// @p newest: VirtualScan::newest(). Call it 10 times a second or more.
     [[nodiscard]] ExplorerStep step(const VirtualScanView& view, const Pose& baseInOdom,
                                     const std::optional<Time>& newest, Time now);
-    /// Looks on while another drives.
+    /// Updates the memory of the floor while another drives.
     void see(const VirtualScanView& view, const Pose& baseInOdom, Time now);
-    /// Keeps off @p place in odom, where it can: a victim may move [m].
+    /// Keeps away from @p place in odom [m] where it can: a victim may move.
     void shun(const Eigen::Vector3d& place, double radius) { m_memory.shun(place, radius); }
     [[nodiscard]] const FloorMemory& memory() const { return m_memory; }
 
@@ -70,12 +70,12 @@ private:
     std::optional<Eigen::Vector3d> m_goal;
     std::vector<Eigen::Vector3d> m_way;
     std::optional<Time> m_planned, m_seen, m_progressAt, m_recoverUntil;
-    Eigen::Vector2d m_progress = Eigen::Vector2d::Zero();  ///< place of then [m]
-    Time m_patience{};  ///< until then it tries to come to where its way ends
+    Eigen::Vector2d m_progress = Eigen::Vector2d::Zero();  ///< place at m_progressAt, odom [m]
+    Time m_patience{};  ///< until then it tries to reach the end of its way
     int m_emptyPlans = 0;
-    std::optional<Time> m_doubted;  ///< found no way, and looks again since
-    int m_doubts = 0;               ///< since it saw something new
-    double m_seenThen = 0.0;        ///< at the last doubt [m2]
+    std::optional<Time> m_doubted;  ///< since when it finds no way and looks again
+    int m_doubts = 0;               ///< doubts since it saw something new
+    double m_seenThen = 0.0;        ///< seen area at the last doubt [m2]
     int m_recoveries = 0;
     DriveVelocity m_recovery;
 };

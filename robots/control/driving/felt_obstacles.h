@@ -10,13 +10,13 @@
 
 namespace leitstand {
 
-/// What a robot felt and its scanner does not see: low things that it ran against, ground too steep for it.
-/// They stay obstacles for five minutes.
+/// Obstacles that a robot felt and its scanner does not see: low things that it ran against, ground too steep
+/// for it. They stay for five minutes.
 class FeltObstacles {
 public:
-    /// At @p inBase, when the robot was at @p baseInOdom.
+    /// Adds one at @p inBase [m], felt when the robot was at @p baseInOdom.
     void add(const Eigen::Vector2d& inBase, const Pose& baseInOdom, Time now);
-    /// Puts them into @p view, which is of @p baseInOdom.
+    /// Adds them to @p view, which was seen from @p baseInOdom.
     void addTo(VirtualScanView& view, const Pose& baseInOdom, Time now);
     [[nodiscard]] std::size_t count() const { return m_all.size(); }
 

@@ -9,16 +9,16 @@ namespace leitstand {
 namespace {
 
 constexpr int HitEvidence = 3, MostEvidence = 6, LeastEvidence = -3;
-constexpr std::size_t MostCells = 400'000;  // some 9000 m2
-constexpr double Beside = 0.8;              // of the robot: its body hides the ground [m]
-constexpr double Escape = 0.6;              // so far it may drive out of where obstacles are too near [m]
-constexpr double SameFloor = 1.2;           // heights that differ by less: storeys are 2 m apart at least [m]
-constexpr double MostRise = 0.5;            // of the floor that is seen, by how the robot stands [m]
+constexpr std::size_t MostCells = 400'000;  ///< some 9000 m2
+constexpr double Beside = 0.8;              ///< so near the robot, its body hides the ground [m]
+constexpr double Escape = 0.6;              ///< so far it may drive to leave a place too near obstacles [m]
+constexpr double SameFloor = 1.2;           ///< heights of one floor differ less (storeys: 2 m at least) [m]
+constexpr double MostRise = 0.5;            ///< of the seen floor, by the tilt of the robot [m]
 
 // A key: three bits for the floor, 30 for each coordinate of the square.
 constexpr int Bits = 30;
 constexpr std::int64_t Half = std::int64_t{1} << (Bits - 1), Mask = (std::int64_t{1} << Bits) - 1;
-constexpr std::int64_t Floor = std::int64_t{1} << (2 * Bits);  // the next one of the same square
+constexpr std::int64_t Floor = std::int64_t{1} << (2 * Bits);  // step to the next floor of the same square
 constexpr int MostFloors = 8;
 
 std::int64_t keyAt(std::int64_t x, std::int64_t y) {
@@ -33,7 +33,7 @@ std::int64_t rowOf(std::int64_t key) {
     return (key & Mask) - Half;
 }
 
-/// The square beside that of @p key.
+/// Returns the square at an offset from that of @p key.
 std::int64_t beside(std::int64_t key, std::int64_t x, std::int64_t y) {
     return keyAt(columnOf(key) + x, rowOf(key) + y);
 }
@@ -42,7 +42,7 @@ std::int64_t squareOfKey(std::int64_t key) {
     return key % Floor;
 }
 
-/// The plane that a robot stands on, over the level around it.
+/// The plane that a robot stands on, extended around it with a bounded rise.
 class Ground {
 public:
     explicit Ground(const Pose& baseInOdom)
@@ -96,7 +96,7 @@ FloorMemory::Place FloorMemory::find(Key square, double height) const {
         const Key key = square + floor * Floor;
         const auto cell = m_cells.find(key);
         if (cell == m_cells.end()) {
-            if (nearest.cell == nullptr) nearest.key = key;  // a new one is to be there
+            if (nearest.cell == nullptr) nearest.key = key;  // a new floor goes there
             break;
         }
         if (!isSameFloor(cell->second.height, height)) continue;
@@ -106,7 +106,7 @@ FloorMemory::Place FloorMemory::find(Key square, double height) const {
 }
 
 std::pair<FloorMemory::Key, FloorMemory::Cell*> FloorMemory::at(Key square, double height) {
-    const Key key = find(square, height).key;  // of the lowest where there is no room for another floor
+    const Key key = find(square, height).key;  // the lowest floor's when there is no room for another
     const auto [cell, isNew] = m_cells.try_emplace(key);
     if (isNew) cell->second.height = static_cast<float>(height);
     return {key, &cell->second};
@@ -142,7 +142,7 @@ void FloorMemory::seeAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& t
         Cell& cell = *at(square, place.z()).second;
         cell.seen = true;
         cell.height = static_cast<float>(place.z());
-        // Nothing changes where it is known free.
+        // A square that is known to be free does not change.
         if (!held.contains(square) && cell.evidence > LeastEvidence) addEvidence(square, place.z(), -1);
     }
 }
@@ -154,7 +154,7 @@ void FloorMemory::see(const VirtualScanView& view, const Pose& baseInOdom) {
     const Ground ground(baseInOdom);
     const Eigen::Vector3d ahead = baseInOdom.linear().col(0);
     const Eigen::Rotation2Dd turn(std::atan2(ahead.y(), ahead.x()));
-    // What the scan still holds for an obstacle beside the wheels, where nobody can look, stays.
+    // Obstacles that the scan still has beside the wheels, where it cannot see, stay.
     std::unordered_set<Key> held;
     for (const VirtualObstacle& one : view.obstacles) {
         if (one.where.norm() < Beside) held.insert(squareOf(here + turn * one.where));
@@ -207,7 +207,7 @@ void FloorMemory::doubt(const Eigen::Vector3d& place, double radius) {
     std::vector<std::pair<Key, double>> doubted;
     for (auto& [key, cell] : m_cells) {
         cell.givenUp = false;
-        // Walls stay: nobody ever looked through them.
+        // Walls stay: no scan ever saw through them.
         const bool near =
             (middleOf(key) - place.head<2>()).norm() < radius && isSameFloor(cell.height, place.z());
         if (cell.evidence > 0 && (cell.seen || near)) doubted.emplace_back(squareOfKey(key), cell.height);
@@ -332,7 +332,7 @@ std::vector<Eigen::Vector3d> FloorMemory::wayTo(const Eigen::Vector3d& from, con
                                                 double near) const {
     const double around = 1.5 * (goal - from).head<2>().norm() + 6.0;
     const Place wanted = find(goal);
-    // How high unseen floor lies shows on the way there: it may be up a ramp.
+    // The height of unseen floor shows on the way there: it may be up a ramp.
     const auto isLevel = [&](const Place& place, double height) {
         return place.cell == nullptr || isSameFloor(height, goal.z());
     };

@@ -17,53 +17,52 @@ namespace leitstand {
 
 struct FloorMemorySettings {
     double cell = 0.12;       ///< [m]
-    double sight = 3.0;       ///< floor is remembered as seen up to there [m]
-    double clearance = 0.25;  ///< from obstacles, that the robot's middle needs: half its width at least [m]
-    double comfort = 0.40;    ///< from obstacles, that it keeps where there is space [m]
+    double sight = 3.0;       ///< floor counts as seen up to this distance [m]
+    double clearance = 0.25;  ///< that the robot's middle needs from obstacles: at least half its width [m]
+    double comfort = 0.40;    ///< that it keeps from obstacles where there is space [m]
     double around = 0.0;      ///< floor so near the robot counts as seen, where its scanner is blind [m]
-    double maxAge = 0.5;      ///< of sectors that are entered: they were seen from about here [s]
+    double maxAge = 0.5;      ///< of sectors that are used: they were seen from about here [s]
 };
 
-/// Where a robot has been and what it has seen: a coarse grid in the odometry's frame. The newest view is
-/// right, so that the odometry's drift does no lasting harm. Storeys lie above each other: at a place from
-/// above there are as many cells as there are floors (multi-level surface maps, Triebel, Pfaff & Burgard
-/// 2006), told apart by their height; which floor is ahead is told by how the robot stands. Places are in
-/// odom, on or near the floor that is meant [m].
+/// Where a robot has been and what it has seen: a coarse grid in the odometry's frame. The newest view wins,
+/// so that the odometry's drift does no lasting harm. Storeys lie above each other: a square has one cell for
+/// each floor, distinguished by height (multi-level surface maps, Triebel, Pfaff & Burgard 2006). The tilt of
+/// the robot decides which floor is ahead. Places are in odom [m], on or near the floor that is meant.
 class FloorMemory {
 public:
     explicit FloorMemory(const FloorMemorySettings& settings = {});
 
-    /// Whether floors at two heights are of one storey [m].
+    /// Returns whether floors at two heights [m] belong to one storey.
     [[nodiscard]] static bool isSameFloor(double one, double other);
 
     void see(const VirtualScanView& view, const Pose& baseInOdom);
-    /// What could not be reached is not tried again.
+    /// Gives up floor that could not be reached: it is not tried again.
     void giveUp(const Eigen::Vector3d& place, double radius);
-    /// Ways keep off the ground about @p place, where there is another.
+    /// Makes ways avoid the floor about @p place where there is another way.
     void shun(const Eigen::Vector3d& place, double radius);
-    /// Obstacles about @p place, and those on floor that was seen free once, are looked for anew: the drift
-    /// of odometry closes ways. What was given up is tried again.
+    /// Forgets obstacles about @p place, and those on floor that was once seen free: the drift of odometry
+    /// closes ways. What was given up is tried again.
     void doubt(const Eigen::Vector3d& place, double radius);
     void clear();
 
-    /// What the first step of a way costs more when the robot has to turn for it.
+    /// Extra cost of the first step of a way when the robot has to turn for it.
     struct Turning {
         double heading = 0.0;  ///< of the robot, in odom [rad]
-        double cost = 0.0;     ///< as so long a way, for half a turn [m]
+        double cost = 0.0;     ///< length of way that half a turn costs [m]
     };
-    /// The way from @p from over seen floor to the nearest border of the unseen. Empty: none.
+    /// Returns the way from @p from over seen floor to the nearest border of the unseen. Empty: none.
     [[nodiscard]] std::vector<Eigen::Vector3d> wayToUnseen(const Eigen::Vector3d& from,
                                                            const Turning& turning) const;
     [[nodiscard]] std::vector<Eigen::Vector3d> wayToUnseen(const Eigen::Vector3d& from) const {
         return wayToUnseen(from, {});
     }
-    /// The way to @p goal, or within @p near of it when it cannot be reached itself [m]; over unseen floor
-    /// too. Empty: none.
+    /// Returns the way to @p goal, or to within @p near of it [m] when it cannot be reached itself; also over
+    /// unseen floor. Empty: none.
     [[nodiscard]] std::vector<Eigen::Vector3d> wayTo(const Eigen::Vector3d& from, const Eigen::Vector3d& goal,
                                                      double near = 0.5) const;
-    /// Whether the border of the unseen is still at @p place.
+    /// Returns whether the border of the unseen is still at @p place.
     [[nodiscard]] bool isBorderNear(const Eigen::Vector3d& place) const;
-    /// Whether the robot's middle may go straight from @p from to @p to.
+    /// Returns whether the robot's middle may go straight from @p from to @p to.
     [[nodiscard]] bool isFreeBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
     [[nodiscard]] bool isSeen(const Eigen::Vector3d& place) const;
     [[nodiscard]] bool isBlocked(const Eigen::Vector3d& place) const;
@@ -79,20 +78,20 @@ private:
         std::uint16_t close = 0;  ///< blocked cells within the comfort
         float height = 0.0F;      ///< as it was seen last [m]
     };
-    /// A square from above, and which of the floors there.
+    /// A square seen from above, and one of its floors.
     using Key = std::int64_t;
     struct Place {
         Key key;
-        const Cell* cell;  ///< null: nothing is known of it
+        const Cell* cell;  ///< null: nothing is known about it
     };
     [[nodiscard]] Key squareOf(const Eigen::Vector2d& place) const;
     [[nodiscard]] Eigen::Vector2d middleOf(Key key) const;
-    /// The floor of @p square at @p height.
+    /// Returns the floor of @p square at @p height.
     [[nodiscard]] Place find(Key square, double height) const;
     [[nodiscard]] Place find(const Eigen::Vector3d& place) const {
         return find(squareOf(place.head<2>()), place.z());
     }
-    /// ... remembered from now on; the cell is valid until the next one.
+    /// Returns the same and adds a cell when there is none; the cell is valid until the next call.
     [[nodiscard]] std::pair<Key, Cell*> at(Key square, double height);
     [[nodiscard]] std::vector<Key> squaresAround(const Eigen::Vector2d& place, double radius) const;
     [[nodiscard]] static double weightOf(const Cell* cell, bool tight);
@@ -102,9 +101,9 @@ private:
     [[nodiscard]] bool isBorder(const Place& place) const;
     struct Goal {
         std::function<bool(const Place& place, double height)> reached;
-        std::optional<double> unseen;  ///< over unseen floor as well, so far away [m]
+        std::optional<double> unseen;  ///< ways may cross unseen floor up to this distance [m]
     };
-    /// Dijkstra's cheapest way from @p from to the first cell that is a goal.
+    /// Returns Dijkstra's cheapest way from @p from to the first cell that is a goal.
     [[nodiscard]] std::vector<Eigen::Vector3d> search(const Eigen::Vector3d& from, const Goal& goal,
                                                       const Turning& turning) const;
 

@@ -18,14 +18,14 @@ constexpr double Pi = std::numbers::pi;
 constexpr std::array<std::string_view, 9> KnownInputs = {
     "front", "front_left", "front_right", "left", "right", "rear", "goal", "goal_free", "open"};
 
-/// Distance of @p point from the outside of @p body; 0 within [m].
+/// Returns the distance of @p point from the outside of @p body; 0 within [m].
 double distanceTo(const BodyBox& body, const Eigen::Vector2d& point) {
     const double x = std::max({0.0, point.x() - body.front, -body.back - point.x()});
     const double y = std::max({0.0, point.y() - body.left, -body.right - point.y()});
     return std::hypot(x, y);
 }
 
-/// Distance of the nearest obstacle from the body in directions from @p from to @p to degrees.
+/// Returns the distance of the nearest obstacle from the body in directions from @p from to @p to degrees.
 double gap(const VirtualScanView& view, const BodyBox& body, double from, double to, double sight) {
     double nearest = sight;
     for (const VirtualObstacle& one : view.obstacles) {
@@ -36,10 +36,10 @@ double gap(const VirtualScanView& view, const BodyBox& body, double from, double
     return nearest;
 }
 
-/// Where a corner of the body stands in the way of a turn on the spot: the same turn while it drives on or
-/// back, whichever is free for longer, as drivers do in narrow streets. Else it leaves a blind alley as it
-/// came, on the curve that is free for longest, while the goal is behind and it sees there; or drives
-/// straight at least.
+/// Returns a motion when a corner of the body blocks a turn on the spot. First choice is the same turn while
+/// it drives on or back, whichever is free for longer, as drivers do in narrow streets. Second choice, when
+/// the goal is behind and it sees there: back out of a blind alley on the curve that is free for longest.
+/// Last choice is to drive straight.
 DriveVelocity turnInTheNarrow(const DriveVelocity& wish, double goal, const VirtualScanView& view,
                               const FuzzyDriveSettings& settings, double share) {
     const BodyBox body = settings.safety.body.grown(settings.safety.margin);
@@ -129,7 +129,7 @@ FuzzyDriveStep FuzzyDrive::step(const VirtualScanView& view, std::optional<doubl
         bounded * m_settings.turnRate * std::clamp(step.result.outputs["turn"], -1.0, 1.0)};
     SafeVelocity safe = safeVelocity(wish, view, m_settings.safety);
     if (safe.share < 0.15 && std::abs(wish.forward) > 0.01) {
-        // There is no going on: turns on the spot to where the rules, or else the free space, are.
+        // It cannot go on: it turns on the spot to where the rules, or else the free space, lead.
         const double towards = std::abs(wish.turn) > 0.05 ? wish.turn : step.inputs["open"];
         const DriveVelocity turn{0.0, 0.0, std::copysign(0.5 * bounded * m_settings.turnRate, towards)};
         const SafeVelocity turning = safeVelocity(turn, view, m_settings.safety);

@@ -10,12 +10,12 @@
 
 namespace leitstand {
 
-/// What the fuzzy driver is fitted to.
+/// How the fuzzy driver is fitted to a robot.
 struct FuzzyDriveSettings {
     SafeTeleoperationSettings safety;  ///< its body, and what it may never do
     double speed = 0.35;               ///< at "speed is 1" [m/s]
     double turnRate = 0.8;             ///< at "turn is 1" [rad/s]
-    double sight = 3.0;                ///< farther is as good as free [m]
+    double sight = 3.0;                ///< farther away counts as free [m]
 };
 
 /// One step of driving, with what led to it.
@@ -26,14 +26,14 @@ struct FuzzyDriveStep {
     std::string reason;  ///< the strongest rule, or why it stands
 };
 
-/// Reactive fuzzy control (paper, section 2.3): steers into free space after the virtual scan, towards a
-/// direction when there is one. Inputs of the rules: `front`, `front_left`, `left`, `front_right`, `right`,
-/// `rear` (free way from the body's side [m]), `goal` (direction of the goal, left positive [degrees]),
-/// `goal_free` (free way towards it [m]), `open` (direction of the widest free space [degrees]). Outputs:
-/// `speed` and `turn`, -1 to 1.
+/// Reactive fuzzy control (paper, section 2.3): steers into free space by the virtual scan, towards a
+/// direction when there is one. The inputs `front`, `front_left`, `left`, `front_right`, `right` and `rear`
+/// of the rules are the free way from the body's side [m]. Further inputs are `goal` (direction of the goal,
+/// left positive [degrees]), `goal_free` (free way towards it [m]), and `open` (direction of the widest free
+/// space [degrees]). Outputs: `speed` and `turn`, -1 to 1.
 class FuzzyDrive {
 public:
-    /// Errors name the inputs or outputs that @p system has and nobody knows.
+    /// Errors name the inputs or outputs of @p system that are unknown.
     [[nodiscard]] static Result<FuzzyDrive> create(FuzzySystem system, const FuzzyDriveSettings& settings);
 
     /// @p goal: direction in base_link [rad]; empty: wherever it is free. @p share of the speed, 0 to 1.

@@ -16,24 +16,25 @@ struct HeatCue {
     double width = 0.0;         ///< of the blob [rad]
     double temperature = 33.0;  ///< mean [degrees C]
     double confidence = 0.5;    ///< 0 to 1
-    double size = 1.0;          ///< square root of the solid angle of what is seen of it [rad]
+    double size = 1.0;          ///< square root of its visible solid angle [rad]
     bool cut = false;           ///< by the picture's border: there may be more of it
-    double clothes = 1.0;       ///< what is lukewarm and hangs together with it [sr]
-    bool clothesCut = false;    ///< likewise by the picture's border
+    double clothes = 1.0;       ///< lukewarm area connected to it [sr]
+    bool clothesCut = false;    ///< the lukewarm area is cut by the picture's border
 };
-/// The cues of the bodies in a picture, the most convincing first. @p opticalInOdom: of the camera (x right,
-/// y down, z forward) when the picture was taken.
+/// Returns the cues of the bodies in a picture, the most convincing first. @p opticalInOdom: of the camera (x
+/// right, y down, z forward) when the picture was taken.
 [[nodiscard]] std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs, const ThermalPicture& picture,
                                             const CameraInfoSample& camera, const Pose& opticalInOdom,
                                             Time at);
-/// Direction of @p cue in base_link, left positive [rad].
+/// Returns the direction of @p cue in base_link, left positive [rad].
 [[nodiscard]] double bearingOf(const HeatCue& cue, const Pose& baseInOdom);
-/// Where the heat is when that is @p away from the camera, level [m]; in the odometry's frame [m].
+/// Returns the place of the heat in the odometry's frame [m] when it is @p away from the camera, level [m].
 [[nodiscard]] Eigen::Vector3d placeOf(const HeatCue& cue, double away);
-/// How high the heat is where it meets the vertical through @p place in odom; over the robot's ground [m].
+/// Returns the height of the heat over the robot's ground [m], where it meets the vertical through @p place
+/// in odom.
 [[nodiscard]] double heightAt(const HeatCue& cue, const Eigen::Vector2d& place, const Pose& baseInOdom);
 
-/// A robot's pose on its ground, without roll, pitch and height.
+/// Returns a robot's pose on its ground, without roll, pitch and height.
 [[nodiscard]] Eigen::Isometry2d flat(const Pose& baseInOdom);
 
 }  // namespace leitstand

@@ -8,18 +8,18 @@
 namespace leitstand {
 namespace {
 
-constexpr double DeepestVictim = 0.4;   // of a victim, before and behind what is seen in its middle [m]
-constexpr double WallsBeside = 0.12;    // of the heat: walls go on there [rad]
-constexpr double BlurredHeight = 0.15;  // heights of heat are as sure as that [m]
-constexpr double FarthestVictim = 9.0;  // surfaces beyond are not those of a victim that was seen [m]
+constexpr double DeepestVictim = 0.4;   ///< before and behind the visible middle of a victim [m]
+constexpr double WallsBeside = 0.12;    ///< beside the heat, where walls go on [rad]
+constexpr double BlurredHeight = 0.15;  ///< uncertainty of heights of heat [m]
+constexpr double FarthestVictim = 9.0;  ///< surfaces farther away are not of a victim that was seen [m]
 
-/// Distance of @p point from the front edge of @p body [m].
+/// Returns the distance of @p point from the front edge of @p body; negative behind it [m].
 double fromFront(const BodyBox& body, const Eigen::Vector2d& point) {
     const double beside = std::max({0.0, point.y() - body.left, -body.right - point.y()});
     return std::hypot(point.x() - body.front, beside) * (point.x() < body.front ? -1.0 : 1.0);
 }
 
-/// What is low and hangs together with @p heat: the whole victim, not only what is warm of it.
+/// Returns what is low and connected to @p heat: the whole victim, not only its warm part.
 std::vector<HeatTarget> wholeVictim(std::vector<HeatTarget> heat, const VirtualScanView& view,
                                     const BodyBox& body, const HeatTargetSettings& settings) {
     std::erase_if(heat, [&](const HeatTarget& one) {
@@ -72,12 +72,12 @@ std::optional<HeatTarget> heatTarget(const HeatCue& cue, const VirtualScanView& 
         seen.push_back({{one.where, distance, one.age, one.top}, off, away.norm(), lies});
     }
     if (seen.empty()) return std::nullopt;
-    // Past the edge of a wall: the heat is on what lies behind.
+    // Past the edge of a wall, the heat is on what lies behind.
     const auto inBand = [band](const Seen& one) { return std::abs(one.off) <= band; };
     const auto lying =
         std::count_if(seen.begin(), seen.end(), [&](const Seen& one) { return one.lies && inBand(one); });
     if (lying > 1) std::erase_if(seen, [](const Seen& one) { return !one.lies; });
-    // What the middle of the heat is on; what else is in the band may stand before or behind it.
+    // Range of what the middle of the heat is on; other points in the band may be before or behind it.
     const double range = std::min_element(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
                              return std::abs(a.off) < std::abs(b.off);
                          })->range;
@@ -97,7 +97,7 @@ std::optional<HeatTarget> heatTarget(const HeatCue& cue, const VirtualScanView& 
     found = wholeVictim(std::move(found), view, body, settings);
     std::sort(found.begin(), found.end(),
               [](const HeatTarget& a, const HeatTarget& b) { return a.distance < b.distance; });
-    // The second nearest of one surface: a single point is too near by its noise.
+    // Takes the second nearest of one surface: noise makes a single point too near.
     const bool second = found.size() > 3 && found[1].distance < found[0].distance + 0.05;
     HeatTarget nearest = found[second ? 1 : 0];
     nearest.certain = (left && right) || !beyond;

@@ -8,11 +8,11 @@
 namespace leitstand {
 
 struct HeatTargetSettings {
-    double bandMargin = 0.05;  ///< beside the heat, points still count as the victim's [rad]
-    double lying = 0.55;       ///< what is higher is no part of a victim that lies [m] ...
-    double hanging = 0.25;     ///< ... nor what begins higher over the floor, as a shelf beside it [m]
+    double bandMargin = 0.05;  ///< points so far beside the heat count as the victim's [rad]
+    double lying = 0.55;       ///< higher points are no part of a lying victim [m]
+    double hanging = 0.25;     ///< nor are obstacles that begin higher over the floor, as a shelf [m]
     double length = 1.2;       ///< of a victim, from its heat [m]
-    double link = 0.25;        ///< between points of one victim [m]
+    double link = 0.25;        ///< largest gap between points of one victim [m]
 };
 
 /// The surface point of a victim that is nearest to the robot's front.
@@ -21,12 +21,12 @@ struct HeatTarget {
     double distance = 0.0;                             ///< from the body's front [m]
     double age = 0.0;                                  ///< of the measurement [s]
     double top = 0.0;                                  ///< height of what stands there [m]
-    bool certain = false;                              ///< the heat does not pass by its edge
-    double heat = 0.0;                                 ///< from the camera to what is warm of it, level [m]
+    bool certain = false;                              ///< the heat does not pass beside its edge
+    double heat = 0.0;  ///< level distance from the camera to its warm part [m]
 };
 
-/// What @p cue is on, as @p view has it, with all of the victim that hangs together with it; nothing where
-/// there is no surface. @p body: of the robot, in base_link.
+/// Returns the surface in @p view that @p cue is on, with all of the victim that is connected to it. Empty
+/// when there is no surface. @p body: of the robot, in base_link.
 [[nodiscard]] std::optional<HeatTarget> heatTarget(const HeatCue& cue, const VirtualScanView& view,
                                                    const Pose& baseInOdom, const BodyBox& body,
                                                    const HeatTargetSettings& settings = {});

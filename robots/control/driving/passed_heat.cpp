@@ -10,7 +10,7 @@ namespace leitstand {
 namespace {
 
 constexpr double SameBody = 0.8;   // from above [m]
-constexpr double BestRange = 1.5;  // to see a body from: whole, and its place is sure [m]
+constexpr double BestRange = 1.5;  // to see a body from: it is whole, and its place is certain [m]
 constexpr int Enough = 4;          // pictures: not a flicker past an edge
 constexpr std::size_t Most = 20;   // bodies
 
@@ -18,12 +18,12 @@ double fromAbove(const Eigen::Vector3d& heat, const Eigen::Vector3d& place) {
     return (heat - place).head<2>().norm();
 }
 
-/// Bodies sit, lie and stand: heights tell storeys only.
+/// Bodies sit, lie and stand: heights only distinguish storeys.
 bool isNear(const Eigen::Vector3d& heat, const Eigen::Vector3d& place, double radius) {
     return fromAbove(heat, place) < radius && FloorMemory::isSameFloor(heat.z(), place.z());
 }
 
-/// The way to another storey is longer than any on this one.
+/// Returns the level distance; another storey counts as farther than any place on this one.
 double wayTo(const Eigen::Vector3d& heat, const Eigen::Vector3d& here) {
     constexpr double OtherStorey = 1'000.0;
     return fromAbove(heat, here) + (FloorMemory::isSameFloor(heat.z(), here.z()) ? 0.0 : OtherStorey);

@@ -12,11 +12,11 @@
 namespace leitstand {
 namespace {
 
-constexpr double InSight = 0.5;       // cues so young show it now [s]
-constexpr double PassedRange = 2.5;   // what is farther away may be anywhere [m]
-constexpr double UnknownRange = 2.0;  // of heat that no surface tells the range of [m]
+constexpr double InSight = 0.5;       // younger cues show the heat now [s]
+constexpr double PassedRange = 2.5;   // the place of heat farther away is uncertain [m]
+constexpr double UnknownRange = 2.0;  // assumed for heat without a surface [m]
 
-/// As robots say lengths.
+/// Formats a length as robots report it.
 std::string metres(double length) {
     return fmt::format("{:.2f}", length);
 }
@@ -65,7 +65,7 @@ std::optional<HeatCue> VictimApproach::pick(const std::vector<HeatCue>& cues, co
 
 void VictimApproach::take(const HeatCue& cue) {
     if (cue.at <= m_cue.at || !cue.ray.direction.allFinite()) return;
-    // Another body does not draw it away from the one that it drives to.
+    // Another body does not draw it away from its target.
     const double off =
         std::acos(std::clamp(cue.ray.direction.normalized().dot(m_cue.ray.direction), -1.0, 1.0));
     if (off > 0.6) return;
@@ -292,7 +292,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
                 step.reason = robot_says::MeasuresAgain;
                 break;
             }
-            // What is out of sight on a detour is still where it was.
+            // A target out of sight on a detour is still where it was.
             m_detour = (m_detour && !inSight) || isBehindSomething(surface, bearing, view);
             if (m_detour) {
                 step = goAround(m_place.value_or(place), view, baseInOdom, now);
@@ -304,7 +304,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
             break;
         case Phase::Settle:
             step.reason = robot_says::MeasuresAgain;
-            // What was seen on the way here only may be of something else.
+            // What was seen only on the way here may belong to something else.
             if (secondsBetween(m_since, now) < m_settings.settle || m_cueAt <= m_since) break;
             if (surface) {
                 const ApproachStep end = settled(*surface, baseInOdom);

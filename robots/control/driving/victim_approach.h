@@ -15,22 +15,22 @@ namespace leitstand {
 
 struct VictimApproachSettings {
     double distance = 0.80;     ///< from the body's front to the victim's nearest surface [m]
-    double tolerance = 0.025;   ///< of it, to stop correcting [m]
-    double slowFrom = 0.6;      ///< before the end, it slows down [m]
+    double tolerance = 0.025;   ///< of the distance, to stop correcting [m]
+    double slowFrom = 0.6;      ///< so far before the end, it slows down [m]
     double speed = 0.25;        ///< [m/s]
     double turnRate = 0.6;      ///< [rad/s]
-    double lostAfter = 4.0;     ///< without a cue it gives up [s]
-    double giveUpAfter = 90.0;  ///< altogether [s]
-    double stuckAfter = 6.0;    ///< without a move, near a victim in sight: it comes to no better place [s]
-    double stuckWithin = 1.3;   ///< ... from its front to the victim [m]
-    double settle = 2.6;        ///< stands before it believes a distance: a turn of the scanner [s]
-    double sameVictim = 1.0;    ///< reports nearer than that are of one victim [m]
-    double sameLamp = 0.6;      ///< likewise of what is no person: a victim may lie beside it [m]
-    double highest = 1.0;       ///< heat higher over the ground is of people beyond walls [m]
-    double glimpse = 0.03;      ///< of skin: what is smaller from where it stands goes on behind an edge [m]
-    double clothes = 0.004;     ///< beside the skin; with less it is a lamp, or a heater [m2] ...
-    double bare = 0.20;         ///< ... also where it goes on beyond the picture, when so large: no face [m]
-    int tries = 3;              ///< to see more of a victim of which it had a glimpse
+    double lostAfter = 4.0;     ///< gives up after so long without a cue [s]
+    double giveUpAfter = 90.0;  ///< gives up after so long altogether [s]
+    double stuckAfter = 6.0;    ///< without motion near a visible victim: it finds no better place [s]
+    double stuckWithin = 1.3;   ///< near is this distance from its front to the victim [m]
+    double settle = 2.6;        ///< stands so long before it trusts a distance: a turn of the scanner [s]
+    double sameVictim = 1.0;    ///< reports nearer to each other are of one victim [m]
+    double sameLamp = 0.6;      ///< cues so near a lamp are of that lamp: a victim may lie beside it [m]
+    double highest = 1.0;       ///< heat higher over the ground belongs to people beyond walls [m]
+    double glimpse = 0.03;      ///< visible skin that is smaller goes on behind an edge [m]
+    double clothes = 0.004;     ///< area beside the skin; with less it is a lamp or a heater [m2]
+    double bare = 0.20;         ///< skin this large is no face, even when the picture cuts it [m]
+    int tries = 3;              ///< to see more of a victim after a glimpse
 };
 
 /// One step of an approach.
@@ -43,38 +43,38 @@ struct ApproachStep {
 };
 
 /// Drives up to a source of body heat (paper, section 2.3): turns, approaches, stops with its front 80 cm
-/// from the nearest surface, reports, waits. Gives up safely when the cue is lost; also where only a glimpse
-/// of it is left, past an edge, until more of it is seen from elsewhere; and where what is warm is bare, as
-/// lamps and heaters are. Pure: times are passed in.
+/// from the nearest surface, reports, waits. Gives up safely when the cue is lost. Leaves heat when only a
+/// glimpse of it is visible past an edge, until more of it is seen from elsewhere. Also gives up heat that is
+/// bare, as lamps and heaters are. Pure: times are passed in.
 class VictimApproach {
 public:
     VictimApproach(FuzzyDrive drive, const VictimApproachSettings& settings = {});
 
-    /// Which of @p cues matters: before an approach the first that is new, then that of the same body.
+    /// Returns the cue that matters: before an approach the first that is new, then that of the same body.
     [[nodiscard]] std::optional<HeatCue> pick(const std::vector<HeatCue>& cues, const VirtualScanView& view,
                                               const Pose& baseInOdom) const;
-    /// Whether @p cue is worth an approach: not a victim that has been reported (or given up) already.
+    /// Returns whether @p cue is worth an approach: not a victim that was already reported (or given up).
     [[nodiscard]] bool isNew(const HeatCue& cue, const VirtualScanView& view, const Pose& baseInOdom) const;
-    /// Where the heat of @p cue is, in odom [m], when that is near, of another body than it drives to, and
-    /// worth an approach, too.
+    /// Returns the place of the heat of @p cue in odom [m] when it is near, belongs to another body than the
+    /// target, and is worth an approach, too.
     [[nodiscard]] std::optional<Eigen::Vector3d> another(const HeatCue& cue, const VirtualScanView& view,
                                                          const Pose& baseInOdom) const;
     void start(const HeatCue& cue, Time now);
     void abort();
-    /// Where the heat that it drives to is, in odom [m]: what the camera has to look at. The surface that it
-    /// stops before may be elsewhere, as the feet of a victim whose head is warm.
+    /// Returns the place of the heat that it drives to, in odom [m]: the camera has to look at it. The
+    /// surface that it stops before may be elsewhere, as the feet of a victim whose head is warm.
     [[nodiscard]] const Eigen::Vector3d& heat() const { return m_heat; }
     [[nodiscard]] bool isActive() const { return m_phase != Phase::Idle; }
 
     /// @p cue: the newest, if there is one.
     [[nodiscard]] ApproachStep step(const std::optional<HeatCue>& cue, const VirtualScanView& view,
                                     const Pose& baseInOdom, Time now);
-    /// All victims found so far, in odom; the header is left to the caller. Grows when a step is done.
+    /// Returns all victims so far, in odom; the header is left to the caller. Grows when a step is done.
     [[nodiscard]] const std::vector<Sighting>& sightings() const { return m_sightings; }
 
 private:
     enum class Phase : std::uint8_t { Idle, Turn, Approach, Settle, Reached };
-    /// Where heat was that it left; the same heat, seen from afar, may seem to be where it seemed to be then.
+    /// Where heat was that it left. Seen from afar, it may seem to be where it first seemed to be.
     struct Left {
         Eigen::Vector2d place, begun;  ///< in odom [m]
         double radius = 0.0;           ///< around both [m]
@@ -94,10 +94,10 @@ private:
                                                    const Pose& baseInOdom) const;
     [[nodiscard]] ApproachStep leave(const std::string& reason);
     [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Eigen::Vector2d& place, double radius);
-    /// What heat is, after all that was @p seen of it, when that is @p away from the camera [m].
+    /// Return what the heat is by all that was @p seen of it, when it is @p away from the camera [m].
     [[nodiscard]] bool isHidden(const Seen& seen, double away) const;
     [[nodiscard]] bool isBare(const Seen& seen, double away) const;
-    /// Whether it has stood for too long to come to a better place than this.
+    /// Returns whether it has stood for too long to come to a better place.
     [[nodiscard]] bool isStuck(const Pose& baseInOdom, Time now);
     [[nodiscard]] ApproachStep settled(const HeatTarget& target, const Pose& baseInOdom);
     [[nodiscard]] ApproachStep reach(const HeatTarget& target, const Pose& baseInOdom);
@@ -113,18 +113,18 @@ private:
     Explorer m_around;  ///< finds the way when something stands before the heat
     Phase m_phase = Phase::Idle;
     Time m_started{}, m_cueAt{}, m_since{}, m_movedAt{};
-    Eigen::Isometry2d m_moved = Eigen::Isometry2d::Identity();  ///< where it was then; odom
-    bool m_stuck = false;   ///< what it measures next is as near as it comes
+    Eigen::Isometry2d m_moved = Eigen::Isometry2d::Identity();  ///< pose at m_movedAt; odom
+    bool m_stuck = false;   ///< its next measurement is as near as it comes
     int m_corrections = 0;  ///< of the distance, so far
     HeatCue m_cue;          ///< newest
     Eigen::Vector3d m_heat = Eigen::Vector3d::Zero();
-    std::optional<Eigen::Vector2d> m_place;  ///< where it was measured while in sight; odom [m]
-    std::optional<Eigen::Vector2d> m_begun;  ///< where it seemed to be at first; odom [m]
+    std::optional<Eigen::Vector2d> m_place;  ///< where the target was measured while in sight; odom [m]
+    std::optional<Eigen::Vector2d> m_begun;  ///< where the target seemed to be at first; odom [m]
     bool m_detour = false;                   ///< on the way around something
     std::vector<Sighting> m_sightings;
-    Seen m_seen;  ///< of it while it stands before it
+    Seen m_seen;  ///< of the target, while the robot stands before it
     std::vector<Left> m_givenUp;
-    std::vector<Left> m_hidden;  ///< where it had a glimpse, each time
+    std::vector<Left> m_hidden;  ///< one for each glimpse
 };
 
 }  // namespace leitstand

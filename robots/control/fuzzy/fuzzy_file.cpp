@@ -36,7 +36,7 @@ std::optional<double> asNumber(const YAML::Node& node) {
     try {
         const auto number = node.as<double>();
         if (std::isfinite(number) && std::abs(number) <= Largest) return number;
-    } catch (const YAML::Exception&) {  // told by the caller
+    } catch (const YAML::Exception&) {  // reported by the caller
     }
     return std::nullopt;
 }
@@ -90,7 +90,7 @@ void readVariable(const YamlPlace& place, const std::string& name,
     variables[name] = variable;
 }
 
-/// Tells when @p clause speaks of what is not there.
+/// Adds an error when @p clause names an unknown variable or term.
 void check(const FuzzyClause& clause, const std::map<std::string, FuzzyVariable>& variables, const char* kind,
            const YamlPlace& place, YamlErrors& errors) {
     const auto variable = variables.find(clause.variable);
@@ -114,7 +114,7 @@ void readRule(const YamlPlace& place, FuzzySystem& system, YamlErrors& errors) {
     if (system.rules.size() < MostRules) system.rules.push_back(*rule);
 }
 
-/// "front is not near"
+/// Parses a clause: "front is not near".
 Result<FuzzyClause> parseClause(const std::string& text) {
     std::istringstream in(text);
     std::vector<std::string> words;
@@ -125,7 +125,7 @@ Result<FuzzyClause> parseClause(const std::string& text) {
     return FuzzyClause{words[0], words.back(), negated};
 }
 
-/// The parts of @p text between occurrences of @p separator.
+/// Returns the parts of @p text between occurrences of @p separator.
 std::vector<std::string> split(const std::string& text, const std::string& separator) {
     std::vector<std::string> parts;
     std::size_t from = 0;

@@ -7,14 +7,15 @@
 
 namespace leitstand {
 
-/// A fuzzy set: a trapezoid over a variable. Membership rises from a to b, is 1 to c, falls to d; b = c makes
-/// a triangle, a = b or c = d a steep side; infinite a and b, or c and d, a shoulder.
+/// A fuzzy set: a trapezoid over a variable. Membership rises from a to b, is 1 up to c, and falls to d. With
+/// b = c it is a triangle. With a = b or c = d it has a steep side, with infinite a and b, or c and d, a
+/// shoulder.
 struct FuzzySet {
     double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
     [[nodiscard]] double membership(double value) const;
 };
 
-/// A quantity with its words.
+/// A quantity with its terms.
 struct FuzzyVariable {
     std::string name;  ///< "front"
     std::string unit;  ///< for readers
@@ -28,7 +29,7 @@ struct FuzzyClause {
     bool negated = false;
 };
 
-/// if all conditions then all conclusions.
+/// If all conditions hold, all conclusions follow.
 struct FuzzyRule {
     std::string text;  ///< as it stands in the file
     std::vector<FuzzyClause> conditions, conclusions;
@@ -38,15 +39,15 @@ struct FuzzyRule {
 /// Values of variables by name.
 using FuzzyValues = std::map<std::string, double>;
 
-/// What follows of values.
+/// The result of an inference.
 struct FuzzyResult {
-    FuzzyValues outputs;                  ///< one an output; its fallback where no rule applies
+    FuzzyValues outputs;  ///< one for each output; 0 or the nearest in its range when no rule applies
     std::vector<double> strengths;        ///< how far each rule applies, 0 to 1
     [[nodiscard]] int strongest() const;  ///< rule that applies most; -1: none does
 };
 
-/// Fuzzy control after Mamdani: conditions joined by the minimum or the product, conclusions cut or scaled by
-/// it, their union by the maximum, its centre of gravity taken.
+/// Fuzzy control after Mamdani. The minimum or the product joins conditions and cuts or scales conclusions.
+/// The maximum unites conclusions, and the output is their centre of gravity.
 struct FuzzySystem {
     enum class And : std::uint8_t { Minimum, Product };
     And conjunction = And::Minimum;
@@ -54,9 +55,9 @@ struct FuzzySystem {
     std::vector<FuzzyRule> rules;
     int resolution = 200;  ///< steps over an output's range, for the centre of gravity
 
-    /// Infers all outputs. A missing input, or one that is no number, makes every rule of it say nothing.
+    /// Infers all outputs. A rule with an input that is missing or NaN does not apply.
     [[nodiscard]] FuzzyResult infer(const FuzzyValues& values) const;
-    /// How far @p rule applies, with its weight.
+    /// Returns how far @p rule applies, with its weight.
     [[nodiscard]] double strength(const FuzzyRule& rule, const FuzzyValues& values) const;
 };
 

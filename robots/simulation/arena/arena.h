@@ -28,8 +28,8 @@ enum class Situation : std::uint8_t {
 inline constexpr int SituationCount = 4;
 [[nodiscard]] std::string toString(Situation situation);
 
-/// What an element of an arena is. Its frame has its origin in the middle of its base, z up, x along its
-/// length.
+/// Kind of an arena's element. The element's frame has its origin in the middle of its base, z up, x along
+/// its length.
 enum class ElementKind : std::uint8_t {
     Floor,       ///< a slab whose top is the frame's plane: size x, y, thickness
     Wall,        ///< a box
@@ -38,7 +38,7 @@ enum class ElementKind : std::uint8_t {
     Stairs,      ///< steps of `riser` along x, up to size z
     StepField,   ///< columns of square section on a grid of `cell`, as high as `heights`
     Ceiling,     ///< a slab above the frame's plane
-    Lamp,        ///< a warm, bright sphere, or a tube where longer than twice its height
+    Lamp,        ///< a warm, bright sphere; a tube when longer than twice its height
     Heater,      ///< a radiator
     Table,       ///< a top with jutting edges on legs
     Chair,       ///< seat, back, legs
@@ -47,7 +47,7 @@ enum class ElementKind : std::uint8_t {
     LoosePaper,  ///< crumpled newspaper on the floor
     Foil,        ///< a sheet of plastic, upright in the frame's xz plane
     Rubble,      ///< tilted bricks and boards, placed by `seed`
-    Victim,      ///< a manikin on its back, head at +x, that robots get to at -y; `victim` tells more
+    Victim,      ///< a manikin on its back, head at +x; robots reach it at -y; see `victim`
     Sign,        ///< a plate in the frame's xz plane that faces -y: hazard sign or QR code, by `text`
     Spectator,   ///< a person, who paces along x by `width` to each side
     Smoke,       ///< a box of smoke, in which lasers see as far as `reach`
@@ -62,7 +62,7 @@ struct VictimTraits {
     bool waving = false;
     double temperature = 33.0;  ///< of the skin [degrees C]; 20: dead
     double co2 = 4000.0;        ///< of its breath at the mouth [ppm]; 0: none
-    bool hidden = false;        ///< cannot be seen from where robots get
+    bool hidden = false;        ///< cannot be seen from where robots can go
 };
 
 /// One thing in an arena.
@@ -80,15 +80,15 @@ struct Element {
     std::vector<double> heights;         ///< of StepField, row after row from -y, each along x [m]
     std::string text;                    ///< of Sign: "qr:TEXT", "hazard:flammable" ...
     double reach = 0.0;                  ///< of a laser in Smoke [m]
-    std::uint64_t seed = 0;              ///< of what is strewn
+    std::uint64_t seed = 0;              ///< of its random details: pieces, folds, colours
     std::optional<VictimTraits> victim;  ///< of Victim
 };
 
-/// An element of @p kind with the size, material and the rest that are usual; arena files tell what differs.
+/// Returns an element of @p kind with its default size, material and traits. Arena files hold what differs.
 [[nodiscard]] Element elementOf(ElementKind kind);
-/// Whether such things have a temperature of their own, and not the arena's.
+/// Returns whether elements of @p kind have a temperature of their own instead of the arena's.
 [[nodiscard]] bool warmByItself(ElementKind kind);
-/// Where the air that a victim breathes comes from, in the arena's frame [m].
+/// Returns where a victim breathes out, in the arena's frame [m].
 [[nodiscard]] Eigen::Vector3d mouthOf(const Element& victim);
 
 /// A place that robots explore. Frame: x east, y north, z up, floor at z = 0 [m].

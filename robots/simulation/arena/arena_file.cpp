@@ -5,7 +5,7 @@
 namespace leitstand::simulation {
 
 Result<Arena> readArena(const std::filesystem::path& file) {
-    constexpr std::streamsize Most = std::streamsize{1} << 20U;  // more is no arena; the parser tells
+    constexpr std::streamsize Most = std::streamsize{1} << 20U;  // more is no arena: parsing fails
     std::ifstream in(file, std::ios::binary);
     if (!in) return Error{file.string() + ": cannot be opened; expected an arena file (YAML)"};
     std::string text(static_cast<std::size_t>(Most), '\0');

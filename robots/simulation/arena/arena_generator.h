@@ -6,10 +6,11 @@
 
 namespace leitstand::simulation {
 
-/// An arena of @p grade, the same for the same seed on every machine; another seed rearranges everything.
-/// Yellow: a maze on flat floor with ramps to 15 degrees; orange: stairs with risers of 8 to 10 cm, two
-/// levels; red: step fields and rubble; building: generateBuilding() as usual. "kurt3d" and "crawler" start
-/// side by side, outside the maze's walls' reach.
+/// Generates an arena of @p grade. The same seed gives the same arena on every machine; another seed
+/// rearranges everything. Yellow is a maze on flat floor with ramps of up to 15 degrees. Orange has two
+/// levels and stairs with risers of 8 to 10 cm. Red has step fields and rubble. Building is
+/// generateBuilding() with its default settings. "kurt3d" and "crawler" start side by side, clear of the
+/// maze's walls.
 [[nodiscard]] Arena generateArena(Grade grade, std::uint64_t seed);
 
 }  // namespace leitstand::simulation

@@ -99,7 +99,7 @@ Result<Arena> parseArena(std::string_view text, const std::string& name) {
         fields.number("light", arena.light, 0.0, 1.0, "");
         readStarts(fields, arena, errors);
         readElements(fields, arena, errors);
-    } catch (const YAML::Exception& problem) {  // of what the checks did not foresee
+    } catch (const YAML::Exception& problem) {  // an error that the checks did not foresee
         return Error{fmt::format("{}:{}: {}", name, problem.mark.line + 1, problem.msg)};
     }
     if (!errors.empty()) return errors.error();

@@ -9,14 +9,14 @@
 namespace leitstand::simulation {
 namespace {
 
-/// The shortest number of degrees from which the reader gets @p radians again.
+/// Returns the shortest number of degrees from which the reader gets @p radians again.
 double degreesOf(double radians) {
     const double exact = inDegrees(radians);
     const double rounded = std::round(exact * 1e6) / 1e6;
     return degrees(rounded) == radians ? rounded : exact;
 }
 
-/// Roll, pitch and yaw [degrees], in short numbers where these give the same pose again.
+/// Returns roll, pitch and yaw [degrees], rounded when the rounded numbers give the same pose.
 Eigen::Vector3d turnOf(const Pose& pose) {
     const Eigen::Vector3d exact =
         rollPitchYawOf(pose).unaryExpr([](double radians) { return inDegrees(radians); });
@@ -32,7 +32,7 @@ Eigen::Vector3d turnOf(const Pose& pose) {
     return exact;
 }
 
-/// A text that YAML reads as it is.
+/// Returns @p text quoted and escaped, so that YAML reads it unchanged.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char one : text) {

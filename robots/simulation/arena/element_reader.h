@@ -12,11 +12,11 @@ inline constexpr double LargestGround = 100.0;    ///< edge of an arena [m]
 inline constexpr double ColdestThing = -50.0;     ///< [degrees C]
 inline constexpr double HottestThing = 500.0;     ///< [degrees C]
 
-/// "position: [x, y, z]" [m] and "turn: [roll, pitch, yaw]" [degrees] of @p fields.
+/// Reads "position: [x, y, z]" [m] and "turn: [roll, pitch, yaw]" [degrees] of @p fields.
 [[nodiscard]] Pose readPose(const detail::YamlFields& fields);
-/// A whole number of 64 bits.
+/// Reads a whole number of 64 bits.
 void readSeed(const detail::YamlFields& fields, const char* key, std::uint64_t& seed);
-/// One entry of "elements"; what is wrong goes to @p errors.
+/// Reads one entry of "elements" and adds what is wrong to @p errors.
 [[nodiscard]] Element readElement(const detail::YamlPlace& place, double ambient, detail::YamlErrors& errors);
 
 }  // namespace leitstand::simulation

@@ -16,10 +16,10 @@ public:
         m_state += MixedBitsStep;
         return bits;
     }
-    /// From 0 to below 1.
+    /// Returns a number from 0 to below 1.
     double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
     double between(double least, double most) { return least + (most - least) * uniform(); }
-    /// From 0 to below @p count, which is positive.
+    /// Returns a whole number from 0 to below @p count, which must be positive.
     int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
     bool chance(double probability) { return uniform() < probability; }
 

@@ -9,13 +9,13 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr double Overhead = 0.6;     ///< what hangs higher is driven under [m]
-constexpr double VictimReach = 0.7;  ///< of the floor from a victim's side [m]
-constexpr double Storey = 1.5;       ///< between floors that lie above each other, at least [m]
+constexpr double Overhead = 0.6;     ///< robots drive under what hangs higher [m]
+constexpr double VictimReach = 0.7;  ///< greatest distance of the floor from a victim's side [m]
+constexpr double Storey = 1.5;       ///< least height between floors that lie above each other [m]
 constexpr double Sunk = 0.1;         ///< what stands so far below a storey's floor still belongs to it [m]
 constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Heights of an arena's storeys, from the lowest up.
+/// Returns the heights of an arena's storeys, lowest first [m].
 std::vector<double> levelsOf(const Arena& arena) {
     std::vector<double> tops;
     for (const Element& element : arena.elements) {
@@ -32,7 +32,8 @@ std::vector<double> levelsOf(const Arena& arena) {
 /// Heights and obstacles of a storey on a grid.
 class Ground {
 public:
-    /// What stands from height @p from up to below @p to. Above others, there is a floor only where one lies.
+    /// Takes the elements that stand from height @p from up to below @p to [m]. Above the ground storey,
+    /// there is floor only where an element provides it.
     Ground(const Arena& arena, double cell, double level, double from, double to)
         : m_from(arena.from),
           m_cell(cell),
@@ -48,7 +49,7 @@ public:
             if (base >= from && base < to) add(element);
         }
     }
-    /// Where this storey has no floor, one sees @p below.
+    /// Fills squares without floor from the storey @p below, which shows through.
     void lookThrough(const Ground& below) {
         for (std::size_t square = 0; square < height.size(); ++square) {
             if (!std::isnan(height[square])) continue;
@@ -63,7 +64,7 @@ public:
     }
 
 private:
-    /// Calls visit(square, point in the frame) for all squares under the box between two corners of @p frame.
+    /// Calls visit(square, point in the frame) for all squares under the box between two corners in @p frame.
     template <class Visit>
     void eachUnder(const Pose& frame, const Eigen::Vector2d& low, const Eigen::Vector2d& high,
                    const Visit& visit) {
@@ -76,7 +77,7 @@ private:
             return std::clamp(static_cast<int>(std::floor((at - from) / m_cell)), 0, count);
         };
         const Pose back = frame.inverse();
-        const double edge = m_cell / 2;  // a thin wall is not to fall between the middles of squares
+        const double edge = m_cell / 2;  // a thin wall must not fall between the middles of squares
         for (int row = first(bounds.min().y(), m_from.y(), rows);
              row < std::min(rows, first(bounds.max().y(), m_from.y(), rows) + 1); ++row) {
             for (int column = first(bounds.min().x(), m_from.x(), columns);
@@ -174,12 +175,12 @@ public:
     int columns, rows;
     std::vector<double> height;
     std::vector<char> blocked;
-    std::vector<char> open;  ///< what is seen there belongs to the storey below
+    std::vector<char> open;  ///< what shows there belongs to the storey below
 };
 
 constexpr std::array<std::array<int, 2>, 4> Neighbours = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-/// Where the middle of a robot may be.
+/// Returns for each square whether the middle of a robot may be there.
 std::vector<char> freeFor(const Ground& ground, double cell, double radius, double maxStep) {
     std::vector<char> edge = ground.blocked;
     const auto inside = [&](int x, int y) {
@@ -223,7 +224,7 @@ std::vector<Ground> groundsOf(const Arena& arena, const std::vector<double>& lev
     return grounds;
 }
 
-/// Where robots get to from where they start, over all storeys.
+/// Finds the squares that robots reach from their starts, over all storeys.
 class Flood {
 public:
     Flood(const std::vector<Ground>& grounds, double radius, double maxStep,
@@ -248,7 +249,7 @@ public:
             const Ground& ground = m_grounds[place.storey];
             const double height = ground.height[ground.place(place.x, place.y)];
             for (const auto& [dx, dy] : Neighbours) visit(place.storey, place.x + dx, place.y + dy, height);
-            // The same square is part of the storey below, or of the one above, that looks down on it.
+            // An open square belongs to two storeys: the search goes on in the other one too.
             const std::size_t square = ground.place(place.x, place.y);
             if (ground.open[square] != 0) visit(place.storey - 1, place.x, place.y, height);
             if (place.storey + 1 < m_grounds.size() && m_grounds[place.storey + 1].open[square] != 0)

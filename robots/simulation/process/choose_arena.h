@@ -10,16 +10,17 @@
 namespace leitstand::simulation {
 
 [[nodiscard]] std::optional<Grade> gradeFrom(const std::string& name);
-/// What is asked of a building, as on the command line.
+/// Options of a building on the command line.
 struct BuildingOptions {
-    std::string size;  ///< "60x40"; empty: as usual
+    std::string size;  ///< "60x40"; empty: default size
     std::optional<int> storeys;
     bool twins = false, smooth = false;
 
     [[nodiscard]] bool any() const { return !size.empty() || storeys || twins || smooth; }
 };
 
-/// The arena that @p gradeOrFile means; @p seed is of generated ones, @p building of "building" alone.
+/// Returns the arena of a grade or a file. @p seed applies to generated arenas, @p building only to the grade
+/// "building". Error when @p building is set for another arena or the file cannot be read.
 [[nodiscard]] Result<Arena> chooseArena(const std::string& gradeOrFile, std::uint64_t seed,
                                         const BuildingOptions& building = {});
 

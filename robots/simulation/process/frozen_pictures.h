@@ -8,11 +8,11 @@
 
 namespace leitstand::simulation {
 
-/// Cameras whose driver hangs, as they do: each says its last picture again and again, under new stamps.
+/// Imitates cameras whose driver hangs: each publishes its last picture again and again, under new stamps.
 class FrozenPictures {
 public:
-    /// Puts the last picture of its camera into @p sample while they are @p frozen, and else keeps it as
-    /// that. Passes by what is no camera's picture; infrared is none.
+    /// Replaces the picture in @p sample by its camera's last one while @p frozen; otherwise keeps it as the
+    /// last one. Leaves samples other than camera pictures as they are, infrared pictures too.
     void pass(HardwareSample& sample, bool frozen);
 
 private:

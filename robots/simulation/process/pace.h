@@ -8,28 +8,28 @@
 
 namespace leitstand::simulation {
 
-/// Keeps a world's time with the computer's, in steps. After a hiccup it catches up; what is more than 0.2 s
-/// behind is left out. A computer that is too slow leaves out pictures first, which take most of its time: so
-/// whatever else a robot says and obeys keeps its rate.
+/// Keeps a world's time in step with the computer's clock. After a hiccup it catches up; it skips what is
+/// more than 0.2 s behind. A computer that is too slow skips pictures first, which take most of its time. All
+/// else that a robot publishes and obeys keeps its rate.
 class Pace {
 public:
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::milliseconds Step{5};
     static constexpr std::chrono::milliseconds MostBehind{200};
     static constexpr std::chrono::milliseconds DrawsBehind{100};  ///< further behind, few pictures are drawn
-    static constexpr int Few = 5;                                 ///< one of so many of each camera
+    static constexpr int Few = 5;                                 ///< then one in so many, per camera
 
     void begin(Clock::time_point now) { m_lived = now; }
-    /// Whether the world has to move on by a step, which then counts as done.
+    /// Returns whether a step of the world is due, and counts it as done.
     [[nodiscard]] bool step(Clock::time_point now);
     [[nodiscard]] Clock::time_point next() const { return m_lived + Step; }  ///< when a step is due
-    /// Whether there is time for the picture of @p camera that is due. Each camera has its share, whatever
-    /// the others' rates.
+    /// Returns whether there is time to draw the due picture of @p camera. Each camera has its share,
+    /// whatever the rates of the others.
     [[nodiscard]] bool mayDraw(std::string_view camera, Clock::time_point now);
 
 private:
     Clock::time_point m_lived;                          ///< the world's time, by the computer's clock
-    std::map<std::string, int, std::less<>> m_leftOut;  ///< pictures in a row, by camera
+    std::map<std::string, int, std::less<>> m_leftOut;  ///< pictures skipped in a row, by camera
 };
 
 }  // namespace leitstand::simulation

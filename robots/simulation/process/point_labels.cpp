@@ -14,11 +14,11 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr float LookedBefore = 0.5F;  ///< a surface so far before a point is not what it belongs to [m]
+constexpr float LookedBefore = 0.5F;  ///< a point's surface is looked for so far before and behind it [m]
 constexpr float OwnHead = 0.13F;      ///< rays begin outside of the scanner's own housing [m]
 constexpr float Near = 0.06F, NearOfRange = 0.01F;  ///< six deviations of the scanner's noise [m]
 
-/// A ray along which a point was measured, from shortly before it.
+/// Returns the ray along which a point was measured, from shortly before to shortly behind it.
 Ray rayTo(const Eigen::Vector3f& point, const Pose& mountInArena) {
     const float range = point.norm();
     Ray ray;

@@ -8,15 +8,15 @@
 
 namespace leitstand::simulation {
 
-/// True labels of what a robot's 3D scanner measured: of the surface that stands where a point was measured.
+/// True labels of a robot's 3D scans: each point gets the label of the surface on which it was measured.
 class PointLabels {
 public:
-    /// @p robot: number in its world.
+    /// @p robot: its number in the world.
     PointLabels(const RobotDescription& description, int robot);
 
-    /// A grey picture with a pixel for each point of @p cloud, in its rows and columns, with its header: the
-    /// number of its Label. Points without echo and those between surfaces (mixed pixels) are Unlabelled.
-    /// @p cloud was measured within the last 5 s.
+    /// Returns a grey picture with header, rows and columns of @p cloud. Each pixel holds the number of its
+    /// point's Label. Points without echo and those between surfaces (mixed pixels) are Unlabelled. @p cloud
+    /// must be at most 5 s old.
     [[nodiscard]] PictureSample of(const CloudSample& cloud, const World& world) const;
 
 private:

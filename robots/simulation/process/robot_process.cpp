@@ -32,9 +32,9 @@
 namespace leitstand::simulation {
 namespace {
 
-/// Kurt3D's slices are 280 kB a second. At 7000 B in 20 ms, 240 kB a second pass a link of 10 Mbit/s with 5 %
-/// loss, at 10 ms 435: what a busy computer or a radio gap kept back is caught up, and who joins hears slices
-/// at once.
+/// Kurt3D's slices are 280 kB/s. On a link of 10 Mbit/s with 5 % loss, 240 kB/s pass at 7000 B in 20 ms, and
+/// 435 kB/s in 10 ms. At 10 ms the robot catches up after a busy computer or a radio gap, and new subscribers
+/// receive slices at once.
 constexpr FlowLimit ScanLimit{.bytes = 7000, .milliseconds = 10};
 
 volatile std::sig_atomic_t stopped = 0, frozen = 0;
@@ -52,7 +52,8 @@ Result<RobotDescription> describe(const RobotOptions& options) {
         if (stream.hardwareId == named.name) stream.hardwareId = options.name;
     }
     named.name = named.title = options.name;
-    // What no file may have as its name is refused; the name is the first complaint, all topics follow.
+    // A name that no robot file may have is refused. The first error is about the name, the others are about
+    // topics.
     if (const auto checked = parseRobot(writeRobot(named), "--name"); !checked) {
         const std::string& text = checked.error().text;
         const std::size_t begin = std::min(text.find("expected"), text.size());
@@ -61,7 +62,7 @@ Result<RobotDescription> describe(const RobotOptions& options) {
     return named;
 }
 
-/// How the file has the scanner of that stream moved.
+/// Returns how the robot's file moves the scanner of the stream of @p role; Unsaid when it does not state it.
 SensorMotion motionOf(const RobotDescription& robot, StreamRole role) {
     const StreamDescription* stream = robot.stream(role);
     const auto sensor = robot.sensors.find(stream == nullptr ? std::string() : stream->sensor);
@@ -111,7 +112,7 @@ Result<std::unique_ptr<Node>> join(const RobotOptions& options, const std::strin
     return Node::create(network);
 }
 
-/// A robot's world, its mind, and its two ends of the network.
+/// A robot's world, its agent, its two ends of the network and its cameras.
 struct Life {
     World& world;
     RobotAgent& agent;
@@ -139,7 +140,7 @@ void turn(const Life& life) {
     truth.say(world);
 }
 
-/// Asks the robot to end; the system ends it when a library hangs.
+/// Requests the robot to end; the system ends it when a library hangs.
 void end(int /*signal*/) {
     constexpr unsigned AtMost = 4;  // [s]
     stopped = 1;

@@ -5,8 +5,8 @@
 
 namespace leitstand::simulation {
 
-/// Lives as a robot in real time until SIGINT or SIGTERM. Says "NAME is in ARENA on domain N" on stdout when
-/// it is there.
+/// Runs a robot in real time until SIGINT or SIGTERM. Prints "NAME is in ARENA on domain N" on stdout when it
+/// is ready.
 [[nodiscard]] Result<void> runRobot(const RobotOptions& options);
 
 }  // namespace leitstand::simulation

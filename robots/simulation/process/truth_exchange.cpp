@@ -96,8 +96,8 @@ struct TruthExchange::State {
     bool victimsSaid = false;
     SightingSample allVictims;
     std::mutex mutex;
-    std::map<std::string, Heard> heard;                        ///< by name; under the mutex
-    std::vector<std::unique_ptr<Subscription>> subscriptions;  ///< last: they call back
+    std::map<std::string, Heard> heard;                        ///< by name; guarded by the mutex
+    std::vector<std::unique_ptr<Subscription>> subscriptions;  ///< last: callbacks use the members above
 };
 
 Result<void> TruthExchange::State::open(Node& node, const Arena& arena) {
@@ -169,7 +169,7 @@ void TruthExchange::take(World& world) {
             found->second.there = true;
             world.placeGhost(found->second.number, heard.baseInArena);
         } else if (found != m_state->ghosts.end() && found->second.there && now - heard.at > Forgotten) {
-            // Its process ended: out of everybody's way.
+            // The ghost's process ended: moves it out of everybody's way.
             Pose away = Pose::Identity();
             away.translation() = Eigen::Vector3d(0.0, 0.0, -100.0);
             found->second.there = false;

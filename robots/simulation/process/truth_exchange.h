@@ -12,12 +12,13 @@
 
 namespace leitstand::simulation {
 
-/// What is true in an arena, shared by the processes whose robots are in it: topics in docs/simulation.md,
-/// "Truth". Robots of other processes become ghosts in this one's world. One thread, beside the node's.
+/// Shares the truth of an arena between the processes whose robots are in it (topics: docs/simulation.md,
+/// "Truth"). Robots of other processes become ghosts in this one's world. Used by one thread, beside the
+/// node's.
 class TruthExchange {
 public:
-    /// @p robot: this process's one, of @p kind ("kurt3d", "crawler"), @p number in its world. Errors name
-    /// the topic.
+    /// @p robot is this process's robot, of @p kind ("kurt3d", "crawler"), with @p number in its world.
+    /// Errors name the topic.
     [[nodiscard]] static Result<std::unique_ptr<TruthExchange>> create(Node& node, const Arena& arena,
                                                                        const std::string& kind,
                                                                        const RobotDescription& robot,
@@ -26,9 +27,9 @@ public:
     TruthExchange(const TruthExchange&) = delete;
     TruthExchange& operator=(const TruthExchange&) = delete;
 
-    void take(World& world);       ///< moves the others to where they said to be
-    void say(const World& world);  ///< 20 times a second of the world's time, and each new contact
-    /// What the points of @p cloud, which was measured within the last seconds, belong to.
+    void take(World& world);       ///< moves ghosts to the poses that were received
+    void say(const World& world);  ///< publishes the pose at 50 Hz of world time, and new contacts
+    /// Publishes the labels of @p cloud (at most 5 s old) while somebody subscribes to them.
     void sayLabels(const World& world, const CloudSample& cloud);
 
 private:
@@ -37,7 +38,7 @@ private:
     std::unique_ptr<State> m_state;
 };
 
-/// "yellow_7": @p arena as a part of topics.
+/// Returns the name of @p arena as a part of topics: "yellow_7".
 [[nodiscard]] std::string topicPart(const Arena& arena);
 
 }  // namespace leitstand::simulation

@@ -1,6 +1,6 @@
 #pragma once
 
-// The one place that knows Embree's versions: 3 of Debian 12, 4 of Debian 13.
+// The only place that knows Embree's versions: 3 in Debian 12, 4 in Debian 13.
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
@@ -9,7 +9,7 @@
 
 namespace leitstand::simulation {
 
-/// Meets the scene with one ray of its own.
+/// Casts a single ray into the scene.
 inline void intersect(RTCScene scene, RTCRayHit& query) {
 #if RTC_VERSION_MAJOR >= 4
     RTCIntersectArguments arguments;
@@ -23,7 +23,7 @@ inline void intersect(RTCScene scene, RTCRayHit& query) {
 #endif
 }
 
-/// Meets the scene with eight rays that go much the same way, those whose @p valid is -1.
+/// Casts those of eight rays of similar direction whose @p valid is -1 into the scene.
 inline void intersect(RTCScene scene, const int* valid, RTCRayHit8& query) {
 #if RTC_VERSION_MAJOR >= 4
     RTCIntersectArguments arguments;

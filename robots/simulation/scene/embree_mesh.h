@@ -11,8 +11,8 @@
 
 namespace leitstand::simulation {
 
-/// Bits of Embree's masks. A triangle bears Solid or Soft, an instance the bit of its body; a ray enters what
-/// it shares a bit with, at both levels.
+/// Bits of Embree's masks. A triangle has Solid or Soft, an instance the bit of its body. A ray meets what it
+/// shares a bit with at both levels.
 namespace mask {
 inline constexpr unsigned Solid = 1U << 0, Soft = 1U << 1;
 inline constexpr unsigned Still = 1U << 2, Moving = 1U << 3;
@@ -20,7 +20,7 @@ inline constexpr unsigned bodyBit(int body) {
     return 1U << (4 + body);
 }
 inline constexpr unsigned AllBodies = ~0U << 4;
-/// What a ray is let meet.
+/// Returns the mask of what a ray may meet.
 [[nodiscard]] inline constexpr unsigned of(RayKind kind, int without) {
     const unsigned kinds = kind == RayKind::Contact ? Solid : Solid | Soft;
     if (without == Scene::StillOnly) return kinds | Still;
@@ -30,14 +30,14 @@ inline constexpr unsigned AllBodies = ~0U << 4;
 }
 }  // namespace mask
 
-/// Triangles in Embree's index, instanced at a place of their own. Solid and soft ones are geometries of
-/// their own, so that masks can tell them apart.
+/// A mesh in Embree's index, instanced at its own pose. Solid and soft triangles are separate geometries, so
+/// that masks can distinguish them.
 class EmbreeMesh {
 public:
-    /// Whether a surface stops robots.
+    /// Returns whether a surface stops robots.
     using IsSolid = std::function<bool(const Surface&)>;
 
-    /// Throws std::invalid_argument where @p mesh names a corner, surface or texture that it has not.
+    /// Throws std::invalid_argument when @p mesh names a corner, surface or texture that it does not have.
     EmbreeMesh(RTCDevice device, Mesh mesh, unsigned maskOfInstance, const IsSolid& isSolid);
     ~EmbreeMesh();
     EmbreeMesh(const EmbreeMesh&) = delete;
@@ -47,7 +47,7 @@ public:
     void place(const Pose& meshInArena);
     void hide();
 
-    /// What was met, from Embree's numbers; the normal towards where @p direction comes from.
+    /// Returns the hit for Embree's numbers. Its normal points against @p direction.
     [[nodiscard]] Hit hitOf(unsigned geometry, unsigned triangle, float u, float v,
                             const Eigen::Vector3f& normal, const Eigen::Vector3f& direction,
                             float distance) const;

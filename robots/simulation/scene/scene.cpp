@@ -35,8 +35,8 @@ struct Scene::State {
     std::vector<MovingPart> parts;  ///< their meshes are in meshes
     std::unique_ptr<RTCDeviceTy, ReleaseDevice> device;
     std::unique_ptr<RTCSceneTy, ReleaseScene> scene;
-    std::vector<std::unique_ptr<EmbreeMesh>> meshes;  ///< still ones, moving parts, bodies: ids of the scene
-    std::vector<std::size_t> bodies;                  ///< their places in meshes
+    std::vector<std::unique_ptr<EmbreeMesh>> meshes;  ///< still mesh, moving parts, bodies, by scene id
+    std::vector<std::size_t> bodies;                  ///< their indices in meshes
     std::vector<int> bodyOf;                          ///< of each mesh; -1: none
     Smoke smoke;
 

@@ -21,7 +21,7 @@ Smoke::Smoke(const Arena& arena) {
 }
 
 bool Smoke::swallows(const Ray& ray, float distance) const {
-    float thickness = 0.0F;  // of smoke on the way, 1: no more is seen
+    float thickness = 0.0F;  // of smoke on the way; above 1 nothing is seen
     for (const Box& box : m_boxes) {
         const Eigen::Vector3f origin = box.arenaInBox * ray.origin;
         const Eigen::Vector3f direction = box.arenaInBox.linear() * ray.direction;

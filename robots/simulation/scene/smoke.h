@@ -14,8 +14,8 @@ public:
     Smoke() = default;
     explicit Smoke(const Arena& arena);
 
-    /// Whether nothing comes back of a laser that ends @p distance along @p ray: its way through smoke is
-    /// longer than that lets it see.
+    /// Returns whether smoke swallows a laser's echo from @p distance along @p ray [m]: the way through smoke
+    /// is longer than its reach.
     [[nodiscard]] bool swallows(const Ray& ray, float distance) const;
 
 private:

@@ -9,7 +9,7 @@
 namespace leitstand::simulation {
 namespace {
 
-/// The next of a row of well-mixed numbers: spreads a seed over a state.
+/// Returns the next of a series of well-mixed numbers, to spread a seed over a state.
 std::uint64_t spread(std::uint64_t& state) {
     const std::uint64_t bits = mixedBits(state);
     state += MixedBitsStep;

@@ -10,13 +10,13 @@ namespace leitstand::simulation {
 /// every machine, and independent of all others.
 class Noise {
 public:
-    /// The stream that belongs to @p name ("kurt3d left") among those of @p seed.
+    /// Creates the stream that belongs to @p name ("kurt3d left") among those of @p seed.
     Noise(std::uint64_t seed, std::string_view name);
 
     [[nodiscard]] std::uint64_t bits();
     [[nodiscard]] double uniform();  ///< from 0 up to below 1
     [[nodiscard]] double normal();   ///< mean 0, standard deviation 1
-    /// Nearly normal (four uniform ones added: never beyond 3.5), for pixels.
+    /// Returns a nearly normal number for pixels: the sum of four uniform ones, never beyond 3.5.
     [[nodiscard]] float quickNormal();
 
 private:

@@ -23,15 +23,15 @@ class PanTilt {
 public:
     PanTilt(const PanTiltLimits& limits, Time start) : m_limits(limits), m_before(start), m_now(start) {}
 
-    /// Where to turn to; beyond the limits it stops at them, and what is no number is left out.
+    /// Sets the angles to turn to [rad], clamped to the limits. Ignores an angle that is not finite.
     void setTarget(double pan, double tilt);
-    /// Turns on until @p now.
+    /// Turns towards the target until @p now.
     void advance(Time now);
-    /// Where it was at @p time, between the last two advances.
+    /// Returns the angles at @p time, between the last two advances.
     [[nodiscard]] PanTiltAngles at(Time time) const;
-    /// How fast the axes turned between the last two advances [rad/s].
+    /// Returns how fast the axes turned between the last two advances [rad/s].
     [[nodiscard]] PanTiltAngles velocity() const;
-    /// Of the tilted platform in the frame in which the unit stands, at @p time.
+    /// Returns the pose of the tilted platform at @p time, in the frame in which the unit stands.
     [[nodiscard]] Pose platform(Time time) const;
 
 private:

@@ -13,13 +13,14 @@ public:
     /// The first moment is @p start, then one every 1 / @p rate seconds.
     Schedule(double rate, Time start);
 
-    /// From the last moment on at another rate [Hz]; one that is not above 0 is left out.
+    /// Sets the rate from the last moment on [Hz]; ignores a rate that is not above 0.
     void setRate(double rate);
     [[nodiscard]] double rate() const { return m_rate; }
 
-    /// The next moment when it is not after @p now, each once. Those more than a second ago are left out.
+    /// Returns the next moment, each once; empty while it is after @p now. Skips those more than a second
+    /// ago.
     [[nodiscard]] std::optional<Time> due(Time now);
-    /// The last moment that is not after @p now; earlier ones are left out.
+    /// Returns the last moment that is not after @p now and skips earlier ones; empty when none is due.
     [[nodiscard]] std::optional<Time> newest(Time now);
 
 private:

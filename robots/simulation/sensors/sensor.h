@@ -11,9 +11,10 @@ namespace leitstand::simulation {
 class Sensor {
 public:
     virtual ~Sensor() = default;
-    /// Measures what fell due up to world.now() and appends it to @p samples.
+    /// Measures what is due up to world.now() and appends it to @p samples.
     virtual void run(const World& world, int robot, std::vector<HardwareSample>& samples) = 0;
-    /// Rate, quality or switch of a stream; false when @p role and @p sensor are not its.
+    /// Sets rate and quality of a stream, or switches it on or off. Returns false when @p role and @p sensor
+    /// are not its own.
     virtual bool configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) = 0;
 };
 

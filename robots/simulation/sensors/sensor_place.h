@@ -9,23 +9,24 @@ namespace leitstand::simulation {
 
 /// Where a sensor sits and what it is called.
 struct SensorPlace {
-    std::string key;                 ///< of the description
+    std::string key;                 ///< in the description
     std::string frame;               ///< of its samples
-    Pose inBase = Pose::Identity();  ///< of that frame, unturned
+    Pose inBase = Pose::Identity();  ///< pose of that frame, unturned
 };
 
-/// The sensor of the first stream of @p role (and of @p key, when given). A stream without a sensor has the
-/// one that @p usual names; what the description leaves out is as in @p usual. Empty when the description has
-/// streams, but none such.
+/// Returns the sensor of the first stream of @p role (and of @p key, when given). A stream without a sensor
+/// has the one that @p usual names; what the description leaves out is as in @p usual. Empty when the
+/// description has streams, but no such stream.
 [[nodiscard]] std::optional<SensorPlace> placeOf(const RobotDescription& robot, StreamRole role,
                                                  const std::string& key, const SensorPlace& usual);
 
-/// Rotation of a camera that looks along x, in optical axes: x right, y down, z ahead (REP 103).
+/// Returns the rotation of a camera that looks along x, in optical axes: x right, y down, z ahead (REP 103).
 [[nodiscard]] Eigen::Matrix3d opticalAxes();
-/// Rotation of a camera below a mirror: its picture's middle is straight below, its top ahead.
+/// Returns the rotation of a camera below a mirror: the middle of its picture is straight below, the top
+/// ahead.
 [[nodiscard]] Eigen::Matrix3d mirrorAxes();
-/// @p place for a camera with the axes of @p axes: when its frame is not optical but stands like base_link (z
-/// up), pictures are of a frame FRAME_optical in it.
+/// Returns @p place for a camera with optical @p axes. When the frame of @p place stands like base_link (z
+/// up), pictures get a frame FRAME_optical in it.
 [[nodiscard]] SensorPlace opticalPlace(const SensorPlace& place, const Eigen::Matrix3d& axes);
 
 }  // namespace leitstand::simulation

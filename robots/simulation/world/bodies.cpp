@@ -7,7 +7,7 @@
 namespace leitstand::simulation {
 namespace {
 
-/// The underside of a wheel about (x, y), as far as it climbs: points on its rim.
+/// Adds contacts for the underside of a wheel at (x, y): points on its rim, as high as it climbs.
 void addWheel(BodySpec& spec, double x, double y) {
     const double radius = spec.wheelRadius;
     for (const double share : {0.0, -0.25, 0.25, -0.5, 0.5, -0.7, 0.7, -0.85, 0.85, -0.95, 0.95}) {
@@ -16,8 +16,8 @@ void addWheel(BodySpec& spec, double x, double y) {
     }
 }
 
-/// The underside of a chain from -half to half along x, at y: flat, with round ends. Points of neighbouring
-/// tracks lie between each other's.
+/// Adds contacts for the underside of a chain from -half to half along x, at y: flat, with round ends. Points
+/// of neighbouring tracks lie between each other's, by @p shift.
 void addChain(BodySpec& spec, double half, double y, double shift) {
     const double flat = half - spec.wheelRadius;
     const int count = static_cast<int>((2.0 * flat - shift) / 0.03 + 1e-9);
@@ -89,7 +89,7 @@ BodySpec crawlerBody() {
     BodySpec spec;
     spec.name = "crawler";
     spec.mass = 7.0;
-    // Batteries and motors are low and in front: with the weight higher or further back it would fall over
+    // Batteries and motors are low and in front. With the weight higher or further back, it would fall over
     // backwards on steps of 10 cm before its middle is above them.
     spec.centreOfMass = {0.035, 0.0, 0.045};
     spec.trackWidth = 0.20;

@@ -22,8 +22,7 @@ bool BumpCounter::isNew(const Obstacle& obstacle, Time now) {
         known = true;
         listed = listed || sameThing;
     }
-    // A wall that faces as another touched one is remembered by its own name too, for when the robot slides
-    // on.
+    // A wall that faces the same way as a touched one is also listed itself, for when the robot slides on.
     if (!listed) {
         m_contacts.push_back({obstacle.element, obstacle.body, obstacle.victim, obstacle.normalInArena, now});
     }

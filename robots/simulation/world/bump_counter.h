@@ -9,10 +9,11 @@
 
 namespace leitstand::simulation {
 
-/// Tells new contacts from those that last. A contact ends when it was not felt for half a second.
+/// Distinguishes new contacts from those that last. A contact ends when it is not felt for half a second.
 class BumpCounter {
 public:
-    /// Whether @p obstacle is a new contact at @p now. Walls that meet count as one where they face alike.
+    /// Returns whether @p obstacle is a new contact at @p now. Walls that meet and face the same way count as
+    /// one.
     [[nodiscard]] bool isNew(const Obstacle& obstacle, Time now);
 
 private:

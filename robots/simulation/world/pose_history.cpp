@@ -10,7 +10,7 @@ void PoseHistory::add(Time at, const Pose& pose) {
         return;
     }
     m_entries.push_back({at, pose});
-    // The one before the oldest moment stays, to interpolate from.
+    // The last pose before the time that is kept stays, to interpolate from.
     while (m_entries.size() > 2 && m_entries[1].at < at - Kept) m_entries.pop_front();
 }
 

@@ -8,14 +8,15 @@
 
 namespace leitstand::simulation {
 
-/// Where something was during the last seconds.
+/// Poses of something during the last seconds.
 class PoseHistory {
 public:
     static constexpr std::chrono::seconds Kept{5};
 
-    /// @p at: not before the last one; a second pose of a moment replaces the first.
+    /// Adds a pose at @p at, which must not be before the last one. A second pose of the same time replaces
+    /// the first.
     void add(Time at, const Pose& pose);
-    /// Interpolated; before the first and after the last pose: that one.
+    /// Returns the interpolated pose; before the first and after the last pose, that one.
     [[nodiscard]] Pose at(Time at) const;
 
 private:

@@ -10,9 +10,9 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr double Gravity = 9.81;           ///< [m/s2]
-constexpr double SlipHolds = 0.5;          ///< [s]
-constexpr double FeelAtLeast = 0.05;       ///< however still it stands [s]
+constexpr double Gravity = 9.81;      ///< [m/s2]
+constexpr double SlipHolds = 0.5;     ///< [s]
+constexpr double FeelAtLeast = 0.05;  ///< longest time between casts of feelers, also at a standstill [s]
 constexpr double LongestBlindWay = 0.015;  ///< [m]
 
 double farthest(const BodySpec& spec) {
@@ -94,7 +94,7 @@ void Robot::stand(const Scene& scene, double seconds) {
     Pose& pose = m_state.baseInArena;
     m_footing = m_suspension.step(scene, pose, seconds);
     if (!m_footing.tips) return;
-    // It falls to where it leans, about its lowest corner on that side.
+    // The robot falls to where it leans, about its lowest corner on that side.
     const Eigen::Vector3d up = pose.linear().col(2);
     Eigen::Vector2d leans = up.head<2>();
     leans = leans.norm() > 1e-6 ? Eigen::Vector2d(leans.normalized())
@@ -123,7 +123,7 @@ void Robot::topple(double seconds) {
     pose.translation() = m_topple->pivot + turn * (pose.translation() - m_topple->pivot);
     pose.linear() = turn * pose.linear();
     if (tilt + angle < OnItsSide - 1e-6) return;
-    // What of its outline would be in the ground now lies on it.
+    // Lifts the robot so that its outline lies on the ground, not in it.
     double lowest = m_topple->pivot.z();
     for (const Eigen::Vector2d& corner : m_spec.outline) {
         for (const double height : {m_spec.bumpFrom, m_spec.bumpTo}) {
@@ -178,7 +178,7 @@ std::vector<Bump> Robot::step(const Surroundings& around, double seconds) {
     std::vector<Bump> bumps;
     drawSlip(seconds);
     if (m_state.tipped || m_topple) {
-        // Wheels in the air.
+        // The wheels are in the air.
         DriveInput input;
         input.leftVoltage = m_left;
         input.rightVoltage = m_right;

@@ -18,7 +18,7 @@
 
 namespace leitstand::simulation {
 
-/// A robot that drives in a scene, with what it needs from one step to the next.
+/// A robot that drives in a scene, with the state that it needs from one step to the next.
 class Robot {
 public:
     Robot(const BodySpec& spec, int body, std::uint64_t seed, const Pose& baseInArena);
@@ -35,9 +35,9 @@ public:
         Time now;
         bool othersNear = false;  ///< other robots may have come closer
     };
-    /// Moves it on. Returns new bumps.
+    /// Moves the robot on by @p seconds. Returns new bumps.
     std::vector<Bump> step(const Surroundings& around, double seconds);
-    void moveTo(const Pose& baseInArena, Time now);  ///< of ghosts
+    void moveTo(const Pose& baseInArena, Time now);  ///< for ghosts
     void remember(Time now) { m_history.add(now, m_state.baseInArena); }
 
     [[nodiscard]] const BodyState& state() const { return m_state; }
@@ -69,8 +69,8 @@ private:
     double m_left = 0.0, m_right = 0.0;  ///< voltages
     bool m_brake = false;
     double m_leftSlip = 0.0, m_rightSlip = 0.0,
-           m_slipFor = 0.0;                   ///< drawn ones; how long they still hold [s]
-    double m_feltAgo = 1.0, m_freeWay = 0.0;  ///< since feelers were cast [s]; what is free then on [m]
+           m_slipFor = 0.0;                   ///< drawn slips; how long they still hold [s]
+    double m_feltAgo = 1.0, m_freeWay = 0.0;  ///< time since feelers were cast [s]; way still free [m]
     struct Topple {
         Eigen::Vector3d pivot, axis;
         double speed = 0.3;  ///< [rad/s]

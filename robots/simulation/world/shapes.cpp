@@ -21,7 +21,7 @@ void addTriangle(Mesh& mesh, int surface, std::uint32_t a, std::uint32_t b, std:
     mesh.surfaceOf.push_back(static_cast<std::uint16_t>(surface));
 }
 
-/// A flat polygon, counter-clockwise from outside.
+/// Adds a flat polygon, counter-clockwise from outside.
 void addFace(Mesh& mesh, int surface, const Pose& pose, std::initializer_list<Eigen::Vector3d> corners) {
     std::uint32_t first = 0, last = 0;
     std::size_t count = 0;

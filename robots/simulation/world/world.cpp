@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::nanoseconds LongestStep = std::chrono::milliseconds(5);
 constexpr std::chrono::nanoseconds PartsEvery = std::chrono::milliseconds(20);
-constexpr double Near = 1.0;  ///< of two robots that may touch [m]
+constexpr double Near = 1.0;  ///< distance of two robots that may touch [m]
 
 }  // namespace
 
@@ -25,7 +25,7 @@ struct World::State {
     struct Entry {
         std::unique_ptr<Robot> robot;
         bool ghost = false;
-        bool changed = true;  ///< its place in the scene is an old one
+        bool changed = true;  ///< its place in the scene is out of date
     };
 
     Scene scene;
@@ -48,7 +48,7 @@ struct World::State {
         return body;
     }
 
-    /// Moves bodies, and every 20 ms what moves by itself, in the scene.
+    /// Moves bodies in the scene, and every 20 ms its moving parts.
     void updateScene() {
         bool changed = false;
         for (std::size_t i = 0; i < robots.size(); ++i) {

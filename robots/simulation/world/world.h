@@ -13,16 +13,16 @@
 
 namespace leitstand::simulation {
 
-/// Something that a robot ran into.
+/// A collision of a robot.
 struct Bump {
     Time at{};
     int robot = 0;
-    bool victim = false;                              ///< else: the area
-    std::string element;                              ///< that it met; the other robot's name
+    bool victim = false;                              ///< false: the area
+    std::string element;                              ///< name of the element or robot that it met
     Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< in base_link [m]
 };
 
-/// How a robot truly moves.
+/// True motion of a robot.
 struct BodyState {
     Pose baseInArena = Pose::Identity();
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< in base_link [m/s]
@@ -34,36 +34,36 @@ struct BodyState {
     bool blocked = false;                               ///< something stops it now
 };
 
-/// An arena with robots in it, on a clock of its own: deterministic for an arena and a seed. How robots move
-/// is told in docs/simulation.md, "Ground". Where an arena has no floor, there is one at z = 0.
+/// An arena with robots in it, on a clock of its own; deterministic for an arena and a seed.
+/// docs/simulation.md, "Ground", describes how robots move. Where an arena has no floor, one lies at z = 0.
 class World {
 public:
     World(const Arena& arena, std::uint64_t seed, Time start = Time(std::chrono::seconds(1'000'000)));
-    /// The same from triangles made elsewhere.
+    /// Takes triangles made elsewhere: @p mesh need not be meshOf(@p arena).
     World(Arena arena, ArenaMesh mesh, std::uint64_t seed,
           Time start = Time(std::chrono::seconds(1'000'000)));
     ~World();
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    /// Puts a robot to where the arena has it start, let down onto the ground. Returns its number. Throws
+    /// Puts a robot at its start in the arena, let down onto the ground. Returns its number. Throws
     /// std::invalid_argument when the arena has no start of its name.
     int addRobot(const BodySpec& spec);
     int addRobot(const BodySpec& spec, const Pose& baseInArena);
-    /// A robot that another process moves; collides like any other. Returns its number.
+    /// Adds a robot that another process moves; it collides like any other. Returns its number.
     int addGhost(const BodySpec& spec);
     void placeGhost(int robot, const Pose& baseInArena);
 
     void setMotors(int robot, double left, double right);  ///< voltages, -1 to 1; not finite: 0
     void setBrake(int robot, bool on);
 
-    /// Moves everything on by @p step, in steps of at most 5 ms; what moves by itself, every 20 ms.
+    /// Advances the world by @p step, in steps of at most 5 ms. Moving parts move every 20 ms.
     void advance(std::chrono::nanoseconds step);
     [[nodiscard]] Time now() const;
     [[nodiscard]] double seconds() const;  ///< since the beginning
 
     [[nodiscard]] const BodyState& state(int robot) const;
-    /// Where a robot was; of the last 5 s, interpolated.
+    /// Returns a robot's pose within the last 5 s, interpolated.
     [[nodiscard]] Pose baseInArena(int robot, Time at) const;
     [[nodiscard]] const std::vector<Bump>& bumps() const;  ///< since the beginning, each counted once
     [[nodiscard]] const Scene& scene() const;  ///< as it is now; bodies have the numbers of robots

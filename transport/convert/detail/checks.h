@@ -16,7 +16,7 @@
 
 namespace leitstand::detail {
 
-/// Converts the parts that messages have in common, both ways, and keeps the first thing that was wrong.
+/// Converts the parts that messages have in common, both ways, and keeps the first error.
 class Checks {
 public:
     /// Keeps "field: text" when @p holds is false.
@@ -32,12 +32,12 @@ public:
         if (!std::isfinite(value)) fail(field, fmt::format("expected a number, found {}", value));
         return value;
     }
-    /// NaN is a number that the sender does not know; infinity is wrong.
+    /// Accepts NaN, a number that the sender does not know; infinity is an error.
     double known(const char* field, double value) {
         if (std::isinf(value)) fail(field, fmt::format("expected a number or NaN, found {}", value));
         return value;
     }
-    /// One of the @p count enumerators from 0.
+    /// Returns one of the @p count enumerators from 0.
     template <class Enum>
     Enum enumerator(const char* field, unsigned value, unsigned count) {
         if (value >= count) fail(field, fmt::format("expected less than {}, found {}", count, value));
@@ -71,7 +71,7 @@ private:
     std::string m_error;
 };
 
-/// Covariances tell at best how sure a sensor is: entries that are no numbers become 0, unknown.
+/// Replaces entries that are not finite by 0, unknown: covariances only hint at how sure a sensor is.
 template <std::size_t N>
 std::array<double, N> covariance(std::array<double, N> values) {
     for (double& value : values) value = std::isfinite(value) ? value : 0.0;

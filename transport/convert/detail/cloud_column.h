@@ -40,7 +40,7 @@ void forEachValueOf(const CloudColumn& column, Use use) {
     }
 }
 
-/// The same for all of PointField's types (INT8 to FLOAT64).
+/// Calls @p use as above for any of PointField's types (INT8 to FLOAT64).
 template <class Use>
 void forEachValue(const CloudColumn& column, Use use) {
     switch (column.datatype) {

@@ -23,7 +23,7 @@ bool isFloat(unsigned datatype) {
     return datatype == PointField::FLOAT32_ || datatype == PointField::FLOAT64_;
 }
 
-/// Whether the data holds the points that the cloud's sizes promise; counts beyond 64 bits cannot occur.
+/// Checks that the data holds as many points as the cloud's sizes claim; no count exceeds 64 bits.
 void checkSizes(const PointCloud2& from, Checks& checks) {
     const std::uint64_t width = from.width, height = from.height, row = from.row_step;
     if (width == 0 || height == 0) return;
@@ -35,7 +35,7 @@ void checkSizes(const PointCloud2& from, Checks& checks) {
                    "width", "expected less than 2^31, found {} x {}", width, height);
 }
 
-/// The field of that name; empty when there is none, or no point.
+/// Returns the field of that name; empty when there is no such field or no point.
 CloudColumn column(const PointCloud2& from, std::string_view name, Checks& checks) {
     for (const PointField& field : from.fields) {
         if (field.name != name) continue;
@@ -46,7 +46,7 @@ CloudColumn column(const PointCloud2& from, std::string_view name, Checks& check
                        field.count);
         checks.require(end <= from.point_step, "fields", "{}: ends at byte {} of {} a point", name, end,
                        from.point_step);
-        // Nobody goes through four thousand million rows of nothing.
+        // A cloud without data may claim four thousand million rows: they are not iterated.
         const bool none = from.width == 0 || from.height == 0 || from.data.empty();
         if (!checks.ok() || none) return {};
         return {from.data.data() + field.offset,
@@ -73,7 +73,7 @@ bool hasField(const PointCloud2& from, std::string_view name) {
                        [&](const PointField& field) { return field.name == name; });
 }
 
-/// One coordinate of all points.
+/// Reads one coordinate of all points.
 void readAxis(const PointCloud2& from, int axis, CloudSample& to, Checks& checks) {
     const char* name = axis == 0 ? "x" : axis == 1 ? "y" : "z";
     checks.require(hasField(from, name), "fields", "expected x, y and z, {} is missing", name);
@@ -108,7 +108,7 @@ void readRings(const PointCloud2& from, CloudSample& to, Checks& checks) {
     forEachValue(ring, [&](std::size_t i, auto value) { to.rings[i] = static_cast<std::int32_t>(value); });
 }
 
-/// One row is a list of points, unless all are said to be of one raw scan.
+/// A cloud of one row is a plain list of points, unless all points have the same ring.
 bool isOrganised(const PointCloud2& from, const CloudSample& to) {
     if (from.height > 1) return true;
     return !to.rings.empty() && from.width > 1 &&

@@ -9,7 +9,7 @@ using wire::sensor_msgs::PointField;
 constexpr std::int64_t MostT = std::numeric_limits<std::uint32_t>::max();
 constexpr double NanosecondsOfSecond = 1e9;
 
-/// Puts values of type T of all points behind each other, a point's step apart.
+/// Writes values of type T of all points, one point's step apart.
 template <class T, class Get>
 void put(Buffer& buffer, std::size_t offset, std::size_t step, std::size_t count, Get get) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -35,7 +35,8 @@ void checkLists(const CloudSample& from, Checks& checks) {
 
 }  // namespace
 
-/// The layout of design, section 4. Times that `t` cannot tell become `timestamp`, seconds after the stamp.
+/// Writes the layout of design, section 4. Times that do not fit `t` become `timestamp`, in seconds after the
+/// stamp.
 void toWire(const CloudSample& from, wire::sensor_msgs::PointCloud2& to, Buffer& buffer, Checks& checks) {
     to.header = checks.wireHeader(from.header);
     checkLists(from, checks);

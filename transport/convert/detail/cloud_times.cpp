@@ -6,12 +6,12 @@
 namespace leitstand::detail {
 namespace {
 
-constexpr double SureNanoseconds = 1e14;  // three million years, were it seconds
+constexpr double SureNanoseconds = 1e14;  // three million years if it were seconds
 constexpr double SureAbsolute = 1e8;      // seconds: three years
 constexpr std::int64_t Minute = 60'000'000'000;
 constexpr double NanosecondsOfSecond = 1e9;
 
-/// A value as it stands in nanoseconds, whole seconds apart: a double of both loses 200 ns.
+/// Returns @p value in nanoseconds. Converts whole seconds separately: one double for both loses 200 ns.
 std::int64_t nanoseconds(double value, TimeUnit unit) {
     if (unit == TimeUnit::Nanoseconds) return static_cast<std::int64_t>(value);
     const double whole = std::floor(value);

@@ -11,10 +11,10 @@ namespace leitstand::detail {
 
 enum class TimeUnit : std::uint8_t { Nanoseconds, Seconds };
 
-/// Times of points after @p stamp [ns]. Drivers disagree: values beyond 1e14 are nanoseconds since 1970 or
-/// the scanner's start, beyond 1e8 seconds since then, others are after the stamp already. Times of a clock
-/// of the scanner's own, farther than a minute from the stamp, count from the earliest point, which is then
-/// taken at the stamp. Points without a time have 0.
+/// Returns times of points after @p stamp [ns]. Drivers disagree: values beyond 1e14 are nanoseconds since
+/// 1970 or the scanner's start. Values beyond 1e8 are seconds since then; all others already count from the
+/// stamp. Times farther than a minute from the stamp come from the scanner's own clock. They count from the
+/// earliest point, which is placed at the stamp. Points without a time get 0.
 [[nodiscard]] std::vector<std::int64_t> relativeTimes(const CloudColumn& column, TimeUnit unit, Time stamp,
                                                       Checks& checks);
 

@@ -13,13 +13,13 @@
 
 namespace leitstand::detail {
 
-/// What a message was taken from.
+/// Where a message comes from.
 struct Source {
     const Payload& cdr;
     const StreamDescription* stream = nullptr;  ///< null for the stations' own topics
 };
 
-// Messages in core's types. What is wrong stands in @p checks; the answer counts only when nothing is.
+// Convert messages to core's types. @p checks keeps the first error; the result is valid only without one.
 CloudSample fromWire(const wire::sensor_msgs::PointCloud2& from, const Source&, Checks& checks);
 RangesSample fromWire(const wire::sensor_msgs::LaserScan& from, const Source&, Checks& checks);
 OdometrySample fromWire(const wire::nav_msgs::Odometry& from, const Source&, Checks& checks);

@@ -14,12 +14,12 @@ namespace {
 
 using wire::geometry_msgs::Point;
 constexpr int MostRows = 65'536;            // rows and columns of any scanner
-constexpr std::size_t MostCorners = 1'000;  // of the area that a map is of
+constexpr std::size_t MostCorners = 1'000;  // of the area that a map is cropped to
 constexpr std::size_t MostBodies = 4'000;   // of other robots in all scans of a message
 constexpr std::size_t MostBodyCorners = 64;
 constexpr double LargestBody = 10.0, LargestMargin = 1.0;  // [m]
 
-/// The lists of a scan fit its points and its grid.
+/// Checks that the lists of a scan fit its points and its grid.
 void checkScan(const Scan& scan, Checks& checks) {
     const std::size_t count = scan.points.size();
     const std::size_t grid = static_cast<std::size_t>(scan.rows) * static_cast<std::size_t>(scan.columns);
@@ -129,10 +129,10 @@ void toWire(const ScanPosesSample& from, wire::leitstand_msgs::ScanPoses& to, Bu
 
 namespace {
 
-constexpr std::size_t MostLinks = 10'000;  // told at once
-constexpr double MostInformation = 1e12;   // a micrometre
+constexpr std::size_t MostLinks = 10'000;  // in one message
+constexpr double MostInformation = 1e12;   // for a deviation of a micrometre
 
-/// Whether @p information is one: symmetric already, and no direction is known less than not at all.
+/// Returns whether @p information, symmetric already, is bounded and positive semidefinite.
 bool isInformation(const Information& information) {
     if (!information.allFinite() || information.cwiseAbs().maxCoeff() > MostInformation) return false;
     const double most = std::max(1.0, information.diagonal().maxCoeff());

@@ -6,7 +6,7 @@ namespace {
 
 using wire::geometry_msgs::Vector3;
 
-/// Lists beside the names are empty or as long as they are.
+/// Checks that the lists beside the names are empty or as long as the names.
 void checkLists(std::size_t names, std::size_t positions, std::size_t velocities, std::size_t efforts,
                 Checks& checks) {
     checks.require(positions == 0 || positions == names, "position", "expected {} or none, found {}", names,
@@ -52,7 +52,7 @@ void toWire(const OdometrySample& from, wire::nav_msgs::Odometry& to, Buffer&, C
     to.twist.covariance = from.twistCovariance;
 }
 
-/// A first covariance of -1 says "not measured"; some drivers say it by a quaternion of zeros instead.
+/// A first covariance of -1 means "not measured"; some drivers send a quaternion of zeros instead.
 ImuSample fromWire(const wire::sensor_msgs::Imu& from, const Source&, Checks& checks) {
     ImuSample to;
     to.header = checks.header(from.header);
@@ -94,7 +94,7 @@ void toWire(const ImuSample& from, wire::sensor_msgs::Imu& to, Buffer&, Checks& 
     }
 }
 
-/// Joints that a driver knows nothing of are NaN.
+/// Values of joints that a driver does not know are NaN.
 JointSample fromWire(const wire::sensor_msgs::JointState& from, const Source&, Checks& checks) {
     checkLists(from.name.size(), from.position.size(), from.velocity.size(), from.effort.size(), checks);
     for (const double value : from.position) checks.known("position", value);

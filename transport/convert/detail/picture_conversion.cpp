@@ -11,7 +11,7 @@ namespace {
 constexpr int MostPixels = 65'535;          // a side of any picture
 constexpr std::size_t MostParameters = 64;  // of any distortion model
 
-/// Whether rows of @p width pixels fit into @p step bytes and @p height of them into @p size.
+/// Checks that a row of @p width pixels fits into @p step bytes, and @p height rows into @p size bytes.
 void checkRaw(const PictureEncoding& encoding, std::uint64_t width, std::uint64_t height, std::uint64_t step,
               std::uint64_t size, Checks& checks) {
     checks.require(width > 0 && height > 0 && width <= MostPixels && height <= MostPixels, "width",

@@ -40,7 +40,7 @@ void toWire(const GasSample& from, wire::std_msgs::Float32& to, Buffer&, Checks&
     to.data = static_cast<float>(checks.finite("ppm", from.ppm));
 }
 
-/// Drivers that give the charge in percent are understood.
+/// Also accepts a charge that the driver reports in percent.
 BatterySample fromWire(const wire::sensor_msgs::BatteryState& from, const Source&, Checks& checks) {
     using Status = BatterySample::Status;
     BatterySample to;

@@ -13,10 +13,10 @@
 
 namespace leitstand::detail {
 
-/// Keeps bytes that a message only points at, until it is written.
+/// Holds bytes that a message only points at, until it is written.
 using Buffer = std::vector<std::byte>;
 
-// Core's types as messages. What is wrong stands in @p checks; the message counts only when nothing is.
+// Convert core's types to messages. @p checks keeps the first error; the message is valid only without one.
 void toWire(const CloudSample& from, wire::sensor_msgs::PointCloud2& to, Buffer& buffer, Checks& checks);
 void toWire(const RangesSample& from, wire::sensor_msgs::LaserScan& to, Buffer&, Checks& checks);
 void toWire(const OdometrySample& from, wire::nav_msgs::Odometry& to, Buffer&, Checks& checks);

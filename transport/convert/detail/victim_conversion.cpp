@@ -15,7 +15,7 @@ wire::leitstand_msgs::VictimSign wireSign(const VictimSign& from) {
     return {static_cast<std::uint8_t>(from.state), from.text, from.value};
 }
 
-/// A number of how sure something is, or Unknown.
+/// Returns @p value, a confidence from 0 to 1 or Unknown; error when it is neither.
 double share(const char* field, double value, Checks& checks) {
     checks.require(!(value < 0.0 || value > 1.0), field, "expected 0 to 1, found {}", value);
     return value;

@@ -15,7 +15,7 @@ namespace leitstand::detail {
     return made;
 }
 
-/// 0 (the epoch) when @p time is not told.
+/// Returns 0 (the epoch) when @p time is not set.
 [[nodiscard]] inline Time timeOf(const fastdds::rtps::Time_t& time) {
     if (time.seconds() <= 0) return {};
     return Time{std::chrono::nanoseconds{time.to_ns()}};

@@ -128,7 +128,7 @@ void Discovery::readerSeen(const fastdds::EndpointData& data) {
 void Discovery::add(const Guid& local, LocalEndpoint endpoint) {
     {
         const std::scoped_lock lock(m_mutex);
-        auto matched = std::move(m_local[local].matched);  // a match may have been faster than we are
+        auto matched = std::move(m_local[local].matched);  // a match may already have been reported
         m_local[local] = std::move(endpoint);
         m_local[local].matched.merge(matched);
     }

@@ -13,7 +13,8 @@
 
 namespace leitstand::detail {
 
-/// Keeps what discovery tells. As a listener it only notes and calls @p changed, which must not block.
+/// Keeps what discovery reports. As a listener it only records this and calls @p changed, which must not
+/// block.
 class Discovery final : public fastdds::DiscoveryListener {
 public:
     Discovery(std::function<void()> changed, bool secure);
@@ -21,10 +22,10 @@ public:
     [[nodiscard]] std::vector<RemoteParticipant> participants() const;
     [[nodiscard]] std::vector<RemoteEndpoint> endpoints() const;
     [[nodiscard]] std::vector<Mismatch> mismatches() const;
-    /// Without what only readers know: whether a writer was heard.
+    /// Leaves OfferedWriter::heard false: only readers know whether a writer was heard.
     [[nodiscard]] DomainHearing hearing() const;
 
-    /// The participant has left its domain: all that it discovered, and what it had of its own, is gone.
+    /// Forgets all remote and own endpoints, after the participant has left its domain.
     void clear();
 
     // Our own side

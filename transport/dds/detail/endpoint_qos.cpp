@@ -16,16 +16,16 @@ namespace {
 namespace efd = eprosima::fastdds::dds;
 using Duration_t = fastdds::Duration;
 
-constexpr double Heartbeats = 0.1;  ///< of reliable writers, while somebody lacks something [s]
-// A reliable Fast DDS reader that may keep one sample only is stuck after a loss: the newer sample waits for
-// the lost one to be given up, and there is no room for the next. Over a link with 5 % loss, one of two is
-// lost then.
+constexpr double Heartbeats = 0.1;  ///< period for reliable writers while a reader lacks samples [s]
+// A reliable Fast DDS reader that may keep only one sample is stuck after a loss. The newer sample waits
+// until the lost one is given up, and the next has no room. Over a link with 5 % loss, one of two is lost
+// then.
 constexpr int LeastKeptByReaders = 16;
-// Samples wait in their writer's history for the thread that sends: of ten, a stream of 50 Hz loses some as
-// soon as that thread does not get the processor for 0.2 s.
-constexpr int LeastWaiting = 100;  // of small ones
+// Samples wait in their writer's history for the sending thread. With room for ten, a stream of 50 Hz loses
+// some as soon as that thread does not run for 0.2 s.
+constexpr int LeastWaiting = 100;  // small samples
 
-/// What readers and writers have in common.
+/// Sets the policies that readers and writers have in common.
 template <class EndpointQos>
 void apply(const Qos& qos, EndpointQos& to) {
     to.reliability().kind = qos.reliability == Qos::Reliability::Reliable ? efd::RELIABLE_RELIABILITY_QOS
@@ -68,7 +68,8 @@ efd::DataReaderQos readerQos(const Qos& qos) {
     Qos roomy = qos;
     if (qos.depth > 0) roomy.depth = std::max(qos.depth, LeastKeptByReaders);
     apply(roomy, made);
-    // A reader's own lifespan would count from the writer's clock: one second of difference, and all is lost.
+    // A reader's own lifespan would count by the writer's clock: with one second between the clocks, all is
+    // lost.
     keepSound(made);
     return made;
 }
@@ -81,8 +82,7 @@ efd::DataWriterQos writerQos(const Qos& qos, Flow flow) {
     apply(roomy, made);
     fastdds::countWhatIsSent(made);
     if (qos.lifespan > 0.0) made.lifespan().duration = Duration_t(static_cast<long double>(qos.lifespan));
-    // What lives short is asked for again soon: a drive command that was lost can come before its time is
-    // over.
+    // Samples with a short lifespan are requested again soon: a lost drive command can still arrive in time.
     const double period = qos.lifespan > 0.0 ? std::min(Heartbeats, qos.lifespan / 10.0) : Heartbeats;
     fastdds::setHeartbeat(made, Duration_t(static_cast<long double>(period)));
     if (flow == Flow::Immediate) {

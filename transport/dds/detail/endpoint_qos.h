@@ -9,19 +9,19 @@
 
 namespace leitstand::detail {
 
-/// How many samples a history of @p qos has; one that is to keep all has a bound, too.
+/// Returns how many samples a history of @p qos holds; one that keeps all has a bound, too.
 [[nodiscard]] int historyOf(const Qos& qos);
 
 [[nodiscard]] eprosima::fastdds::dds::DataReaderQos readerQos(const Qos& qos);
 [[nodiscard]] eprosima::fastdds::dds::DataWriterQos writerQos(const Qos& qos, Flow flow);
 
-/// Sets what must hold whatever a profile says, or samples are lost without a word: histories that grow with
-/// the samples, no data sharing, XCDR1.
+/// Sets what must hold whatever a profile contains: histories that grow with the samples, no data sharing,
+/// XCDR1. Otherwise samples are lost silently.
 void keepSound(eprosima::fastdds::dds::DataReaderQos& qos);
 void keepSound(eprosima::fastdds::dds::DataWriterQos& qos);
 
-/// What a remote endpoint's policies say in our terms; @p depth is told by the caller, since discovery does
-/// not tell it.
+/// Returns a remote endpoint's policies in our terms. The caller passes @p depth, since discovery does not
+/// report it.
 [[nodiscard]] inline Qos qosOf(const fastdds::EndpointData& data, int depth) {
     namespace efd = eprosima::fastdds::dds;
     Qos qos;

@@ -1,8 +1,7 @@
 #pragma once
 
-// The one place that knows Fast DDS's versions: 2.9 of Debian 12 and 3.1 of Debian 13. What the two call and
-// pass differently has one name here; the rest of transport says `fastdds::rtps::Locator_t`,
-// `efd::DataWriter`...
+// The only file that knows Fast DDS's versions: 2.9 of Debian 12 and 3.1 of Debian 13. What differs between
+// the two has one name here; the rest of transport writes `fastdds::rtps::Locator_t`, `efd::DataWriter`...
 
 #if __has_include(<fastdds/LibrarySettings.hpp>)
 #define LEITSTAND_FASTDDS_3 1
@@ -74,7 +73,7 @@ using Duration = dds::Duration_t;
 inline const Duration Infinite = dds::c_TimeInfinite;
 inline const Duration Zero = dds::c_TimeZero;
 inline constexpr const char* ProfilesVariable = "FASTDDS_DEFAULT_PROFILES_FILE";
-/// Root element of profiles, as programs of this version write it.
+/// XML namespace of the root element of profiles, as programs of this version write it.
 inline constexpr const char* ProfilesNamespace = "http://www.eprosima.com";
 using ParticipantData = rtps::ParticipantBuiltinTopicData;
 using WriterData = rtps::PublicationBuiltinTopicData;
@@ -94,19 +93,19 @@ using ReaderData = rtps::ReaderProxyData;
 using Outgoing = const rtps::octet*;
 #endif
 
-/// Whether participants may have flow controllers. Those of 3.1 that have some announce themselves by a
-/// thread, and assertions, which Debian leaves in, end the process when that is due again before the thread
-/// was there: when two others appear at once. 3.2 announces as 2.9 does.
+/// Whether participants may have flow controllers. A participant of 3.1 that has some announces itself from a
+/// thread. When two others appear at once, the next announcement is due before that thread has run. An
+/// assertion, which Debian leaves in, then ends the process. 3.2 announces as 2.9 does.
 inline constexpr bool HasFlowControllers = LEITSTAND_FLOW_CONTROLLERS;
 
-/// 0 when @p duration is infinite [s].
+/// Returns @p duration [s]; 0 when it is infinite.
 [[nodiscard]] inline double secondsOf(const Duration& duration) {
     return duration == Infinite
                ? 0.0
                : static_cast<double>(duration.seconds) + static_cast<double>(duration.nanosec) * 1e-9;
 }
 
-/// Whether a call of the library did what it was asked for.
+/// Returns whether a call of the library succeeded.
 template <class Code>
 [[nodiscard]] bool succeeded(const Code& code) {
 #if LEITSTAND_FASTDDS_3
@@ -116,7 +115,7 @@ template <class Code>
 #endif
 }
 
-/// Whether @p sample was taken into the writer's history.
+/// Writes @p sample; returns whether the writer's history took it.
 [[nodiscard]] inline bool write(dds::DataWriter& writer, void* sample) {
 #if LEITSTAND_FASTDDS_3
     return succeeded(writer.write(sample));
@@ -125,7 +124,7 @@ template <class Code>
 #endif
 }
 
-/// @p bytes as a datagram that a transport is to send.
+/// Returns @p bytes as a datagram that a transport is to send.
 [[nodiscard]] inline std::remove_cvref_t<Outgoing> outgoing(std::span<const std::byte> bytes) {
 #if LEITSTAND_FASTDDS_3
     return {rtps::NetworkBuffer(bytes.data(), static_cast<std::uint32_t>(bytes.size()))};
@@ -134,7 +133,7 @@ template <class Code>
 #endif
 }
 
-/// What @p datagram of @p size consists of; in @p joined where it has several pieces.
+/// Returns the bytes of @p datagram of @p size [B]. Copies them to @p joined when it has several pieces.
 [[nodiscard]] inline std::span<const std::byte> bytesOf(Outgoing datagram, std::uint32_t size,
                                                         std::vector<std::byte>& joined) {
 #if LEITSTAND_FASTDDS_3
@@ -152,7 +151,7 @@ template <class Code>
 #endif
 }
 
-/// A way out of a transport. What it sends by has another name in each version.
+/// A sender resource of a transport. The function that it sends with has another name in each version.
 class WayOut : public rtps::SenderResource {
 protected:
     using Send =
@@ -167,7 +166,7 @@ protected:
     }
 };
 
-/// Samples between endpoints of this process take the same way as all others.
+/// Makes samples between endpoints of this process take the same way as all others.
 inline void turnOffShortcuts() {
 #if LEITSTAND_FASTDDS_3
     eprosima::fastdds::LibrarySettings library;
@@ -180,7 +179,8 @@ inline void turnOffShortcuts() {
 #endif
 }
 
-/// How often a writer says what it has while it is not acknowledged; 3.1 would say it with each piece.
+/// Sets how often a writer sends heartbeats while samples are unacknowledged; 3.1 would send one with each
+/// piece.
 inline void setHeartbeat(dds::DataWriterQos& qos, const Duration& period) {
 #if LEITSTAND_FASTDDS_3
     qos.reliable_writer_qos().times.heartbeat_period = period;
@@ -190,15 +190,15 @@ inline void setHeartbeat(dds::DataWriterQos& qos, const Duration& period) {
 #endif
 }
 
-/// Has the pool of a writer's topic count what is being sent: a message of 3.1 holds the payloads that it
-/// gathers, up to 64 of them, beside the history, and two threads may send for one writer. Uncounted, an
-/// assertion (`TopicPayloadPool::shrink`) ends the process when a reader of the same topic goes meanwhile,
-/// and without a reader samples are refused.
+/// Makes the pool of a writer's topic count what is being sent. A message of 3.1 holds up to 64 payloads
+/// beside the history, and two threads may send for one writer. Uncounted, an assertion
+/// (`TopicPayloadPool::shrink`) ends the process when a reader of the same topic leaves meanwhile. Without a
+/// reader, samples are refused.
 inline void countWhatIsSent(dds::DataWriterQos& qos) {
 #if LEITSTAND_FASTDDS_3
     constexpr int Gathered = 65, Senders = 2;
     qos.resource_limits().extra_samples = 1 + Gathered * Senders;
-    qos.resource_limits().allocated_samples = 0;  // else all of these would be made at once
+    qos.resource_limits().allocated_samples = 0;  // else all of these are allocated at once
 #else
     static_cast<void>(qos);
 #endif
@@ -218,7 +218,7 @@ inline constexpr auto SuperClient = rtps::DiscoveryProtocol::SUPER_CLIENT;
 inline constexpr auto SuperClient = rtps::DiscoveryProtocol_t::SUPER_CLIENT;
 #endif
 
-/// Adds the discovery server of this number at @p locator; false: the number is none of a server.
+/// Adds discovery server @p number at @p locator; false when no server can have that number.
 template <class DiscoverySettings>
 [[nodiscard]] bool addServer(DiscoverySettings& discovery, int number, const rtps::Locator_t& locator) {
 #if LEITSTAND_FASTDDS_3
@@ -244,7 +244,7 @@ inline void becomeServer(dds::DomainParticipantQos& qos) {
 #endif
 }
 
-/// What discovery tells of a remote reader or writer.
+/// What discovery reports about a remote reader or writer.
 struct EndpointData {
     rtps::GUID_t guid;
     std::string topic, type;
@@ -314,7 +314,7 @@ template <class Data>
 }
 #endif
 
-/// Is told of all that discovery finds, changes and loses, on threads of the library.
+/// Receives all that discovery finds, changes and loses, on threads of the library.
 class DiscoveryListener : public dds::DomainParticipantListener {
 protected:
     virtual void participantSeen(const ParticipantData& data) = 0;
@@ -381,10 +381,10 @@ private:
     }
 };
 
-/// A type without keys that tells others its name and nothing of its structure.
+/// A type without keys that announces its name, but not its structure.
 class NamedType : public dds::TopicDataType {
 public:
-    /// @p size: where payloads begin to grow from, no limit [B].
+    /// @p size: initial size of payloads, not a limit [B].
     NamedType(const std::string& ddsName, std::uint32_t size) {
 #if LEITSTAND_FASTDDS_3
         set_name(ddsName);

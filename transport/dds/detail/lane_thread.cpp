@@ -63,7 +63,7 @@ LaneThread::Readers LaneThread::readers() const {
 bool LaneThread::serve(const Readers& readers, const efd::ConditionSeq& active) {
     bool more = false;
     for (const auto& reader : readers) {
-        // Conditions are compared, never used: a reader may have gone while the wait set returned.
+        // Conditions are compared, never dereferenced: a reader may be gone when the wait set returns.
         const bool due = reader->unfinished ||
                          std::any_of(active.begin(), active.end(),
                                      [&](const auto* one) { return one == reader->conditionAddress(); });

@@ -25,10 +25,10 @@ public:
     LaneThread& operator=(const LaneThread&) = delete;
 
     void add(const std::shared_ptr<Reader>& reader);
-    /// Only forgets @p reader; what keeps callbacks away is Reader::close().
+    /// Only forgets @p reader; Reader::close() ends its callbacks.
     void remove(const Reader& reader);
     void wake();  ///< any thread, also listeners of Fast DDS
-    void stop();  ///< for good; waits for a callback that runs, which must not be the caller's own
+    void stop();  ///< for good; waits for a running callback, which must not be the caller
 
 private:
     using Readers = std::vector<std::shared_ptr<Reader>>;

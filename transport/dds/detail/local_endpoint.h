@@ -9,12 +9,12 @@
 
 namespace leitstand::detail {
 
-/// What discovery must know of one of our own readers or writers to tell why it does not match others.
+/// What discovery must know about one of our own readers or writers to explain why it does not match others.
 struct LocalEndpoint {
     enum class Kind : std::uint8_t { Reader, Writer };
     Kind kind = Kind::Reader;
     std::string ddsTopic, ddsType;
-    Qos qos;                 ///< as it is, profiles included
+    Qos qos;                 ///< in effect, profiles included
     std::set<Guid> matched;  ///< remote endpoints it exchanges samples with
 };
 

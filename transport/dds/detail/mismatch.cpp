@@ -26,7 +26,7 @@ std::string deadlineWords(double seconds) {
 using Problems = std::vector<WireProblem>;
 using Kind = WireProblem::Kind;
 
-/// Offers meet requests: which side is which depends on who writes.
+/// Compares what the writer offers with what the reader asks for. @p weRead: we are the reader.
 void compareQos(const Qos& offered, const Qos& asked, bool weRead, Problems& problems) {
     const auto add = [&](std::string offer, std::string request) {
         problems.push_back(weRead ? WireProblem{Kind::OffersLess, std::move(offer), std::move(request)}

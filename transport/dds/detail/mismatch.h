@@ -8,13 +8,13 @@
 
 namespace leitstand::detail {
 
-/// What discovery tells beyond RemoteEndpoint and decides about a match.
+/// Terms of a match that discovery reports beyond RemoteEndpoint.
 struct MatchTerms {
-    bool xcdr1 = true;                ///< a writer that writes (a reader that reads) our representation
-    bool automaticLiveliness = true;  ///< a reader that is content with participants that tell they live
+    bool xcdr1 = true;                ///< the writer writes (the reader reads) our representation
+    bool automaticLiveliness = true;  ///< the reader accepts automatic liveliness without a lease
 };
 
-/// Why @p ours and @p theirs, of one topic, do not match; empty when nothing stands against it.
+/// Returns why @p ours and @p theirs, of one topic, do not match; empty when nothing prevents it.
 [[nodiscard]] std::vector<WireProblem> whyNoMatch(const LocalEndpoint& ours, const RemoteEndpoint& theirs,
                                                   const MatchTerms& terms);
 

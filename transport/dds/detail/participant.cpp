@@ -23,7 +23,7 @@ namespace {
 
 namespace efd = eprosima::fastdds::dds;
 
-/// Words of Fast DDS on stderr, as lines: what others named stands in some.
+/// Prints log entries of Fast DDS to stderr as printable lines: some contain names that others chose.
 class PrintableConsumer final : public efd::LogConsumer {
 public:
     void Consume(const efd::Log::Entry& entry) override {
@@ -36,7 +36,7 @@ public:
     }
 };
 
-/// What holds for the whole process, once: words of Fast DDS go to stderr (stdout is for results), and
+/// Sets up the library, once per process. Fast DDS logs to stderr (stdout is for results). Without profiles,
 /// samples of a process to itself take the same way as all others.
 void setUpLibrary(bool profiles) {
     static std::once_flag once;
@@ -47,7 +47,7 @@ void setUpLibrary(bool profiles) {
     });
 }
 
-/// The user's QoS for a topic, where the profiles have one by its ROS or DDS name.
+/// Reads the user's QoS for a topic; false when the profiles have none by its ROS or DDS name.
 template <class EndpointQos, class Lookup>
 bool fromProfile(const NodeSettings& settings, const std::string& topic, EndpointQos& qos, Lookup lookup) {
     if (!usesProfiles(settings)) return false;
@@ -134,7 +134,7 @@ Result<void> Participant::rejoin(const std::function<void(const Guid&)>& entered
         left = std::exchange(m_participant, nullptr);
         m_topics.clear();
     }
-    // Without the lock: a listener that runs may want it.
+    // Without the lock: a running listener may need it.
     if (left != nullptr) {
         left->delete_contained_entities();
         m_factory->delete_participant(left);

@@ -20,8 +20,8 @@
 
 namespace leitstand::detail {
 
-/// A Fast DDS participant, its two lanes and all that was created by it; shared by the node, its
-/// subscriptions and its publishers. leave() ends the part of Fast DDS, whoever still holds the rest.
+/// A Fast DDS participant, its two lanes and all that it created. The node, its subscriptions and its
+/// publishers share it. leave() ends the Fast DDS part, whoever still holds the rest.
 class Participant {
 public:
     explicit Participant(const NodeSettings& settings);
@@ -30,7 +30,7 @@ public:
     Participant& operator=(const Participant&) = delete;
 
     Result<void> join();
-    /// As of Node.
+    /// See Node::rejoin().
     Result<void> rejoin(const std::function<void(const Guid&)>& entered);
     void leave();
 
@@ -46,8 +46,8 @@ public:
     [[nodiscard]] const std::vector<std::string>& unscreened() const { return m_unscreened; }
     void onDiscovery(std::function<void()> changed);
 
-    // For readers and writers; what is created is null between leaving and joining anew
-    void deliver(const std::shared_ptr<Reader>& reader);  ///< its samples, from now on
+    // For readers and writers; the created ones are null between leaving and joining again
+    void deliver(const std::shared_ptr<Reader>& reader);  ///< delivers its samples from now on
     Result<eprosima::fastdds::dds::DataReader*> createReader(
         const ReaderSettings& settings, eprosima::fastdds::dds::DataReaderListener& listener);
     void deleteReader(const Reader& reader, eprosima::fastdds::dds::DataReader* what);
@@ -72,13 +72,13 @@ private:
     std::vector<std::string> m_unscreened;  // set by enter()
     std::shared_ptr<eprosima::fastdds::dds::DomainParticipantFactory> m_factory;
     std::mutex m_rejoining;      // held by rejoin() and leave()
-    mutable std::mutex m_mutex;  // of what follows; taken after a reader's m_use, never the other way round
+    mutable std::mutex m_mutex;  // guards what follows; taken after a reader's m_use, never before
     bool m_left = false;
-    bool m_away = false;                        // between leaving and joining anew: nothing is created
+    bool m_away = false;                        // between leaving and joining again: nothing is created
     std::map<std::string, UsedTopic> m_topics;  // by DDS name
     std::vector<std::shared_ptr<Reader>> m_readers;
     std::vector<std::shared_ptr<Writer>> m_writers;
-    std::recursive_mutex m_tellMutex;  // held while telling
+    std::recursive_mutex m_tellMutex;  // held while m_tell runs
     std::function<void()> m_tell;
     Guid m_guid;
     Discovery m_discovery;

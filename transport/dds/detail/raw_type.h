@@ -7,13 +7,13 @@
 
 namespace leitstand::detail {
 
-/// What Fast DDS hands to and fro for us: the bytes of one sample.
+/// What Fast DDS exchanges with us: the bytes of one sample.
 struct RawSample {
     Payload cdr;
 };
 
-/// A type without keys whose samples Fast DDS carries as bytes, encapsulation header included. It tells
-/// others its name and nothing about its structure, as ROS 2 nodes do.
+/// A type without keys whose samples Fast DDS carries as bytes, encapsulation header included. It announces
+/// its name, but not its structure, as ROS 2 nodes do.
 class RawType final : public fastdds::NamedType {
 public:
     explicit RawType(const std::string& ddsName);

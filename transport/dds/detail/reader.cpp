@@ -29,7 +29,7 @@ Result<void> Reader::open() {
     auto made = m_participant.createReader(m_settings, *this);
     if (!made) return made.error();
     m_reader = *made;
-    if (m_reader == nullptr) return {};  // the participant is out of its domain, and opens it when it is back
+    if (m_reader == nullptr) return {};  // the participant opens it when it is back in its domain
     m_condition = &m_reader->get_statuscondition();
     m_condition->set_enabled_statuses(efd::StatusMask::data_available());
     m_participant.deliver(shared_from_this());
@@ -78,7 +78,7 @@ void Reader::count(const ReceivedSample& sample) {
 }
 
 bool Reader::deliver() {
-    if (m_closed) return false;  // before the lock: who closes must not wait for one sample after the other
+    if (m_closed) return false;  // before the lock: close() must not wait for one sample after the other
     const std::scoped_lock lock(m_use);
     ReceivedSample sample;
     if (m_closed || m_reader == nullptr || !take(sample)) return false;

@@ -16,26 +16,26 @@ namespace leitstand::detail {
 
 class Participant;
 
-/// A Fast DDS reader of bytes and whom it calls. Lives as long as its subscription or a lane uses it, its
-/// Fast DDS reader only until close().
+/// A Fast DDS reader of bytes and its callback. Lives as long as its subscription or a lane uses it; the Fast
+/// DDS reader lives only until close().
 class Reader final : public std::enable_shared_from_this<Reader>,
                      private eprosima::fastdds::dds::DataReaderListener {
 public:
     Reader(Participant& participant, ReaderSettings settings, SampleCallback callback);
     ~Reader() override;
 
-    /// Creates the Fast DDS reader and gives it to its lane; nothing where it is open or closed for good.
+    /// Creates the Fast DDS reader and gives it to its lane; does nothing when it is open or closed for good.
     Result<void> open();
-    /// Leaves the topic until the next open(), as the participant leaves its domain. Waits as close() does.
+    /// Leaves the topic until the next open(), when the participant leaves its domain. Waits as close() does.
     void suspend();
     /// Leaves the topic. Waits for a callback that runs on another thread; may be called by the callback
     /// itself.
     void close();
-    /// Calls back with one sample, if there is one: whether there was. On a lane's thread.
+    /// Calls back with one sample; false when there is none. Runs on a lane's thread.
     [[nodiscard]] bool deliver();
 
     [[nodiscard]] SubscriptionCounts counts() const;
-    [[nodiscard]] bool heard(const Guid& writer) const;  ///< a sample of it came
+    [[nodiscard]] bool heard(const Guid& writer) const;  ///< a sample of it was received
     [[nodiscard]] const ReaderSettings& settings() const { return m_settings; }
     /// Only while open.
     [[nodiscard]] eprosima::fastdds::dds::StatusCondition& condition() const { return *m_condition; }

@@ -18,7 +18,7 @@ namespace efd = eprosima::fastdds::dds;
 namespace rtps = fastdds::rtps;
 
 constexpr std::chrono::milliseconds Slice{
-    50};  // what close() waits for somebody who waits for acknowledgments
+    50};  // longest time that close() waits for waitForAcknowledgments()
 
 }  // namespace
 
@@ -33,7 +33,7 @@ Result<void> Writer::open() {
     auto made = m_participant.createWriter(m_settings, *this);
     if (!made) return made.error();
     m_writer = *made;
-    if (m_writer == nullptr) return {};  // the participant is out of its domain, and opens it when it is back
+    if (m_writer == nullptr) return {};  // the participant opens it when it is back in its domain
     m_guid = guidOf(m_writer->guid());
     const std::scoped_lock keptLock(m_keptMutex);
     for (const Payload& cdr : m_kept) {

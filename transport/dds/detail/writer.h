@@ -22,8 +22,8 @@ public:
     ~Writer() override;
 
     Result<void> open();
-    /// Leaves the topic until the next open(), as the participant leaves its domain. What is transient local
-    /// is kept, and written again then; what else is written meanwhile goes nowhere.
+    /// Leaves the topic until the next open(), when the participant leaves its domain. Keeps transient local
+    /// samples and writes them again then; other samples written meanwhile are lost.
     void suspend();
     void close();
     Result<void> write(const Payload& cdr);
@@ -39,16 +39,16 @@ private:
                                 const eprosima::fastdds::dds::PublicationMatchedStatus& status) override;
 
     Result<void> send(const Payload& cdr);
-    [[nodiscard]] bool isKept() const;  // for who joins later
+    [[nodiscard]] bool isKept() const;  // for readers that join later
 
     Participant& m_participant;
     const WriterSettings m_settings;
-    mutable std::shared_mutex m_use;  // shared by those who use m_writer, alone for close()
+    mutable std::shared_mutex m_use;  // shared by users of m_writer, exclusive for close()
     DataWriter* m_writer = nullptr;
     bool m_closed = false;
     Guid m_guid;
     mutable std::mutex m_keptMutex;
-    std::deque<Payload> m_kept;  // newest last, as many as the history has
+    std::deque<Payload> m_kept;  // newest last, as many as the history holds
 };
 
 }  // namespace leitstand::detail

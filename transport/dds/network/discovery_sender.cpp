@@ -11,12 +11,12 @@ using screen::Traffic;
 
 /// Longer than most bursts of loss, and much shorter than the second that the library waits.
 constexpr std::chrono::milliseconds CopyAfter{30};
-/// Of some eighty datagrams in which two find each other, one in 400 would be lost twice on a radio that
-/// loses 5 %: each fifth start waited for a second.
+/// Two participants find each other with some eighty datagrams. On a radio that loses 5 %, one in 400 would
+/// be lost twice; with one copy, every fifth start waited for a second.
 constexpr int Copies = 2;
 constexpr std::size_t MostWaiting = 1 << 20;  // [B]
 
-/// Goes through locators that were collected.
+/// Iterates over collected locators.
 class Places final : public rtps::LocatorsIterator {
 public:
     explicit Places(const rtps::Locator_t* at) : m_at(at) {}
@@ -53,7 +53,7 @@ bool DiscoverySender::sendOnce(std::span<const std::byte> bytes, const Locators&
     return by(bytes, first, last, until);
 }
 
-/// What is sent again.
+/// A datagram that is sent again.
 struct DiscoverySender::Datagram {
     std::vector<std::byte> bytes;
     Locators to;
@@ -76,7 +76,7 @@ bool DiscoverySender::send(std::span<const std::byte> bytes, rtps::LocatorsItera
         const std::scoped_lock alone(m_sending);
         return by(bytes, first, last, until);
     }
-    Locators to;  // an iterator of the library's goes through them once
+    Locators to;  // the library's iterator can be used only once
     for (; first != last; ++first) to.push_back(*first);
     if (!to.empty() && isDiscovery(traffic, to)) {
         const auto patience = until - std::chrono::steady_clock::now();

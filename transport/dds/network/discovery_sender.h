@@ -14,21 +14,23 @@
 
 namespace leitstand::detail {
 
-/// Sends what is given to it, and discovery three times, a little later each time: the library would miss a
-/// datagram of that which is lost for a second (docs/wire.md). Any thread.
+/// Sends datagrams; discovery three times, a little later each time. Otherwise the library would miss a lost
+/// discovery datagram for a second (docs/wire.md). Any thread.
 class DiscoverySender {
 public:
     using Moment = std::chrono::steady_clock::time_point;
-    /// Sends bytes to locators, which it goes through; false: could not, until that moment.
+    /// Sends bytes to the locators from the first to the last iterator; false when it could not until that
+    /// moment.
     using Send = std::function<bool(std::span<const std::byte>, fastdds::rtps::LocatorsIterator&,
                                     fastdds::rtps::LocatorsIterator&, Moment)>;
 
-    /// @p screen knows where others hear discovery, which tells encrypted datagrams apart.
+    /// @p screen knows the ports where others receive discovery; they identify encrypted discovery datagrams.
     explicit DiscoverySender(std::shared_ptr<const screen::Screen> screen);
 
     bool send(std::span<const std::byte> bytes, fastdds::rtps::LocatorsIterator& first,
               fastdds::rtps::LocatorsIterator& last, Moment until, const Send& by);
-    /// Sends what waits now, and from here on three times without a pause. Before what sends is gone.
+    /// Sends what waits now, and from here on three times without a pause. Call it before the senders are
+    /// gone.
     void finish();
 
 private:
@@ -39,7 +41,7 @@ private:
     void repeat(std::shared_ptr<const Datagram> datagram, int times);
 
     const std::shared_ptr<const screen::Screen> m_screen;
-    std::mutex m_sending;  // the library sends one datagram at a time, and counts on it
+    std::mutex m_sending;  // the library sends one datagram at a time, and relies on it
     Repeater m_repeater;   // last member: its thread uses the others
 };
 

@@ -8,16 +8,16 @@
 
 namespace leitstand::detail {
 
-/// The IPv4 addresses of @p interfaces (names or addresses of this computer). An error names what is unknown
-/// and what there is.
+/// Returns the IPv4 addresses of @p interfaces (names or addresses of this computer). The error names what is
+/// unknown and what there is.
 [[nodiscard]] Result<std::vector<std::string>> addressesOf(const std::vector<std::string>& interfaces);
 
 /// An address and a port.
 struct Peer {
     std::string address;     ///< IPv4, "192.168.0.7"
-    std::uint16_t port = 0;  ///< 0: not told
+    std::uint16_t port = 0;  ///< 0: not given
 };
-/// Reads "192.168.0.7", "robot.local:7410"; names are looked up now. @p setting is named in errors.
+/// Reads "192.168.0.7", "robot.local:7410"; looks up names now. Errors name @p setting.
 [[nodiscard]] Result<Peer> parsePeer(const std::string& text, const std::string& setting);
 
 }  // namespace leitstand::detail

@@ -38,9 +38,9 @@ Function* librarysOwn(const char* name) {
     return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
 
-/// Writers that readers are being taken from. While they are, nobody checks them: a flow controller's thread
-/// that did, finding nobody left to send to, would take its own lock a second time. Whoever takes the reader
-/// checks when the list is free again, until nobody has asked for it meanwhile.
+/// Writers that readers are being removed from. Meanwhile nobody checks them: a flow controller's thread that
+/// finds no reader left would take its own lock a second time. The thread that removes the reader checks when
+/// the list is free again, until nobody has asked for a check meanwhile.
 class Removals {
 public:
     void begin(void* writer) {
@@ -48,7 +48,7 @@ public:
         ++m_writers[writer].removing;
         m_any.fetch_add(1);
     }
-    /// Whether the check of @p writer is put off.
+    /// Returns whether the check of @p writer is put off, and records that it was asked for.
     [[nodiscard]] bool putsOff(void* writer) {
         if (m_any.load() == 0) return false;
         const std::lock_guard lock(m_mutex);
@@ -57,7 +57,7 @@ public:
         found->second.asked = true;
         return true;
     }
-    /// Ends a removal; checks with @p check whatever was put off.
+    /// Ends a removal; runs @p check when a check was put off.
     template <class Check>
     void end(void* writer, const Check& check) {
         std::unique_lock lock(m_mutex);
@@ -73,7 +73,7 @@ public:
 
 private:
     struct Removal {
-        int removing = 0;  ///< threads
+        int removing = 0;  ///< number of threads
         bool asked = false;
     };
     std::mutex m_mutex;
@@ -82,7 +82,7 @@ private:
 };
 
 Removals& removals() {
-    static auto* const all = new Removals;  // threads of the library may outlive what is static
+    static auto* const all = new Removals;  // threads of the library may outlive static objects
     return *all;
 }
 

@@ -60,7 +60,7 @@ Result<void> addPeers(const NodeSettings& settings, efd::DomainParticipantQos& q
         builtin.initialPeersList.push_back(locator(peer->address, peer->port));
     }
     if (!settings.multicast) {
-        // Any unicast locator of our own keeps the default ones, and with them the group, away.
+        // Any unicast locator of our own replaces the default ones, and with them the multicast group.
         builtin.metatrafficUnicastLocatorList.push_back(locator("0.0.0.0", 0));
     } else if (!settings.initialPeers.empty()) {
         const std::uint32_t port =
@@ -73,7 +73,7 @@ Result<void> addPeers(const NodeSettings& settings, efd::DomainParticipantQos& q
 Result<void> addServers(const NodeSettings& settings, efd::DomainParticipantQos& qos) {
     if (settings.discoveryServer.empty()) return {};
     auto& discovery = qos.wire_protocol().builtin.discovery_config;
-    // An ordinary client would be told only of the topics it uses itself.
+    // An ordinary client would learn only about the topics that it uses itself.
     discovery.discoveryProtocol = fastdds::SuperClient;
     std::string_view rest = settings.discoveryServer;
     for (int number = 0;; ++number) {
@@ -91,7 +91,7 @@ Result<void> addServers(const NodeSettings& settings, efd::DomainParticipantQos&
     }
 }
 
-/// Nothing leaves this computer.
+/// Returns whether nothing leaves this computer.
 bool staysHere(const NodeSettings& settings) {
     const auto addresses = addressesOf(settings.interfaces);
     return addresses && !addresses->empty() &&
@@ -113,7 +113,7 @@ void addFlow(Flow flow, FlowLimit limit, bool secure, efd::DomainParticipantQos&
 
 void addFlows(const NodeSettings& settings, efd::DomainParticipantQos& qos) {
     if constexpr (!fastdds::HasFlowControllers) {
-        // A limit of the transport would be one of what is received, too.
+        // A limit of the transport would also limit what is received.
         if (settings.scanLimit.bytes > 0 && !staysHere(settings))
             qos.properties().properties().emplace_back("fastdds.max_message_size",
                                                        std::to_string(settings.scanLimit.bytes));

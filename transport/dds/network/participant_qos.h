@@ -7,15 +7,15 @@
 
 namespace leitstand::detail {
 
-/// The name of @p flow's queue of asynchronous samples; not for Immediate.
+/// Returns the name of @p flow's queue of asynchronous samples; empty for Immediate.
 [[nodiscard]] const char* flowControllerName(Flow flow);
 
-/// Whether profiles of FASTRTPS_DEFAULT_PROFILES_FILE apply.
+/// Returns whether profiles of FASTRTPS_DEFAULT_PROFILES_FILE apply.
 [[nodiscard]] bool usesProfiles(const NodeSettings& settings);
 
-/// How @p settings look to Fast DDS: UDP over IPv4 only (shared memory fails silently between users and
+/// Returns @p settings as QoS of Fast DDS: UDP over IPv4 only (shared memory fails silently between users and
 /// containers), socket buffers of 4 MB, @p settings' lease, peers and security. With profiles, the user's
-/// default participant replaces our defaults, and only what the settings name explicitly is put on top.
+/// default participant replaces our defaults, and only what the settings name explicitly is added.
 [[nodiscard]] Result<eprosima::fastdds::dds::DomainParticipantQos> participantQos(
     const NodeSettings& settings);
 

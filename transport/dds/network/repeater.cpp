@@ -47,7 +47,7 @@ void Repeater::run() {
         if (m_tasks.empty()) return;
         const auto due = m_tasks.front().due;  // a copy: the task may go meanwhile
         m_changed.wait_until(lock, due, [this] { return m_finished; });
-        if (m_tasks.empty()) return;  // by the destructor
+        if (m_tasks.empty()) return;  // cleared by the destructor
         const Task task = std::move(m_tasks.front());
         m_tasks.pop_front();
         m_bytes -= task.bytes;

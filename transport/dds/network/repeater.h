@@ -10,18 +10,18 @@
 
 namespace leitstand::detail {
 
-/// Does what it is given a little later, on a thread of its own and in the order given. Any thread.
+/// Runs tasks a little later, on a thread of its own and in the order given. Any thread.
 class Repeater {
 public:
-    /// What would make more than @p mostBytes wait is not done at all.
+    /// Drops tasks that would make more than @p mostBytes wait.
     Repeater(std::chrono::milliseconds delay, std::size_t mostBytes);
-    ~Repeater();  ///< what is left is not done
+    ~Repeater();  ///< drops what is left
     Repeater(const Repeater&) = delete;
     Repeater& operator=(const Repeater&) = delete;
 
-    /// @p bytes: how much @p what keeps.
+    /// Runs @p what after the delay. @p bytes: memory that @p what keeps.
     void later(std::size_t bytes, std::function<void()> what);
-    /// Does what is left now; what is given from here on is done at once, by who gives it.
+    /// Runs what is left now; later tasks run at once, on the caller's thread.
     void finish();
 
 private:
@@ -35,7 +35,7 @@ private:
 
     const std::chrono::milliseconds m_delay;
     const std::size_t m_mostBytes;
-    std::mutex m_mutex;  // of all that follows
+    std::mutex m_mutex;  // guards all that follows
     std::condition_variable m_changed;
     std::deque<Task> m_tasks;
     std::size_t m_bytes = 0;

@@ -25,8 +25,8 @@ struct ScreenedDescriptor final : efr::ChainingTransportDescriptor {
     ScreenPtr screen;
 };
 
-/// A way out of the transport below. It sends discovery three times, the last of it at its end: where a
-/// participant ends, its ways go before their transport.
+/// A sender resource of the transport below. It sends discovery three times, and what is left at its end:
+/// when a participant ends, its sender resources go before their transport.
 class ScreenedWay final : public fastdds::WayOut {
 public:
     ScreenedWay(DiscoverySender& sender, std::unique_ptr<rtps::SenderResource> low)
@@ -80,7 +80,7 @@ public:
             ways[i] = std::make_unique<ScreenedWay>(m_sender, std::move(ways[i]));
         return opened;
     }
-    /// By ways that a ChainingTransport opens itself, of which there are none here.
+    /// For sender resources that a ChainingTransport opens itself; there are none here.
     bool send(rtps::SenderResource* low, fastdds::Outgoing bytes, uint32_t size,
               rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
               const std::chrono::steady_clock::time_point& until) override {
@@ -102,10 +102,10 @@ private:
 };
 
 efr::TransportInterface* ScreenedDescriptor::create_transport() const {
-    return new ScreenedTransport(*this);  // the library takes it
+    return new ScreenedTransport(*this);  // the library owns it
 }
 
-/// What the library takes by itself: UDP, and shared memory within a computer.
+/// Lists the library's built-in transports explicitly: UDP, and shared memory within a computer.
 void spellOutBuiltin(eprosima::fastdds::dds::TransportConfigQos& transport) {
     if (!transport.use_builtin_transports) return;
     transport.use_builtin_transports = false;
@@ -119,7 +119,7 @@ void spellOutBuiltin(eprosima::fastdds::dds::TransportConfigQos& transport) {
     transport.user_transports.insert(transport.user_transports.begin(), {udp, memory});
 }
 
-/// Whether the rules of the domain protect messages as a whole. A file that is signed is text all the same.
+/// Returns whether the rules of the domain protect messages as a whole. A signed file is still plain text.
 bool protectsMessages(const std::filesystem::path& governance) {
     std::ifstream in(governance, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -12,12 +12,12 @@
 
 namespace leitstand::detail {
 
-/// The screen of a node with @p settings; @p dropped as of Screen.
+/// Creates the screen of a node with @p settings; @p dropped as in Screen.
 [[nodiscard]] std::shared_ptr<screen::Screen> screenFor(const NodeSettings& settings,
                                                         std::function<void()> dropped = {});
 
-/// Puts @p screen before every transport of @p qos that takes datagrams, those of the library's own choice
-/// and of XML profiles too. Returns what cannot be screened, in words for the operator.
+/// Puts @p screen before every transport of @p qos that takes datagrams, also those of the library's own
+/// choice and of XML profiles. Returns what cannot be screened, in words for the operator.
 [[nodiscard]] std::vector<std::string> putBefore(eprosima::fastdds::dds::DomainParticipantQos& qos,
                                                  std::shared_ptr<screen::Screen> screen);
 

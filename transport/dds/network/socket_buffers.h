@@ -7,11 +7,12 @@
 
 namespace leitstand::detail {
 
-/// What sockets should hold: with less, samples of 1 MB lose pieces faster than they can be asked for again.
+/// Size that socket buffers should have: with less, samples of 1 MB lose pieces faster than readers request
+/// them again.
 inline constexpr std::uint32_t SocketBufferSize = 4'194'304;  // [B]
 
-/// Which limits of the system under @p folder (/proc/sys/net/core) are below SocketBufferSize, with the
-/// command that lifts each. Limits that cannot be read are passed over.
+/// Returns a warning for each system limit under @p folder (/proc/sys/net/core) that is below
+/// SocketBufferSize, with the command that lifts it. Skips limits that cannot be read.
 [[nodiscard]] std::vector<std::string> socketBufferWarnings(
     const std::filesystem::path& folder = "/proc/sys/net/core");
 

@@ -7,19 +7,19 @@
 
 namespace leitstand {
 
-/// @p camera turned around its focus as if the map had been pulled by @p pixels; in a parallel view only
-/// about z.
+/// Returns @p camera turned around its focus as if the map were pulled by @p pixels. A parallel view turns
+/// only about z.
 [[nodiscard]] MapCamera turned(MapCamera camera, const QPointF& pixels);
 
-/// The camera shifted so that what lies at @p depth [m] follows a pull by @p pixels.
+/// Returns the camera shifted so that points at @p depth [m] follow a pull by @p pixels.
 [[nodiscard]] MapCamera shifted(const MapProjection& projection, const QPointF& pixels, double depth);
 
-/// The camera nearer (@p factor below 1) to or farther from the point at @p depth [m] under @p position,
-/// which stays where it is on the screen.
+/// Returns the camera moved nearer to (@p factor below 1) or farther from the point at @p depth [m] under
+/// @p position. That point stays where it is on screen.
 [[nodiscard]] MapCamera zoomed(const MapProjection& projection, const QPointF& position, double depth,
                                double factor);
 
-/// How @p preset looks at the map, not yet framed; the top look always looks straight down.
+/// Returns the camera of @p preset, not yet framed. The top look always looks straight down.
 [[nodiscard]] MapCamera presetCamera(CameraPreset preset, MapLook look);
 
 }  // namespace leitstand

@@ -6,10 +6,10 @@
 namespace leitstand {
 namespace {
 
-constexpr double ParallelEyeDistance = 500.0;  ///< everything lies before the eye of a parallel view [m]
+constexpr double ParallelEyeDistance = 500.0;  ///< puts everything in front of the eye of a parallel view [m]
 constexpr double FrameMargin = 1.06;           ///< room left around what is framed
-constexpr double OverlayHeight = 44.0;         ///< below, where legend and scale lie [px]
-constexpr double PlaceRadius = 0.3;            ///< a place stands for what is around it, voxels too [m]
+constexpr double OverlayHeight = 44.0;         ///< of legend and scale at the lower edge [px]
+constexpr double PlaceRadius = 0.3;            ///< a place stands for its surroundings, voxels too [m]
 constexpr double NearestFrame = 1.5;           ///< a camera never frames from nearer than this [m]
 
 /// The part of a view that framing may fill, as tangents of the angles from its middle.
@@ -26,8 +26,8 @@ struct Frame {
     }
 };
 
-/// The least and largest of (right, up) over depth at which places are seen, and the distance by which the
-/// eye must go back until all of them fit.
+/// The range of all places in (right, up) over depth, and how far the eye must move back until all of them
+/// fit [m].
 struct Fit {
     Eigen::Vector2d low = Eigen::Vector2d::Constant(1e9), high = Eigen::Vector2d::Constant(-1e9);
     double back = -1e9;
@@ -89,7 +89,7 @@ std::optional<Projected> MapProjection::project(const Eigen::Vector3d& pointInMa
 }
 
 QPolygonF MapProjection::outline(std::span<const Eigen::Vector3d> corners) const {
-    constexpr double Nearest = 0.1;  // what is nearer would reach far beyond every screen [m]
+    constexpr double Nearest = 0.1;  // nearer parts would reach far beyond any screen [m]
     const auto depthOf = [this](const Eigen::Vector3d& corner) { return (corner - m_eye).dot(m_forward); };
     QPolygonF seen;
     const auto add = [&](const Eigen::Vector3d& corner) {
@@ -127,7 +127,7 @@ MapCamera framed(MapCamera camera, const std::vector<Eigen::Vector3d>& places, Q
     for (const Eigen::Vector3d& place : places) box.extend(place);
     camera.focus = box.center();
     camera.distance = box.diagonal().norm();
-    // Perspective makes what is near larger: centre what is seen, then adapt the distance, a few times.
+    // Perspective enlarges what is near: adapt the distance and centre the view, a few times.
     for (int round = 0; round < 8; ++round) {
         camera.distance = std::max(camera.distance + fit(camera, places, frame).back, NearestFrame);
         const Fit now = fit(camera, places, frame);

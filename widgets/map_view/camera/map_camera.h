@@ -17,9 +17,9 @@ struct MapCamera {
     static constexpr double FieldOfView = 0.7;  ///< vertical, perspective [rad]
 
     Eigen::Vector3d focus = Eigen::Vector3d::Zero();  ///< in the map's frame [m]
-    double yaw = 0.0;        ///< heading of the view about z, 0: along x, positive: to the left [rad]
-    double pitch = 0.5;      ///< how far the view looks down, between -pi/2 and pi/2 [rad]
-    double distance = 10.0;  ///< of the eye from the focus; in parallel projection it only sets the scale [m]
+    double yaw = 0.0;        ///< heading of the view about z [rad]; 0: along x, positive: to the left
+    double pitch = 0.5;      ///< downward angle of the view, between -pi/2 and pi/2 [rad]
+    double distance = 10.0;  ///< from eye to focus [m]; in parallel projection it only sets the scale
     bool parallel = false;
 
     [[nodiscard]] Eigen::Vector3d forward() const;
@@ -36,21 +36,21 @@ struct Projected {
     double depth = 0.0;  ///< in front of the eye, along the view [m]
 };
 
-/// A camera that looks into a widget of a certain size: from the map to the screen and back.
+/// The projection of a camera into a widget of a given size: from map to screen and back.
 class MapProjection {
 public:
     MapProjection(const MapCamera& camera, QSize size);
 
-    /// Where @p pointInMap is drawn; nothing when behind the eye.
+    /// Returns where @p pointInMap is drawn; empty when it is behind the eye.
     [[nodiscard]] std::optional<Projected> project(const Eigen::Vector3d& pointInMap) const;
-    /// Outline on screen of the part of a flat shape that is before the eye; empty where none is. @p corners:
-    /// in the map's frame, in order [m]; convex.
+    /// Returns the screen outline of the part of a flat convex shape in front of the eye; may be empty.
+    /// @p corners: in order, in the map's frame [m].
     [[nodiscard]] QPolygonF outline(std::span<const Eigen::Vector3d> corners) const;
-    /// The point of the map under @p position at @p depth [m].
+    /// Returns the point of the map under @p position at @p depth [m].
     [[nodiscard]] Eigen::Vector3d unproject(const QPointF& position, double depth) const;
-    /// What a logical pixel covers at @p depth [m].
+    /// Returns the length that a logical pixel covers at @p depth [m].
     [[nodiscard]] double metresPerPixel(double depth) const;
-    /// Depth of the camera's focus [m].
+    /// Returns the depth of the camera's focus [m].
     [[nodiscard]] double focusDepth() const;
 
     [[nodiscard]] const MapCamera& camera() const { return m_camera; }
@@ -66,8 +66,8 @@ private:
     double m_tangent;  ///< half the widget's height at unit depth
 };
 
-/// @p camera moved, not turned, so that all @p places (map's frame [m]) just fit into a widget of @p size;
-/// the focus ends in their midst.
+/// Returns @p camera moved, not turned, so that all @p places (map's frame [m]) just fit into a widget of
+/// @p size. The focus is then amid them.
 [[nodiscard]] MapCamera framed(MapCamera camera, const std::vector<Eigen::Vector3d>& places, QSize size);
 
 }  // namespace leitstand

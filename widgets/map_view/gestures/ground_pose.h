@@ -6,18 +6,18 @@
 
 namespace leitstand {
 
-/// A place on the floor, and the way to look there, as an operator draws it.
+/// A place on the floor and a heading, as an operator draws them.
 struct GroundPose {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< in the map's frame [m]
-    std::optional<double> heading = {};  ///< from x to the left [rad]; empty: only clicked, none was drawn
+    std::optional<double> heading = {};               ///< from x to the left [rad]; empty: only clicked
 };
 
-/// A step of something that an operator drags over the floor.
+/// One step of dragging something over the floor.
 struct GroundDrag {
     Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< where it was grabbed, in the map's frame [m]
-    Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< where that is now [m]
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< where that point is now, in the map's frame [m]
     bool turns = false;                              ///< it is turned, not moved
-    bool begins = false;                             ///< it was grabbed just now
+    bool begins = false;                             ///< first step of a drag
 };
 
 }  // namespace leitstand

@@ -13,8 +13,8 @@
 namespace leitstand {
 namespace {
 
-constexpr double LeastDrag = 8.0;       ///< below it is a click [px]
-constexpr double LeastDistance = 0.05;  ///< of the drag's ends on the floor [m]
+constexpr double LeastDrag = 8.0;       ///< shorter drags are clicks [px]
+constexpr double LeastDistance = 0.05;  ///< between a drag's ends on the floor [m]
 constexpr double Farthest = 200.0;      ///< from the eye [m]
 
 std::optional<QPolygonF> outlineOf(const MapProjection& projection,

@@ -15,34 +15,34 @@ namespace leitstand {
 class MapProjection;
 struct OverlayStyle;
 
-/// What an operator draws onto the floor: a robot's pose (press: place, drag: heading, as the 2D goal of
-/// RViz), or the corners of an area.
+/// Gestures on the floor: draw a robot's pose (press: place, drag: heading, as the 2D goal of RViz), draw the
+/// corners of an area, or drag something.
 class GroundTools {
 public:
-    /// Draws poses of @p robot from now on.
+    /// Starts drawing poses of @p robot.
     void startPose(RobotMark robot);
-    void startArea();  ///< draws an area from now on
-    void startGrab();  ///< what is pressed on is dragged from now on
-    void end();        ///< draws nothing any more
+    void startArea();  ///< starts drawing an area
+    void startGrab();  ///< starts dragging
+    void end();        ///< ends the gesture
     [[nodiscard]] bool posing() const { return m_robot.has_value(); }
     [[nodiscard]] bool drawingArea() const { return m_drawingArea; }
     [[nodiscard]] bool grabbing() const { return m_grabbing; }
 
-    /// A button went down over @p ground.
+    /// A button was pressed over @p ground (map's frame [m]).
     void press(const Eigen::Vector3d& ground, const QPointF& pixel);
     void moveTo(const Eigen::Vector3d& ground, const QPointF& pixel);
-    /// The pose that was drawn.
+    /// Returns the pose that was drawn; empty: none.
     [[nodiscard]] std::optional<GroundPose> release();
 
-    /// Something is grabbed at @p ground; @p turns: to turn it.
+    /// Starts a drag at @p ground. @p turns: turns instead of moving.
     [[nodiscard]] GroundDrag grab(const Eigen::Vector3d& ground, bool turns);
-    /// It was dragged to @p ground; empty: nothing is held.
+    /// Continues the drag to @p ground; empty: nothing is held.
     [[nodiscard]] std::optional<GroundDrag> dragTo(const Eigen::Vector3d& ground);
     void letGo() { m_held.reset(); }
 
     void addCorner(const Eigen::Vector3d& ground);
     void takeCornerBack();
-    /// The area with at least three corners; drawing begins anew.
+    /// Returns the area and starts a new one; empty with fewer than three corners. In the map's frame [m].
     [[nodiscard]] std::optional<std::vector<Eigen::Vector2d>> takeArea();
 
     void paint(QPainter& painter, const MapProjection& projection, const OverlayStyle& style) const;
@@ -58,7 +58,7 @@ private:
     std::optional<Eigen::Vector3d> m_cursor;
 };
 
-/// Where the ray under @p position meets the level plane at @p height [m]; nothing above the horizon or
+/// Returns where the ray under @p position meets the level plane at @p height [m]. Empty above the horizon or
 /// farther than 200 m.
 [[nodiscard]] std::optional<Eigen::Vector3d> groundUnder(const MapProjection& projection,
                                                          const QPointF& position, double height);

@@ -22,7 +22,7 @@ QColor clear(QColor colour, int alpha) {
     return colour;
 }
 
-/// Fills @p area as floor that was seen or missed: a tint, or a hatch on a faint one.
+/// Fills @p area as seen floor (a tint) or missed floor (a hatch on a faint tint).
 template <class Area>
 void fill(QPainter& painter, const Area& area, bool seen, const ThemeColours& colours) {
     if (seen) return painter.fillPath(area, clear(colours.fine, SeenAlpha));
@@ -45,7 +45,7 @@ QString legendText(SearchSensor sensor, bool seen) {
                 : QCoreApplication::translate("leitstand::MapView", "missed by scanner");
 }
 
-/// Paints the patches of @p tint that are in sight.
+/// Paints the patches of @p tint that are on screen.
 void paintPatches(QPainter& painter, const MapProjection& projection, const FloorTint& tint,
                   const ThemeColours& colours) {
     std::array<QPainterPath, 2> areas;  // missed, seen

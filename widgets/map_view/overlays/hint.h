@@ -8,7 +8,7 @@ namespace leitstand {
 
 struct OverlayStyle;
 
-/// Says @p text at the upper edge of a widget of @p size: what the next click does, what is missing.
+/// Paints @p text at the upper edge of a widget of @p size: what the next click does, or what is missing.
 void paintHint(QPainter& painter, const QString& text, QSize size, const OverlayStyle& style);
 
 }  // namespace leitstand

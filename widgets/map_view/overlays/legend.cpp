@@ -20,7 +20,7 @@ namespace {
 constexpr int Margin = 12, Square = 10, Gap = 6;  // [px]
 constexpr std::size_t MostScans = 8;
 
-/// How much room the legend leaves itself [px].
+/// Distances within the legend [px].
 struct Spacing {
     int padding, space, ramp;
 };
@@ -59,7 +59,7 @@ bool isPresent(Label label, const SceneContent& content) {
     return false;
 }
 
-/// The labels that are drawn in a colour of their own.
+/// Returns the labels that are drawn in a colour of their own.
 std::vector<Entry> labelEntries(const SceneContent& content) {
     const bool top = content.settings.look == MapLook::Top;
     std::vector<Entry> entries;
@@ -78,7 +78,7 @@ bool doubted(const SceneContent& content) {
                        [](const SceneScan& scan) { return scan.visible && scan.uncertain; });
 }
 
-/// As the list of key scans calls it, where it has no name: "K 12".
+/// Returns the scan's name, or else what the list of key scans shows: "K 12".
 QString nameOf(const SceneScan& scan, const SceneContent& content) {
     if (!scan.name.empty()) return othersText(scan.name);
     QString robot;
@@ -89,7 +89,7 @@ QString nameOf(const SceneScan& scan, const SceneContent& content) {
     return QStringLiteral("%1 %2").arg(robot.isEmpty() ? QStringLiteral("?") : robot).arg(scan.id);
 }
 
-/// The first scans; of those that come in while robots drive, the newest.
+/// Adds the first scans of a map from files, or the newest scans of a live map.
 void addScans(std::vector<Entry>& entries, const SceneContent& content) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < content.scans.size(); ++i) {

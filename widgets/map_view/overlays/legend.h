@@ -10,8 +10,8 @@ namespace leitstand {
 struct OverlayStyle;
 struct SceneContent;
 
-/// What the colours of @p content mean, in the bottom left corner of a widget of @p size, or above @p taken
-/// where they would meet. Returns its box; null where there is nothing to tell.
+/// Paints what the colours of @p content mean, in the bottom left corner of a widget of @p size, or above
+/// @p taken if they would overlap. Returns its box; null when it paints nothing.
 QRect paintLegend(QPainter& painter, const SceneContent& content, QSize size, const QRect& taken,
                   const OverlayStyle& style);
 

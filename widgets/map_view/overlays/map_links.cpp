@@ -12,10 +12,10 @@
 namespace leitstand {
 namespace {
 
-/// Where the scan @p id was taken, on the screen; empty: it is not shown, or behind the eye.
+/// Returns the position of scan @p id on screen; empty: not shown, or behind the eye.
 std::optional<QPointF> placeOf(std::uint64_t id, const MapProjection& projection,
                                const SceneContent& content) {
-    // By rising id.
+    // Scans are sorted by id.
     const auto scan =
         std::lower_bound(content.scans.begin(), content.scans.end(), id,
                          [](const SceneScan& one, std::uint64_t wanted) { return one.id < wanted; });

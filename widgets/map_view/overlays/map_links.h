@@ -11,12 +11,12 @@ class MapProjection;
 struct OverlayStyle;
 struct SceneContent;
 
-/// Two key scans that were found, or said, to see the same place.
+/// Two key scans that see the same place, as detected or as stated by an operator.
 struct MapLink {
     enum class Standing : std::uint8_t {
-        Counts,   ///< the map follows it
-        Open,     ///< it was asked about, or taken back
-        Refused,  ///< somebody said that it is not the same place
+        Counts,   ///< the map uses it
+        Open,     ///< it is in question, or was undone
+        Refused,  ///< somebody decided that it is not the same place
     };
     std::uint64_t from = 0, to = 0;  ///< MapScan::id
     Standing standing = Standing::Counts;
@@ -24,8 +24,8 @@ struct MapLink {
     bool operator==(const MapLink&) const = default;
 };
 
-/// @p links as lines between where their scans were taken: solid where they count, dashed where they are
-/// open, dotted where they were refused.
+/// Paints @p links as lines between the positions of their scans: solid for Counts, dashed for Open, dotted
+/// for Refused.
 void paintLinks(QPainter& painter, const MapProjection& projection, const SceneContent& content,
                 std::span<const MapLink> links, const OverlayStyle& style);
 

@@ -22,10 +22,10 @@ namespace {
 
 constexpr double ScanMarkSize = 9.0, CrowdedMarkSize = 5.0, MeasureMarkRadius = 4.0;  ///< [px]
 constexpr double DiamondSize = 9.0, HighlightRadius = 15.0;                           ///< [px]
-constexpr double SamePlace = 4.0;        ///< of two marks: one of them is painted [px]
+constexpr double SamePlace = 4.0;        ///< of two marks closer than this, one is painted [px]
 constexpr std::size_t CrowdedFrom = 20;  ///< scans
 
-/// The part of the first scan's floor plane that a parallel view from above shows.
+/// Returns the part of the first scan's floor plane that a parallel view from above shows.
 Eigen::AlignedBox2d shownGround(const MapProjection& projection, const Pose& mapInScan) {
     Eigen::AlignedBox2d shown;
     const QSize size = projection.size();
@@ -37,14 +37,14 @@ Eigen::AlignedBox2d shownGround(const MapProjection& projection, const Pose& map
     return shown;
 }
 
-/// Whether a robot came from one scan to the next on a way that is known. Scans of files are far apart and
-/// tell their order only.
+/// Whether the robot's path from one scan to the next is known. It counts as known for scans of files, which
+/// have no times.
 bool knowsWay(const SceneScan& from, const SceneScan& to) {
     if (from.entered == Time{} || to.entered == Time{}) return true;
     return !isGap(distanceBetween(from.poseInMap, to.poseInMap), to.entered - from.entered);
 }
 
-/// Only the position and heading of @p pose: the grid stays level.
+/// Returns @p pose with its position and heading only: the grid stays level.
 Pose levelled(const Pose& pose) {
     return poseFrom(pose.translation(), 0.0, 0.0, headingOf(pose));
 }
@@ -81,7 +81,7 @@ void paintUncertainPosition(QPainter& painter, const QPointF& at, const OverlayS
     painter.drawText(QRectF(at - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, QStringLiteral("?"));
 }
 
-/// A mark of @p side around its middle, painted once for all that look the same.
+/// Returns a mark of width and height @p side [px], painted once for all that look the same.
 template <class Paint>
 QPixmap markOf(double side, double pixelRatio, Paint paint) {
     const int pixels = static_cast<int>(std::ceil(side * pixelRatio));
@@ -153,7 +153,7 @@ void paintScanPositions(QPainter& painter, const MapProjection& projection, cons
             before->second = mark;
         }
     }
-    // Many small ones do not hide the map.
+    // Many marks are painted small, so that they do not hide the map.
     const double size = marks.size() > CrowdedFrom ? CrowdedMarkSize : ScanMarkSize;
     constexpr double Edge = 4.0;  // room for it [px]
     const double ratio = painter.device()->devicePixelRatioF();
@@ -192,7 +192,7 @@ void paintHighlight(QPainter& painter, const MapProjection& projection, const Sc
 
 void paintCaption(QPainter& painter, const MapProjection& projection, std::span<const Eigen::Vector3d> places,
                   const QString& text, const OverlayStyle& style) {
-    constexpr double Above = 70.0;  // walls stand about the scans [px]
+    constexpr double Above = 70.0;  // clears the walls around the scans [px]
     std::optional<QPointF> highest;
     for (const Eigen::Vector3d& place : places) {
         const auto seen = projection.project(place);
@@ -209,7 +209,7 @@ void paintMeasurement(QPainter& painter, const MapProjection& projection, const 
     const auto start = projection.project(from);
     const auto end = to ? projection.project(*to) : std::nullopt;
     if (start && end) {
-        // A dark line below a light one is seen on every colour of the map.
+        // A dark line below a light one is visible on every map colour.
         painter.setPen(QPen(asColour(style.colours.background), 4.0));
         painter.drawLine(start->position, end->position);
         painter.setPen(QPen(asColour(style.colours.measurement), 2.0));

@@ -13,10 +13,10 @@ namespace leitstand {
 
 struct ThemeColours;
 
-/// How text and lines over the map are painted.
+/// The style of text and lines over the map.
 struct OverlayStyle {
     MapColours colours;
-    const ThemeColours* window = nullptr;  ///< robots, tones; never null
+    const ThemeColours* window = nullptr;  ///< colours of robots and tones; never null
     QFont font;
     QLocale locale;
 };
@@ -25,14 +25,14 @@ struct OverlayStyle {
     return {colour.r, colour.g, colour.b, colour.a};
 }
 
-/// The surface below text over the map.
+/// Paints the surface below text over the map.
 inline void paintPanel(QPainter& painter, const QRectF& box, const OverlayStyle& style) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(asColour(style.colours.panel));
     painter.drawRoundedRect(box, 4, 4);
 }
 
-/// @p value with @p decimals as people read it: in the user's language, with a real minus sign.
+/// Returns @p value with @p decimals in the user's language, with a real minus sign.
 [[nodiscard]] inline QString numberText(double value, int decimals, const QLocale& locale) {
     return locale.toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
 }

@@ -32,7 +32,7 @@ bool PaintedCells::takeLine(const QPointF& from, const QPointF& to) {
     if (!(low.x() < widget.right() && high.x() > 0.0 && low.y() < widget.bottom() && high.y() > 0.0))
         return false;
     const QPointF way = to - from;
-    // Long lines are those of which most is outside: they are not worth a closer look.
+    // Very long lines lie mostly outside the widget: they count as new.
     constexpr double Longest = 1000.0;  // cells
     const double steps = std::ceil(std::hypot(way.x(), way.y()) / m_cell);
     if (!(steps <= Longest)) return true;

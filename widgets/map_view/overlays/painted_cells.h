@@ -7,16 +7,16 @@
 
 namespace leitstand {
 
-/// Which parts of a widget something was painted on, so that what lies on the same place again need not be
-/// painted: an hour's marks cost no more than there is room for.
+/// Marks the cells of a widget that are painted, so that nothing is painted twice on the same place. The cost
+/// of an hour's marks is then bounded by the widget's size.
 class PaintedCells {
 public:
-    /// @p size of the widget, @p cell of what counts as one place; both in logical pixels.
+    /// @p size: of the widget. @p cell: edge of what counts as one place. Both in logical pixels.
     PaintedCells(QSize size, double cell);
 
-    /// Marks the place; true where it was not marked before. Places outside the widget never are new.
+    /// Marks the place; true if it was not marked before. False for places outside the widget.
     bool take(const QPointF& place);
-    /// Marks all places between @p from and @p to; true where one of them was not marked before.
+    /// Marks all places between @p from and @p to; true if one of them was not marked before.
     bool takeLine(const QPointF& from, const QPointF& to);
 
 private:

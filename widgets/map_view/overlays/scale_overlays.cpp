@@ -69,7 +69,7 @@ void paintAxes(QPainter& painter, const MapProjection& projection, const Overlay
                                  {Eigen::Vector3d::UnitY(), QColor(0x3F, 0xA8, 0x5C), QStringLiteral("y")},
                                  {Eigen::Vector3d::UnitZ(), QColor(0x4F, 0x8F, 0xE8), QStringLiteral("z")}}};
     const MapCamera& camera = projection.camera();
-    // What points away from the viewer is painted first.
+    // Axes that point away from the viewer are painted first.
     std::sort(axes.begin(), axes.end(), [&camera](const Axis& a, const Axis& b) {
         return a.direction.dot(camera.forward()) > b.direction.dot(camera.forward());
     });

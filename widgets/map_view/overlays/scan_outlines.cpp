@@ -14,14 +14,14 @@
 namespace leitstand {
 namespace {
 
-constexpr std::size_t MostPoints = 600;  ///< of a scan, at random: single ones far outside do not count
+constexpr std::size_t MostPoints = 600;  ///< random sample: single points far outside are mostly left out
 
-/// To which side of the line from @p a to @p b a point lies.
+/// Returns the side of the line from @p a to @p b on which @p point lies, by its sign.
 double sideOf(const QPointF& a, const QPointF& b, const QPointF& point) {
     return (b.x() - a.x()) * (point.y() - a.y()) - (b.y() - a.y()) * (point.x() - a.x());
 }
 
-/// The convex hull of @p points (Andrew 1979).
+/// Returns the convex hull of @p points (Andrew 1979).
 QPolygonF hullOf(std::vector<QPointF> points) {
     std::sort(points.begin(), points.end(), [](const QPointF& a, const QPointF& b) {
         return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());

@@ -8,8 +8,8 @@ class MapProjection;
 struct OverlayStyle;
 struct SceneContent;
 
-/// A line around each uncertain scan as it is seen: dashed while it waits, a strong one around the one that
-/// is decided on.
+/// Outlines each uncertain scan on screen: dashed while it waits, with a strong line around the one in
+/// question.
 void paintScanOutlines(QPainter& painter, const MapProjection& projection, const SceneContent& content,
                        const OverlayStyle& style);
 

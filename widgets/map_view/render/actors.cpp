@@ -25,7 +25,7 @@ namespace {
 
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) && sizeof(Rgba) == 4);
 
-// VTK's arrays look at our memory and never write or free it, though their interface knows no const.
+// VTK's arrays refer to our memory and never write or free it, although their interface is not const.
 constexpr int KeepMemory = 1;
 
 vtkNew<vtkPoints> pointsOver(const std::vector<Eigen::Vector3f>& positions) {
@@ -102,7 +102,7 @@ void PointsActor::update(DrawnPointsPtr points) {
     data->GetPointData()->SetScalars(coloursOver(m_points->colours));
     m_mapper->SetInputData(data);
     m_mapper->Update();
-    // The former memory goes only now, after VTK has let go of it.
+    // The former memory is freed only here, after VTK has released it.
 }
 
 void PointsActor::setPose(const Pose& poseInMap) {

@@ -15,7 +15,7 @@ namespace leitstand {
 
 class RangeMapper;
 
-/// Points in VTK. They stay where they are; only their pose changes. Render thread only.
+/// Points in VTK. The points never change; only their pose does. Render thread only.
 class PointsActor {
 public:
     PointsActor();
@@ -23,13 +23,13 @@ public:
     PointsActor(PointsActor&&) noexcept = default;
     PointsActor& operator=(PointsActor&&) noexcept = default;
 
-    /// Shows @p points from now on, or nothing; what has not changed costs nothing.
+    /// Shows @p points, or nothing when null. Unchanged points cost nothing.
     void update(DrawnPointsPtr points);
     void setPose(const Pose& poseInMap);
     void setVisible(bool visible);
     void setClip(vtkPlaneCollection* planesInMap);
     void setPointSize(double devicePixels);
-    /// The share of the points drawn next, as fractions.
+    /// Sets the range of points drawn next, as fractions of their number.
     void setRange(double from, double to);
 
     [[nodiscard]] vtkActor* actor() const { return m_actor; }
@@ -44,7 +44,7 @@ private:
 /// A scan's points in VTK. Render thread only.
 class ScanActor {
 public:
-    /// Shows @p scan from now on, of which points are to be seen; what has not changed costs nothing.
+    /// Shows @p scan; isShown() must hold for it. Unchanged points cost nothing.
     void update(const SceneScan& scan);
     [[nodiscard]] PointsActor& points() { return m_points; }
 
@@ -60,7 +60,7 @@ public:
     VoxelActor();
     ~VoxelActor();
 
-    /// Shows @p mesh from now on, or nothing.
+    /// Shows @p mesh, or nothing when null.
     void update(std::shared_ptr<const VoxelMesh> mesh);
 
     [[nodiscard]] vtkActor* actor() const { return m_actor; }

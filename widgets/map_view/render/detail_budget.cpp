@@ -6,7 +6,7 @@ namespace leitstand {
 
 void DetailBudget::drawn(std::size_t points, Seconds time) {
     if (points < Least || time <= Seconds::zero()) return;
-    // A single slow or quick frame says little: never change by more than a factor of two.
+    // A single slow or quick frame proves little: never change by more than a factor of two.
     const double change = std::clamp(m_frameTime / time, 0.5, 2.0);
     const bool limited = points >= m_points;
     if (change > 1.0 && !limited) return;

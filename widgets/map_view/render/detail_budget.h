@@ -5,7 +5,7 @@
 
 namespace leitstand {
 
-/// How many points may be drawn at once so that a frame takes about the time wanted; learns from each frame.
+/// Estimates how many points can be drawn in the wanted frame time; learns from each frame.
 class DetailBudget {
 public:
     using Seconds = std::chrono::duration<double>;

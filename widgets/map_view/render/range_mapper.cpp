@@ -1,5 +1,5 @@
 #include <vtk_glew.h>
-// glew comes before every other header that knows OpenGL.
+// glew must come before every other header that includes OpenGL.
 #include "widgets/map_view/render/range_mapper.h"
 
 #include <cstddef>
@@ -25,7 +25,7 @@ void RangeMapper::ComputeBounds() {
         data->GetPoints()->GetBounds(Bounds);
 }
 
-// VTK's own would need a cell for points, and four bytes for each in memory and where it is drawn.
+// VTK's own needs a cell for the points, and an index of four bytes per point in memory and in OpenGL.
 void RangeMapper::BuildIBO(vtkRenderer* /*renderer*/, vtkActor* /*actor*/, vtkPolyData* data) {
     Primitives[PrimitivePoints].IBO->IndexCount = static_cast<std::size_t>(data->GetNumberOfPoints());
 }

@@ -4,15 +4,14 @@
 
 namespace leitstand {
 
-/// Draws points of a poly data, which needs no cells, in the order in which they lie there: since that is
-/// random, any range of it is a fair sample, and ranges drawn one after another add up to the whole. Render
-/// thread only.
+/// Draws a range of the points of a poly data, in their order, without cells. Since that order is random, any
+/// range is a fair sample; consecutive ranges add up to the whole. Render thread only.
 class RangeMapper final : public vtkOpenGLPolyDataMapper {
 public:
     static RangeMapper* New();
     vtkTypeMacro(RangeMapper, vtkOpenGLPolyDataMapper);
 
-    /// The share of the points drawn next, as fractions of their number.
+    /// Sets the range of points drawn next, as fractions of their number.
     void setRange(double from, double to);
 
 protected:

@@ -13,20 +13,20 @@ namespace leitstand {
 
 class EglDisplay;
 
-/// The one thread in which VTK draws for all views of the process: VTK and EGL keep state per thread.
+/// The single thread on which VTK draws for all views of the process: VTK and EGL keep state per thread.
 class RenderThread {
 public:
     using Task = std::function<void(const Result<std::unique_ptr<EglDisplay>>& display)>;
 
-    /// The running thread, or a new one; it ends with its last owner.
+    /// Returns the running thread, or a new one. It ends with its last owner.
     [[nodiscard]] static std::shared_ptr<RenderThread> shared();
 
     RenderThread();
     /// Waits until all tasks are done.
     ~RenderThread();
 
-    /// Any thread. Tasks run one after another in this order, on the render thread, and are handed the
-    /// connection to EGL or the reason why there is none.
+    /// Any thread. Tasks run on the render thread, one after another, in the order posted. They receive the
+    /// connection to EGL, or the error when there is none.
     void post(Task task);
 
 private:

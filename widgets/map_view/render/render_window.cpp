@@ -1,5 +1,5 @@
 #include <vtk_glew.h>
-// glew comes before every other header that knows OpenGL.
+// glew must come before every other header that includes OpenGL.
 #include "widgets/map_view/render/render_window.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ bool RenderWindow::IsCurrent() {
 void RenderWindow::OpenGLInitContext() {
     ContextCreationTime.Modified();
     if (Initialized) return;
-    // Under EGL glew answers "no GLX display" although every entry point is loaded, and VTK would give up.
+    // Under EGL, glew reports "no GLX display" although every entry point is loaded, and VTK would fail.
     constexpr GLenum NoGlxDisplay = 4;
     glewExperimental = GL_TRUE;
     const GLenum answer = glewInit();
@@ -62,7 +62,7 @@ void RenderWindow::OpenGLInitContext() {
 }
 
 int RenderWindow::GetColorBufferSizes(int* rgba) {
-    std::fill_n(rgba, 4, 8);  // there is no default framebuffer that could be asked
+    std::fill_n(rgba, 4, 8);  // there is no default framebuffer to query
     return 32;
 }
 

@@ -8,17 +8,17 @@ namespace leitstand {
 
 class EglContext;
 
-/// VTK's window without a window: draws in an EGL context and is read back. Render thread only.
+/// An offscreen VTK window: draws in an EGL context and reads the result back. Render thread only.
 class RenderWindow final : public vtkGenericOpenGLRenderWindow {
 public:
     static RenderWindow* New();
     vtkTypeMacro(RenderWindow, vtkGenericOpenGLRenderWindow);
 
-    /// Draws in @p context from now on, which must outlive this window.
+    /// Draws in @p context, which must outlive this window.
     void start(const EglContext& context);
     /// Whether the context offers what VTK needs.
     [[nodiscard]] bool ready() const { return Initialized; }
-    /// What was drawn last, opaque; null when nothing was.
+    /// Returns the last frame, opaque; null if nothing was drawn.
     [[nodiscard]] QImage read();
 
     void MakeCurrent() override;

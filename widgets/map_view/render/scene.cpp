@@ -27,13 +27,12 @@ namespace leitstand {
 namespace {
 
 constexpr double PointSize = 2.0;  ///< [logical px]
-/// One that is overtaken soon. While a robot drives there are ten a second, beside all else that a
-/// station does.
+/// Drawing time of a picture that is replaced soon. While a robot drives there are ten per second.
 constexpr DetailBudget::Seconds QuickPicture(0.02);
-constexpr std::size_t Many = 40;              ///< scans; of more, a sample is drawn first
-constexpr std::size_t MostSampled = 300'000;  ///< points of it
-/// Of a map of many scans OpenGL holds no more than the sample and so many points: where it draws in software
-/// an hour's map would take 300 MB there.
+constexpr std::size_t Many = 40;              ///< scans; with more, a sample is drawn first
+constexpr std::size_t MostSampled = 300'000;  ///< points of that sample
+/// Most points of many scans that OpenGL holds besides the sample. With software rendering, a whole hour's
+/// map would take 300 MB.
 constexpr std::size_t MostAtOnce = 500'000;
 
 void addPlane(vtkPlaneCollection* planes, double height, double direction) {
@@ -67,7 +66,7 @@ bool alike(const SceneScan& a, const SceneScan& b) {
            a.poseInMap.matrix() == b.poseInMap.matrix();
 }
 
-/// Whether @p now shows what @p before does, and scans that came after them.
+/// Whether @p now shows the same as @p before, plus newer scans.
 bool continues(const SceneContent& before, const SceneContent& now) {
     return before.settings == now.settings && before.voxels == now.voxels &&
            before.scans.size() <= now.scans.size() &&
@@ -78,15 +77,15 @@ bool continues(const SceneContent& before, const SceneContent& now) {
 
 /// A scan that is to be seen.
 struct Seen {
-    std::size_t at = 0;  ///< in SceneContent::scans; of ghosts 0: they are in every picture
+    std::size_t at = 0;  ///< in SceneContent::scans; 0 for ghosts, which are in every picture
     const SceneScan* scan = nullptr;
 };
 
-/// A complete picture, in the frame buffer until something else is drawn.
+/// A complete picture, held in the frame buffer until something else is drawn.
 struct Whole {
     DrawOrder order;
-    std::size_t scans = 0;                 ///< that are in it, the first ones
-    double nearest = 0.0, farthest = 0.0;  ///< of its depths [m]
+    std::size_t scans = 0;                 ///< number of scans in it, the first ones
+    double nearest = 0.0, farthest = 0.0;  ///< its clipping range [m]
 };
 
 }  // namespace
@@ -94,21 +93,21 @@ struct Whole {
 struct Scene::State {
     using Clock = std::chrono::steady_clock;
 
-    std::unique_ptr<EglContext> context;  // outlives all that VTK has in it
+    std::unique_ptr<EglContext> context;  // outlives all VTK objects in it
     vtkNew<RenderWindow> window;
     vtkNew<vtkRenderer> renderer;
     SceneContentPtr content = std::make_shared<const SceneContent>();
-    std::vector<Seen> shown;     ///< of it
-    bool many = false;           ///< they are: the first pass draws a sample of them
-    std::vector<ScanActor> few;  ///< those shown, when they are not many
+    std::vector<Seen> shown;     ///< scans and ghosts of the content
+    bool many = false;           ///< too many are shown to draw each: the first pass draws a sample
+    std::vector<ScanActor> few;  ///< the shown scans when they are not many
     PointsActor sample;
-    double sampled = 1.0;  ///< the share of every scan's points that is in the sample
-    PointsActor some;      ///< of many scans, while the rest of their points is drawn
+    double sampled = 1.0;  ///< share of every scan's points that is in the sample
+    PointsActor some;      ///< points of many scans while the rest is drawn
     VoxelActor voxels;
-    /// Of the first pass, in which each scan that is drawn by itself costs something however few its points.
+    /// Budget of the first pass, in which each scan drawn by itself has a fixed cost.
     DetailBudget budget{QuickPicture};
-    DetailBudget refining;  ///< of a pass over some
-    bool fresh = true;      ///< the next pass also uploads, its time says nothing about points
+    DetailBudget refining;  ///< budget of a refining pass
+    bool fresh = true;      ///< the next pass also uploads: its time is not counted
     std::optional<Whole> whole;
 
     void choose();
@@ -122,7 +121,7 @@ struct Scene::State {
     void keep(const MapPicture& picture);
 };
 
-/// Which scans are to be seen, and whether the first pass draws them or a sample of them.
+/// Chooses the scans that are shown, and whether the first pass draws them or a sample of them.
 void Scene::State::choose() {
     const auto clip = clipPlanes(content->settings);
     shown.clear();
@@ -152,8 +151,8 @@ void Scene::State::choose() {
     some.setClip(clip);
 }
 
-/// Draws the share of every scan's points that can be drawn quickly, and returns it. Of many scans a sample
-/// is drawn instead: all of it where the picture is to be @p full.
+/// Draws as large a share of every scan's points as the budget allows, and returns it. Of many scans it draws
+/// a sample instead, the whole sample when @p full.
 double Scene::State::begin(bool full) {
     const Clock::time_point start = Clock::now();
     std::size_t all = sample.shownPoints();
@@ -172,15 +171,15 @@ double Scene::State::begin(bool full) {
     return share * sampled;
 }
 
-/// Draws the rest on top of what is there, of the @p first of those shown and the scans after it, some at a
-/// time; false when it was interrupted.
+/// Draws the points after share @p from on top of the picture, for the shown scans from the @p first on, some
+/// at a time. False when interrupted.
 bool Scene::State::refine(double from, std::size_t first, const std::function<bool()>& interrupted) {
     renderer->SetPreserveColorBuffer(true);
     renderer->SetPreserveDepthBuffer(true);
     for (ScanActor& scan : few) scan.points().setVisible(false);
     sample.setVisible(false);
     const bool hasVoxels = voxels.actor()->GetVisibility() != 0;
-    voxels.actor()->VisibilityOff();  // are there already
+    voxels.actor()->VisibilityOff();  // already drawn
     const bool done = many ? refineMany(from, first, interrupted) : refineFew(from, first, interrupted);
     for (ScanActor& scan : few) scan.points().setVisible(true);
     sample.setVisible(many);
@@ -227,15 +226,15 @@ bool Scene::State::refineMany(double from, std::size_t first, const std::functio
     return next >= shown.size();
 }
 
-/// Draws what is visible now, @p points that were made ready from @p since on.
+/// Draws the visible points. The budget learns from @p points and the time since @p since.
 void Scene::State::drawSome(std::size_t points, Clock::time_point since) {
     window->Render();
     window->WaitForCompletion();
     refining.drawn(points, Clock::now() - since);
 }
 
-/// Whether a whole picture is there, seen as @p order says, on top of which the scans that came since can be
-/// drawn: their depths are among those that it can tell.
+/// Whether newer scans can be drawn on top of a whole picture of @p order. Their depths must lie within its
+/// clipping range.
 bool Scene::State::canContinue(const DrawOrder& order) {
     if (!whole || !order.full || whole->order != order) return false;
     vtkCamera* camera = renderer->GetActiveCamera();
@@ -252,14 +251,14 @@ bool Scene::State::canContinue(const DrawOrder& order) {
     return true;
 }
 
-/// Draws the scans that came since the whole picture on top of it; false when it was interrupted.
+/// Draws the scans that are newer than the whole picture on top of it; false when interrupted.
 bool Scene::State::continueWhole(const std::function<bool()>& interrupted) {
     const auto first = std::partition_point(shown.begin(), shown.end(),
                                             [this](const Seen& one) { return one.at < whole->scans; });
     return refine(0.0, static_cast<std::size_t>(first - shown.begin()), interrupted);
 }
 
-/// Notes whether the frame buffer holds a whole picture.
+/// Records whether the frame buffer holds a whole picture.
 void Scene::State::keep(const MapPicture& picture) {
     whole.reset();
     if (!picture.complete || !picture.order.full) return;

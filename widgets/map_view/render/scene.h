@@ -13,12 +13,12 @@ namespace leitstand {
 
 class EglDisplay;
 
-/// What a picture shall look like.
+/// The request for a picture.
 struct DrawOrder {
     MapCamera camera;
     QSize size;               ///< logical pixels
     double pixelRatio = 1.0;  ///< device pixels in a logical one
-    bool full = true;         ///< all points; else as many as can be drawn quickly
+    bool full = true;         ///< all points; else as many as the budget allows
 
     bool operator==(const DrawOrder&) const = default;
 };
@@ -31,14 +31,15 @@ struct MapPicture {
     bool complete = false;  ///< every point of the content was drawn
 };
 
-/// What one view draws with VTK, in an OpenGL context of its own. Render thread only.
+/// Draws one view with VTK, in an OpenGL context of its own. Render thread only.
 class Scene {
 public:
     [[nodiscard]] static Result<std::unique_ptr<Scene>> create(const EglDisplay& display);
     ~Scene();
 
     void setContent(SceneContentPtr content);
-    /// Draws; a full picture is refined in steps and ends early, incomplete, when @p interrupted says so.
+    /// Draws a picture. A full one is refined in steps, and ends early and incomplete when @p interrupted
+    /// returns true.
     [[nodiscard]] MapPicture draw(const DrawOrder& order, const std::function<bool()>& interrupted);
 
 private:

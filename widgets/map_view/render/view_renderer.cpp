@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// What the GUI and the render thread share. It lives until both have let go of it.
+/// State shared by the GUI and the render thread. It lives until both have released it.
 struct ViewRenderer::Shared {
     std::mutex mutex;  // guards all but the scene
     Callbacks callbacks;

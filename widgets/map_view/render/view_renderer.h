@@ -10,13 +10,13 @@ namespace leitstand {
 
 class RenderThread;
 
-/// One view's side of the render thread. GUI thread; never waits for the render thread except in drawNow().
+/// The interface of one view to the render thread. GUI thread; waits for the render thread only in drawNow().
 class ViewRenderer {
 public:
     /// Called on the render thread, never after the destructor has returned.
     struct Callbacks {
         std::function<void(MapPicture)> onPicture;
-        std::function<void(std::string)> onFailure;  ///< nothing will ever be drawn, once
+        std::function<void(std::string)> onFailure;  ///< called once: nothing will ever be drawn
     };
 
     explicit ViewRenderer(Callbacks callbacks);
@@ -24,11 +24,12 @@ public:
     ViewRenderer(const ViewRenderer&) = delete;
     ViewRenderer& operator=(const ViewRenderer&) = delete;
 
-    /// What is drawn from now on; the newest wins.
+    /// Sets the content to draw; the newest wins.
     void setContent(SceneContentPtr content);
-    /// Asks for a picture; the newest order wins, a picture under way is cut short.
+    /// Requests a picture. The newest order wins; a picture in progress is interrupted.
     void draw(const DrawOrder& order);
-    /// A complete picture of the newest content, without calling back; empty when drawing is impossible.
+    /// Returns a complete picture of the newest content, without a callback; empty when drawing is
+    /// impossible.
     [[nodiscard]] MapPicture drawNow(DrawOrder order);
 
 private:

@@ -10,10 +10,10 @@ namespace leitstand {
 namespace {
 
 constexpr double BehindPitch = degrees(28), BehindDistance = 4.5, AboveDistance = 9.0;
-constexpr double Ahead = 0.18;  ///< of the distance: more is seen before the robot than behind it
+constexpr double Ahead = 0.18;  ///< share of the distance: more is seen ahead of the robot than behind it
 constexpr double Up = 0.3;      ///< focus above the robot's base [m]
-constexpr double Jump = 3.0;    ///< farther the camera does not glide [m]
-/// Where it begins to move, and where it has arrived: [m], [rad].
+constexpr double Jump = 3.0;    ///< over longer distances the camera jumps [m]
+/// Offsets at which it starts to move, and at which it has arrived [m], [rad].
 constexpr double StartDistance = 0.01, StartAngle = degrees(0.4), EndDistance = 0.002,
                  EndAngle = degrees(0.05);
 
@@ -72,7 +72,7 @@ void FollowCamera::adjust(const MapCamera& camera) {
     m_distance *= camera.distance / m_camera.distance;
     m_pitch = std::clamp(m_pitch, degrees(-10), degrees(90));
     m_distance = std::clamp(m_distance, 1.0, 60.0);
-    // At once: a hand on the mouse expects no lag.
+    // Without lag: the operator moves it directly.
     const MapCamera target = wanted();
     m_camera.yaw = target.yaw;
     m_camera.pitch = target.pitch;

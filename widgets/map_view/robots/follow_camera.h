@@ -8,20 +8,20 @@
 
 namespace leitstand {
 
-/// A camera that goes with a robot, its heading up, smoothly. It stands still while the robot stands: a full
-/// picture can be drawn then.
+/// A camera that follows a robot smoothly, with the robot's heading up. It rests while the robot stands, so
+/// that a full picture can be drawn.
 class FollowCamera {
 public:
-    /// Begins anew: @p parallel as in the top look, which always sees from above.
+    /// Starts following. @p parallel: the projection of the top look, which always looks from above.
     void start(MapFollow how, bool parallel);
-    /// Whether it knows where the robot is.
+    /// Whether the robot's pose is known.
     [[nodiscard]] bool aimed() const { return m_aimed; }
-    /// The robot is at @p baseInMap now, @p seconds after the last call; jumps there at first and when it is
-    /// far away. Returns whether the camera moved.
+    /// Follows the robot to @p baseInMap, @p seconds after the last call [s]. Jumps there at first and over
+    /// long distances. Returns whether the camera moved.
     bool aim(const Pose& baseInMap, double seconds);
     [[nodiscard]] const MapCamera& camera() const { return m_camera; }
 
-    /// The operator turned it or changed its distance, to @p camera: it keeps that.
+    /// Keeps the direction and distance of @p camera, to which the operator moved it.
     void adjust(const MapCamera& camera);
 
     static constexpr double Lag = 0.25;  ///< [s]
@@ -31,7 +31,7 @@ private:
 
     Pose m_robot = Pose::Identity();
     MapCamera m_camera;
-    double m_yaw = 0.0;  ///< against the robot's heading [rad]
+    double m_yaw = 0.0;  ///< relative to the robot's heading [rad]
     double m_pitch = 0.0, m_distance = 5.0;
     bool m_parallel = false, m_aimed = false, m_moving = false;
 };

@@ -18,7 +18,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double SmallestBody = 13.0;  ///< half of a body's length on screen; below it is an arrow [px]
+constexpr double SmallestBody = 13.0;  ///< half a body's length on screen; smaller robots become arrows [px]
 constexpr double ArrowSize = 11.0, BadgeSize = 18.0, TargetSize = 9.0;  ///< [px]
 constexpr double GoalAhead = 0.45;                                      ///< length of a goal's heading [m]
 
@@ -90,7 +90,7 @@ void paintBody(QPainter& painter, const MapProjection& projection, const RobotMa
     }
 }
 
-/// Half of the body's length on screen [px].
+/// Returns half of the body's length on screen [px].
 double sizeOnScreen(const MapProjection& projection, const RobotMark& robot) {
     const auto at = projection.project(robot.baseInMap.translation());
     if (!at) return 0.0;
@@ -139,7 +139,7 @@ void paintBadge(QPainter& painter, const MapProjection& projection, const RobotM
                 const OverlayStyle& style) {
     auto top = seen(projection, robot.baseInMap * Eigen::Vector3d(0, 0, robot.height));
     if (!top) return;
-    // Above all of it: from above the body's arrow shall be seen.
+    // Above the whole body, so that its arrow stays visible from above.
     for (const Eigen::Vector2d& corner : robot.footprint) {
         const auto at = seen(projection, robot.baseInMap * Eigen::Vector3d(corner.x(), corner.y(), 0.0));
         if (at) top->setY(std::min(top->y(), at->y()));
@@ -170,7 +170,7 @@ void paintGoal(QPainter& painter, const MapProjection& projection, const RobotMa
     if (!at || !ahead) return;
     const QColor colour = colourOf(robot, style);
     painter.setBrush(Qt::NoBrush);
-    // A dark line below makes it seen on every colour of the map.
+    // A dark line below makes it visible on every map colour.
     for (const QPen& pen : {QPen(asColour(style.colours.background), 4.0), QPen(colour, 2.0)}) {
         QPen line = pen;
         painter.setPen(line);
@@ -198,8 +198,8 @@ void paintRobot(QPainter& painter, const MapProjection& projection, const RobotM
     paintBadge(painter, projection, robot, large ? 6.0 : ArrowSize, style);
 }
 
-/// A line is drawn and left out by turns, so far [px]; it is drawn all along where nothing is left out. What
-/// is drawn is a pen's width longer.
+/// A dash pattern: lengths drawn and left out [px]. With nothing left out, the line is solid. The pen adds
+/// its width to each dash.
 struct Dashes {
     double drawn, out;
 };
@@ -215,7 +215,7 @@ Dashes dashesOf(const RobotMark& robot) {
     }
 }
 
-/// Adds what is drawn of the line, which begins @p along the way, to @p lines.
+/// Adds the dashes of @p line to @p lines. @p along: length of the trail before the line [px].
 void addDashed(QVector<QLineF>& lines, const QLineF& line, double along, const Dashes& dashes) {
     const double length = line.length();
     if (dashes.out == 0.0) {
@@ -229,11 +229,11 @@ void addDashed(QVector<QLineF>& lines, const QLineF& line, double along, const D
     }
 }
 
-/// Where @p robot has been, on screen; a way that was driven before is there once. Short lines are painted in
-/// a fraction of the time that a path takes.
+/// Returns where @p robot has been, on screen. A path driven twice is drawn once. Short lines paint in a
+/// fraction of the time of a QPainterPath.
 QVector<QLineF> trailOf(const RobotMark& robot, const MapProjection& projection) {
     constexpr double LeastStep = 2.0, Beside = 2.0;  // [px]
-    constexpr double Longest = 4000.0;               // of which most is outside: it is not dashed [px]
+    constexpr double Longest = 4000.0;  // longer lines lie mostly outside: they are not dashed [px]
     PaintedCells painted(projection.size(), Beside);
     QVector<QLineF> lines;
     std::optional<QPointF> last;

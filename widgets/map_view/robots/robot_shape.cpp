@@ -12,7 +12,8 @@ namespace {
 
 using Facets = std::vector<RobotFacet>;
 
-/// How light a side is that faces outward: from above most, from behind least.
+/// Returns the brightness of a side with normal @p outward: greatest from above, then from ahead and from the
+/// left.
 double lightOf(const Eigen::Vector3d& outward) {
     return 0.72 + 0.28 * outward.z() + 0.10 * outward.x() + 0.06 * outward.y();
 }
@@ -43,7 +44,7 @@ Eigen::AlignedBox3d boxOf(double x0, double x1, double y0, double y1, double z0,
     return {Eigen::Vector3d(x0, y0, z0), Eigen::Vector3d(x1, y1, z1)};
 }
 
-/// Chains: one long piece a side. Wheels: three a side.
+/// Adds one long chain per side, or three wheels per side.
 void addGear(Facets& facets, const Eigen::AlignedBox2d& plan, double width, double height, bool tracked) {
     const double length = plan.sizes().x(), wheel = std::min(height, 0.28 * length);
     for (const double y : {plan.min().y(), plan.max().y() - width}) {

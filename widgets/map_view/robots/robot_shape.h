@@ -9,7 +9,7 @@ namespace leitstand {
 
 struct RobotMark;
 
-/// What a facet of a robot is part of.
+/// The part of a robot that a facet belongs to.
 enum class RobotPart : std::uint8_t { Gear, Body, Mast, Arrow };
 
 /// A flat piece of a robot's outside.
@@ -17,11 +17,11 @@ struct RobotFacet {
     std::vector<Eigen::Vector3d> corners;  ///< base_link, counter-clockwise from outside [m]
     Eigen::Vector3d outward = Eigen::Vector3d::UnitZ();
     RobotPart part = RobotPart::Body;
-    double light = 1.0;  ///< share of the part's colour
+    double light = 1.0;  ///< brightness, as a share of the part's colour
 };
 
-/// A robot as a sign that is told from others: a low body as large as its footprint, wheels or chains beside
-/// it, a mast up to its height, and an arrow on top that points ahead.
+/// Returns the facets of a robot as a recognisable symbol. It has a low body as large as its footprint,
+/// wheels or chains, a mast of the robot's height, and an arrow on top that points ahead.
 [[nodiscard]] std::vector<RobotFacet> robotFacets(const RobotMark& robot);
 
 }  // namespace leitstand

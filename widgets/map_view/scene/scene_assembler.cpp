@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::milliseconds PartInterval(150);
 
-/// Of all points of @p scan, the @p index -th of @p content, where the scan decides their colour.
+/// Returns the colour of all points of @p scan, the @p index -th of @p content, when the scan decides it.
 Rgba colourOf(const SceneScan& scan, std::size_t index, const SceneContent& content) {
     switch (content.settings.colouring) {
         case MapColouring::Robot:
@@ -32,7 +32,7 @@ Rgba colourOf(const SceneScan& scan, std::size_t index, const SceneContent& cont
     return {};
 }
 
-/// How the points of @p scan, the @p index -th of @p content, are drawn; it has them.
+/// Returns how the points of @p scan, the @p index -th of @p content, are drawn. Its points must be ready.
 PointCloudLook lookOf(const SceneScan& scan, std::size_t index, const SceneContent& content) {
     const MapViewSettings& settings = content.settings;
     const bool inQuestion = scan.uncertain && scan.id == content.inQuestion;
@@ -57,7 +57,7 @@ PointCloudLook lookOf(const SceneScan& scan, std::size_t index, const SceneConte
     return lookOf(*scan.points, paint, content.withCeiling(), scan.uncertain && !inQuestion);
 }
 
-/// How points are drawn that are shown beside the map, all in @p colour.
+/// Returns the look of points shown besides the map, all in @p colour.
 PointCloudLook plainLookOf(const SceneScan& scan, const MapViewSettings& settings, Rgba colour) {
     PointPaint paint;
     paint.theme = settings.theme;
@@ -66,8 +66,8 @@ PointCloudLook plainLookOf(const SceneScan& scan, const MapViewSettings& setting
     return lookOf(*scan.points, paint, settings.withCeiling(), false);
 }
 
-/// What of @p changes is new, or what is gone: as points of little cubes, so that it stands out of the points
-/// of the scans that saw it.
+/// Returns the new or the gone things of @p changes as points of small cubes. They stand out from the points
+/// of the scans that saw them.
 ScanPtr cubesOf(const MapChanges& changes, bool isNew) {
     constexpr float Half = 0.04F;  // of a cube [m]
     auto cubes = std::make_shared<Scan>();
@@ -86,7 +86,8 @@ ScanPtr cubesOf(const MapChanges& changes, bool isNew) {
     return cubes;
 }
 
-/// When @p scan came in: by the station's clock, else by its robot's; epoch: nobody knows.
+/// Returns when @p scan was received, on the station's clock, or else when it was taken, on its robot's
+/// clock. Epoch: unknown.
 Time timeOf(const MapScan& scan) {
     return scan.entered != Time{} ? scan.entered : scan.scan->end;
 }
@@ -106,7 +107,7 @@ void addAges(const Map& map, SceneContent& content) {
     }
 }
 
-/// Where @p robot is in @p robots; added where it is not.
+/// Returns the index of @p robot in @p robots; adds it if it is missing.
 std::size_t placeOf(const std::string& robot, std::vector<SceneRobot>& robots) {
     const auto known =
         std::find_if(robots.begin(), robots.end(), [&](const SceneRobot& one) { return one.name == robot; });

@@ -15,12 +15,12 @@
 
 namespace leitstand {
 
-/// What shall be shown.
+/// The request for a scene.
 struct SceneOrder {
     std::uint64_t number = 0;
     MapPtr map;                                 ///< null: nothing
     std::vector<bool> scanIsVisible;            ///< scans beyond the end are visible
-    std::uint64_t highlighted = 0;              ///< MapScan::id of the scan that stands out; 0: none
+    std::uint64_t highlighted = 0;              ///< MapScan::id of the highlighted scan; 0: none
     std::map<std::uint64_t, Pose> ghosts;       ///< MapView::setGhosts() ...
     bool dragged = false;                       ///< ... or MapView::setDragged()
     std::shared_ptr<const MapChanges> changes;  ///< MapView::setChanges(); null: none are shown
@@ -28,16 +28,16 @@ struct SceneOrder {
     std::vector<SceneRobot> robots;  ///< of the team
 };
 
-/// Makes what is drawn out of a map, and keeps what can be used again. One thread.
+/// Makes the drawn content of a map, and keeps what can be reused. One thread.
 class SceneAssembler {
 public:
-    /// The content for @p order, or null when @p interrupted said to stop. @p onPart is handed what is ready
-    /// of it from time to time.
+    /// Returns the content for @p order, or null when @p interrupted returned true. Calls @p onPart from time
+    /// to time with the part that is ready.
     [[nodiscard]] SceneContentPtr assemble(const SceneOrder& order, const std::function<bool()>& interrupted,
                                            const std::function<void(SceneContentPtr)>& onPart);
 
 private:
-    /// A scan made ready, and what that depended on.
+    /// A scan made ready, and the settings it depends on.
     struct Ready {
         ScanPtr scan;
         double minRange = 0.0, maxRange = 0.0;
@@ -50,8 +50,8 @@ private:
     void addChanges(SceneContent& content, const SceneOrder& order);
     [[nodiscard]] bool addVoxels(SceneContent& content, const std::function<bool()>& interrupted);
 
-    std::unordered_map<const Scan*, Ready> m_ready;  ///< which hold the scans
-    std::shared_ptr<const MapChanges> m_changed;     ///< of which these are, new things and gone ones:
+    std::unordered_map<const Scan*, Ready> m_ready;  ///< owns the scans
+    std::shared_ptr<const MapChanges> m_changed;     ///< changes that m_changedPoints are made of
     std::array<ScanPointsPtr, 2> m_changedPoints;
     VoxelRecipe m_recipe;
     std::shared_ptr<const VoxelMesh> m_voxels;

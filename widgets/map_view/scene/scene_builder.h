@@ -13,13 +13,13 @@ namespace leitstand {
 /// The worker that makes maps ready for drawing. Any thread; the newest order wins.
 class SceneBuilder {
 public:
-    /// @p onContent is called on the worker's thread, with parts of the content first when there is much to
+    /// @p onContent is called on the worker's thread; with parts of the content first when there is much to
     /// do.
     explicit SceneBuilder(std::function<void(SceneContentPtr)> onContent);
     ~SceneBuilder();
 
     void submit(SceneOrder order);
-    /// Waits for the whole content of the order submitted last.
+    /// Waits for the whole content of the last order, and returns it.
     [[nodiscard]] SceneContentPtr finished();
 
 private:
@@ -28,8 +28,8 @@ private:
     std::function<void(SceneContentPtr)> m_onContent;
     std::mutex m_mutex;
     std::condition_variable_any m_changed;
-    std::optional<SceneOrder> m_order;  ///< not yet begun
-    std::uint64_t m_newest = 0;         ///< number of the order submitted last
+    std::optional<SceneOrder> m_order;  ///< not yet started
+    std::uint64_t m_newest = 0;         ///< number of the last order
     SceneContentPtr m_done = std::make_shared<const SceneContent>();
     std::jthread m_thread;  // last member: joined first
 };

@@ -20,13 +20,13 @@ namespace leitstand {
 /// A scan as it is drawn.
 struct SceneScan {
     std::string name;
-    std::string robot;        ///< that took it
+    std::string robot;        ///< the robot that took it
     std::size_t robotAt = 0;  ///< in SceneContent::robots
     Time entered{};           ///< MapScan::entered
-    double age = 0.0;         ///< of its coming in, since the first scan's: SceneContent::ages says in what
+    double age = 0.0;         ///< since the first scan; in the unit of SceneContent::ages
     std::uint64_t id = 0;     ///< MapScan::id
     bool uncertain = false;
-    Pose poseInMap = Pose::Identity();  ///< the one shown: registered or guessed
+    Pose poseInMap = Pose::Identity();  ///< the pose shown: registered or guessed
     bool visible = true;
     ScanPointsPtr points;                ///< null until made ready
     std::optional<PointCloudLook> look;  ///< empty until made ready, and while voxels are shown
@@ -40,40 +40,40 @@ struct VoxelMesh {
     std::size_t voxels = 0;
 };
 
-/// A robot as a map's colours and legend have it.
+/// A robot as the map's colours and legend show it.
 struct SceneRobot {
     std::string name, title;
-    int place = -1;           ///< in the team: chooses its colour; negative: it is none of it
+    int place = -1;           ///< in the team, selects its colour; negative: not in the team
     std::string letter = {};  ///< may be empty
 
     bool operator==(const SceneRobot&) const = default;
 };
 
-/// What SceneScan::age counts.
+/// The unit of SceneScan::age.
 enum class SceneAges : std::uint8_t {
     Minutes,
-    Scans,  ///< in their order: nobody told times
+    Scans,  ///< order of the scans, when times are unknown
 };
 
-/// All that a picture of the map shows, but for the camera. Immutable once shared.
+/// Everything that a picture of the map shows, except the camera. Immutable once shared.
 struct SceneContent {
     std::uint64_t order = 0;  ///< number of the SceneOrder this answers
     bool complete = true;     ///< false while scans are still being made ready
     MapViewSettings settings;
     std::vector<SceneScan> scans;  ///< as in Map::scans
-    /// Drawn beside the map: scans where they might come to stand, what came and what went.
+    /// Drawn besides the map: scans at poses they might get, new things and gone things.
     std::vector<SceneScan> ghosts;
-    bool moves = false;                       ///< some of them are scans that might move ...
+    bool moves = false;                       ///< some ghosts are scans that might move ...
     bool dragged = false;                     ///< ... as the operator drags them
-    bool changes = false;                     ///< what changed is shown: all else is dimmed()
-    std::shared_ptr<const VoxelMesh> voxels;  ///< only in that look
-    std::vector<SceneRobot> robots;           ///< that took the scans, and others of the team
+    bool changes = false;                     ///< changes are shown: all else is dimmed()
+    std::shared_ptr<const VoxelMesh> voxels;  ///< only in the voxel look
+    std::vector<SceneRobot> robots;           ///< robots that took the scans, and others of the team
     SceneAges ages = SceneAges::Minutes;
-    std::uint64_t inQuestion = 0;         ///< id of the uncertain scan that is decided on; 0: none
-    std::optional<ColourRamp> ramp;       ///< when coloured by a number
+    std::uint64_t inQuestion = 0;         ///< id of the uncertain scan to be decided on; 0: none
+    std::optional<ColourRamp> ramp;       ///< set when coloured by a number
     std::vector<Eigen::Vector3d> places;  ///< what a camera should frame, in the map's frame [m]
 
-    /// Ceilings would hide what changed, too.
+    /// Whether ceilings are drawn. They would also hide changes.
     [[nodiscard]] bool withCeiling() const { return settings.withCeiling() && !changes; }
 };
 using SceneContentPtr = std::shared_ptr<const SceneContent>;

@@ -6,7 +6,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::size_t AtATime = 8;  ///< points of a scan before the next scan's come
+constexpr std::size_t AtATime = 8;  ///< points taken from a scan before the next scan
 
 }  // namespace
 
@@ -15,7 +15,7 @@ SceneSample sampleOf(const std::vector<SceneScan>& scans, std::size_t most,
     struct Taken {
         const SceneScan* scan;
         ShownPoints points;
-        std::size_t count;  ///< that are still to be taken
+        std::size_t count;  ///< points still to be taken
     };
     std::vector<Taken> shown;
     std::size_t all = 0;

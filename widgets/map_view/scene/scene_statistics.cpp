@@ -8,10 +8,10 @@ namespace leitstand {
 namespace {
 
 constexpr std::size_t SampleSize = 30'000;
-constexpr double LeastAgeStep = 0.1;   ///< of the end of a ramp of ages [min]
-constexpr double MostAgeSteps = 16.0;  ///< in a ramp: so much is newest as it looks
+constexpr double LeastAgeStep = 0.1;   ///< step to which the end of a ramp of ages is rounded [min]
+constexpr double MostAgeSteps = 16.0;  ///< most steps in a ramp of ages
 
-/// The value below which a share of @p values lies; reorders them.
+/// Returns the value below which a share of @p values lies; reorders them.
 double quantile(std::vector<double>& values, double share) {
     const auto index = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + index, values.end());
@@ -84,7 +84,7 @@ SceneStatistics statisticsOf(const SceneContent& content) {
 }
 
 std::vector<Eigen::Vector3d> filledPlaces(const SceneStatistics& sample) {
-    constexpr double Stray = 0.01;  ///< share of the points that does not count: those in the emptiest places
+    constexpr double Stray = 0.01;  ///< share of the points left out: those in the emptiest places
     std::vector<Place> places = occupiedPlaces(sample.points);
     std::stable_sort(places.begin(), places.end(),
                      [](const Place& a, const Place& b) { return a.points < b.points; });

@@ -12,7 +12,7 @@ namespace {
 /// One side of a cube: outward direction and two axes along it, u x v = outward.
 struct Side {
     Eigen::Array3i outward, u, v;
-    double light;  ///< of a sun from above and behind the first scan's right shoulder
+    double light;  ///< brightness under a sun from above, behind and right of the first scan
 };
 
 const std::array<Side, 6>& sides() {
@@ -27,10 +27,11 @@ const std::array<Side, 6>& sides() {
     return all;
 }
 
-/// How much light reaches a corner with @p neighbours (0 to 3) of the cubes around it occupied.
+/// Share of light that reaches a corner with 0 to 3 occupied cubes around it.
 constexpr std::array<double, 4> CornerLight = {1.0, 0.86, 0.74, 0.62};
 
-/// A little light more or less, so that cubes of one colour in one plane can be counted.
+/// Returns a brightness that varies slightly by cell, so that cubes of one colour in one plane can be
+/// counted.
 double grain(const Eigen::Array3i& cell) {
     const auto at = [&cell](int axis) { return static_cast<std::uint32_t>(cell[axis]); };
     std::uint32_t hash = (at(0) * 73'856'093U) ^ (at(1) * 19'349'663U);
@@ -65,7 +66,7 @@ Rgba colourOf(const Voxel& voxel, double height, const VoxelRecipe& recipe) {
     return recipe.inQuestion || recipe.changes ? dimmed(plain, recipe.theme) : plain;
 }
 
-/// The voxels that hold @p points of the map; null: none.
+/// Returns the voxels that hold @p points (map's frame); none when null.
 VoxelTable voxelsOf(const ScanPointsPtr& points, double size) {
     VoxelTable table(size);
     if (!points) return table;
@@ -73,7 +74,8 @@ VoxelTable voxelsOf(const ScanPointsPtr& points, double size) {
     return table;
 }
 
-/// @p number: of the source in the recipe.
+/// Adds the points of @p source to @p table; false when interrupted. @p number: index of the source in the
+/// recipe.
 bool fill(VoxelTable& table, const VoxelSource& source, std::uint32_t number, const VoxelRecipe& recipe,
           const std::function<bool()>& interrupted) {
     constexpr std::size_t PointsBetweenLooks = 1U << 16U;
@@ -96,7 +98,7 @@ bool fill(VoxelTable& table, const VoxelSource& source, std::uint32_t number, co
     return true;
 }
 
-/// Lays the faces of one cube that are not hidden by neighbours into the mesh.
+/// Writes the faces of cubes into the mesh, except those that neighbours hide.
 class MeshWriter {
 public:
     MeshWriter(const VoxelTable& table, double size, VoxelMesh& mesh)
@@ -122,7 +124,7 @@ private:
             m_mesh.colours.push_back(
                 shaded(colour, light * CornerLight[static_cast<std::size_t>(neighbours[i])]));
         }
-        // Split along the brighter diagonal, else the shade of a corner would run across the face.
+        // Split along the brighter diagonal; otherwise the shade of a corner runs across the face.
         const bool turned = neighbours[0] + neighbours[2] > neighbours[1] + neighbours[3];
         for (const int offset : turned ? std::array{1, 2, 3, 1, 3, 0} : std::array{0, 1, 2, 0, 2, 3}) {
             m_mesh.triangles.push_back(first + offset);

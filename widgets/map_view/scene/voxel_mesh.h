@@ -9,18 +9,18 @@
 
 namespace leitstand {
 
-/// One scan's points on their way into voxels.
+/// One scan's points as input of the voxels.
 struct VoxelSource {
     ScanPointsPtr points;
     Eigen::Matrix4d poseInMap;
     std::size_t scan = 0;  ///< position in the map
-    Rgba colour = {};      ///< where the scan decides that
+    Rgba colour = {};      ///< used when the scan decides the colour
     bool uncertain = false;
 
     bool operator==(const VoxelSource&) const = default;
 };
 
-/// All that decides how voxels look.
+/// Everything that determines the look of voxels.
 struct VoxelRecipe {
     std::vector<VoxelSource> sources;
     double size = 0.1;  ///< edge [m]
@@ -30,18 +30,17 @@ struct VoxelRecipe {
     bool withCeiling = true;
     Theme theme = Theme::Dark;
     std::optional<std::size_t> inQuestion =
-        {};                              ///< the uncertain scan that is decided on, as VoxelSource::scan
-    bool changes = false;                ///< what changed is shown: all else is dimmed()
-    ScanPointsPtr came = {}, went = {};  ///< in the map's frame; null: none
+        {};                              ///< the uncertain scan to be decided on, as VoxelSource::scan
+    bool changes = false;                ///< changes are shown: all else is dimmed()
+    ScanPointsPtr came = {}, went = {};  ///< new and gone things, in the map's frame [m]; null: none
 
     bool operator==(const VoxelRecipe&) const = default;
 };
 
-/// Cubes around all points within the recipe's heights. A cube has the colour of most of its points (label,
-/// scan, robot, age), of its height or of their mean range or intensity; its faces are shaded by their
-/// direction and darker in corners, so that they can be told apart. Those in which only uncertain scans have
-/// points have their colour, and those where something came or went have that of it. Nothing when @p
-/// interrupted said to stop.
+/// Builds cubes around all points within the recipe's heights. A cube has the colour of most of its points
+/// (label, scan, robot, age), of its height, or of their mean range or intensity. To keep faces apart, they
+/// are shaded by direction and darker in corners. Cubes that only uncertain scans see have the colour of
+/// those. Cubes of new and gone things have the colours of these. Empty when @p interrupted returned true.
 [[nodiscard]] std::optional<VoxelMesh> buildVoxels(const VoxelRecipe& recipe,
                                                    const std::function<bool()>& interrupted);
 

@@ -13,7 +13,7 @@ constexpr std::uint64_t AxisMask = (std::uint64_t{1} << AxisBits) - 1;
 
 Label Voxel::majority() const {
     const auto most = std::max_element(labels.begin() + 1, labels.end());
-    if (*most == 0) return Label::Unlabelled;  // a label, however rare, says more than none
+    if (*most == 0) return Label::Unlabelled;  // any label, however rare, wins over none
     return static_cast<Label>(most - labels.begin());
 }
 

@@ -11,22 +11,22 @@
 
 namespace leitstand {
 
-/// What is known about one occupied voxel.
+/// The data of one occupied voxel.
 struct Voxel {
     std::uint64_t key = 0;
     std::array<std::uint32_t, LabelCount> labels{};  ///< points per label
-    float valueSum = 0.0F;                           ///< of range [m] or shade
+    float valueSum = 0.0F;                           ///< sum of ranges [m] or shades
     std::uint32_t points = 0;                        ///< 0: a free slot of the table
-    bool certain = false;                            ///< a scan that fits has a point in it
-    std::uint32_t scan = 0, votes = 0;  ///< which source has most points (Boyer and Moore's vote)
+    bool certain = false;                            ///< a point of a certain scan lies in it
+    std::uint32_t scan = 0, votes = 0;  ///< source with most points (Boyer and Moore's majority vote)
 
     [[nodiscard]] Label majority() const;
 };
 
-/// Occupied voxels by their place: a hash table of its own, since millions of points go in.
+/// A hash table of occupied voxels by cell, made for millions of points.
 class VoxelTable {
 public:
-    /// Cubes of edge @p size [m].
+    /// @p size: edge of a voxel [m].
     explicit VoxelTable(double size);
 
     void add(const Eigen::Vector3f& pointInMap, Label label, float value, std::uint32_t scan,
@@ -49,7 +49,7 @@ private:
     void grow();
 
     float m_cellsPerMetre;
-    std::vector<Voxel> m_slots;  ///< a power of two, at most half full
+    std::vector<Voxel> m_slots;  ///< size is a power of two, at most half full
     std::size_t m_used = 0;
 };
 

@@ -17,7 +17,7 @@ namespace {
 using Kind = VictimSample::Kind;
 constexpr double Radius = 12.0, CandidateRadius = 8.0, ChosenRadius = 18.0;  // [px]
 
-/// Okabe & Ito's colours, told apart by all; shapes say the same.
+/// Returns one of Okabe & Ito's colours, which everybody can distinguish. Shapes have the same meaning.
 QColor colourOf(const VictimRow& find) {
     if (!find.filed()) return {0xCC, 0x79, 0xA7};
     switch (find.find.first) {
@@ -63,7 +63,7 @@ QPainterPath outline(const VictimRow& find, const QPointF& at) {
     return path;
 }
 
-/// From a mark that stands aside to what it marks.
+/// Paints a line from a mark that moved aside to its place.
 void paintLeader(QPainter& painter, const QPointF& place, const QPointF& mark, const QColor& colour,
                  const OverlayStyle& style) {
     for (const QPen& pen : {QPen(asColour(style.colours.background), 4.0), QPen(colour, 2.0)}) {
@@ -104,7 +104,7 @@ void paintVictims(QPainter& painter, const MapProjection& projection, const std:
                   const std::optional<FindKey>& chosen, const OverlayStyle& style) {
     const auto isChosen = [&](const VictimRow& find) { return find.filed() && chosen == find.find; };
     const auto rankOf = [&](const VictimRow& find) { return isChosen(find) ? 0 : find.filed() ? 1 : 2; };
-    // What matters most stands where it is, and lies on top.
+    // The most important marks keep their places and lie on top.
     std::vector<const VictimRow*> seen;
     for (const VictimRow& find : finds) {
         if (projection.project(find.inMap)) seen.push_back(&find);

@@ -12,9 +12,9 @@ namespace leitstand {
 class MapProjection;
 struct OverlayStyle;
 
-/// Paints finds with their names, the chosen one last and ringed: victims are discs, hazards diamonds, codes
-/// squares, objects hexagons; filled when confirmed, outlined before. Candidates are small dashed rings with
-/// a question mark. One that another would hide stands beside it, with a line to its place.
+/// Paints finds with their names, the chosen one last and ringed. Victims are discs, hazards diamonds, codes
+/// squares, objects hexagons; filled when confirmed, else outlined. Candidates are small dashed rings with a
+/// question mark. A hidden mark moves aside, with a line to its place.
 void paintVictims(QPainter& painter, const MapProjection& projection, const std::vector<VictimRow>& finds,
                   const std::optional<FindKey>& chosen, const OverlayStyle& style);
 

@@ -8,11 +8,11 @@ namespace leitstand {
 namespace {
 
 constexpr double Beside = 5.0;       // from a frame to its words [px]
-constexpr double Farthest = 5.5;     // from it, of the height of the words: past the scale at the edge
-constexpr double OneBody = 2.0;      // gaps between parts of one body, of the longer side of the larger part
-constexpr double OnFrame = 1'000.0;  // what it costs to lie on one, against pixels away from it
+constexpr double Farthest = 5.5;     // largest gap to it, in heights of the words: past the scale at the edge
+constexpr double OneBody = 2.0;      // gap between parts of one body, in longer sides of the larger part
+constexpr double OnFrame = 1'000.0;  // cost of lying on a frame, against pixels away from it
 
-/// From edge to edge; 0 where they meet.
+/// Returns the gap from edge to edge; 0 where they meet.
 double gapBetween(const QRectF& one, const QRectF& other) {
     const double across = std::max({0.0, one.left() - other.right(), other.left() - one.right()});
     const double down = std::max({0.0, one.top() - other.bottom(), other.top() - one.bottom()});
@@ -23,7 +23,7 @@ double longerSide(const QRectF& frame) {
     return std::max(frame.width(), frame.height());
 }
 
-/// Groups of marks that belong together, each by indices.
+/// Returns groups of marks that belong together, each by indices.
 std::vector<std::vector<std::size_t>> bodiesOf(const std::vector<HeatMark>& marks) {
     std::vector<std::vector<std::size_t>> bodies;
     std::vector<bool> known(marks.size(), false);
@@ -46,7 +46,7 @@ std::vector<std::vector<std::size_t>> bodiesOf(const std::vector<HeatMark>& mark
     return bodies;
 }
 
-/// Where a box of @p size may stand, from the place above @p about on.
+/// Returns where a box of @p size may lie, first above @p about.
 std::vector<QRectF> placesFor(const QSizeF& size, const QRectF& about, const QRectF& area,
                               const std::vector<QRectF>& taken) {
     const double w = size.width(), h = size.height();
@@ -75,7 +75,7 @@ std::vector<HeatLabel> heatLabels(const std::vector<HeatMark>& marks,
                                   const std::function<QSizeF(double celsius)>& sizeOf, const QRectF& area,
                                   const std::vector<QRectF>& taken, const std::optional<QSizeF>& brief) {
     std::vector<HeatLabel> labels;
-    /// The best place for words of @p size about @p about; empty where there is none.
+    /// Returns the best place for words of @p size about @p about; empty: there is none.
     const auto placeOf = [&](const QSizeF& size, const QRectF& about) {
         double least = std::numeric_limits<double>::infinity();
         std::optional<QRectF> best;

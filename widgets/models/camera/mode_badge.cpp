@@ -8,10 +8,10 @@ namespace leitstand {
 namespace {
 
 constexpr int Largest = 18, Least = 11;  ///< fonts [px]
-constexpr double MostOfPicture = 0.2;    ///< that the badge covers
-constexpr double Below = 8.0;            ///< the upper border, where there is room [px]
+constexpr double MostOfPicture = 0.2;    ///< largest share that the badge covers
+constexpr double Below = 8.0;            ///< distance from the upper border, when there is room [px]
 
-/// What stands around the text on both sides together [px].
+/// Space around the text, both sides together [px].
 struct Padding {
     double across, down;
 };

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double Pen = 7.0;         // half of the thickest part, with its rim [px]
 constexpr double LeastRadius = 24;  // [px]
-constexpr double Inside = 10.0;     // figures end so far within the ring [px]
+constexpr double Inside = 10.0;     // figures end this far within the ring [px]
 
 }  // namespace
 

@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// Something that came or went, as a row of a list.
+/// Something that is new or gone, as a row of a list.
 struct ChangedRow {
     int number = 0;                                   ///< from 1, the largest
     QString what;                                     ///< "new" or "gone"
@@ -21,15 +21,15 @@ struct ChangedRow {
     friend bool operator==(const ChangedRow&, const ChangedRow&) = default;
 };
 
-/// @p robotInMap: of the selected robot; empty: nobody knows.
+/// Returns the rows of @p changes. @p robotInMap: of the selected robot; empty: unknown.
 [[nodiscard]] std::vector<ChangedRow> changedRows(const MapChanges& changes,
                                                   const std::optional<Pose>& robotInMap);
-/// "monday → tuesday: new 3, gone 2"; @p changes: null until they are known.
+/// Returns "monday → tuesday: new 3, gone 2"; @p changes: null until they are known.
 [[nodiscard]] QString changedText(const MapChanges* changes);
-/// Why the list is empty.
+/// Returns why the list is empty.
 [[nodiscard]] QString unchangedText(const MapChanges* changes);
 
-/// What came and went, as a table. A choice is kept while its place is about the same.
+/// What is new or gone, as a table. The selection is kept while its place is about the same.
 class ChangedModel final : public TextRowsModel {
     Q_OBJECT
 public:
@@ -39,7 +39,7 @@ public:
 
     void setRows(const std::vector<ChangedRow>& rows);
     [[nodiscard]] const ChangedRow* row(int row) const;  ///< null when there is none
-    /// The row whose place is within @p reach [m] of @p place, the nearest; -1: there is none.
+    /// Returns the row nearest to @p place within @p reach [m]; -1: there is none.
     [[nodiscard]] int rowAt(const Eigen::Vector3d& place, double reach) const;
 
 protected:

@@ -21,16 +21,16 @@ struct MissedRow {
     friend bool operator==(const MissedRow&, const MissedRow&) = default;
 };
 
-/// The pieces that @p sensor missed, the largest first. @p robotInMap: of the selected robot; empty: nobody
-/// knows.
+/// Returns the pieces that @p sensor missed, the largest first. @p robotInMap: of the selected robot; empty:
+/// unknown.
 [[nodiscard]] std::vector<MissedRow> missedRows(const SearchedFloor& searched, SearchSensor sensor,
                                                 const std::optional<Pose>& robotInMap);
-/// Why the list of what was missed is empty. @p searched: null until it is known.
+/// Returns why the list of what was missed is empty. @p searched: null until it is known.
 [[nodiscard]] QString emptyText(const SearchedFloor* searched, SearchSensor sensor);
 /// "Camera: 61 % of 20.1 m² seen, places missed: 3".
 [[nodiscard]] QString searchedText(const SearchedFloor& searched, SearchSensor sensor);
 
-/// Pieces of floor that were missed, as a table. A choice is kept while its place is about the same.
+/// Pieces of floor that were missed, as a table. The selection is kept while its place is about the same.
 class MissedModel final : public TextRowsModel {
     Q_OBJECT
 public:
@@ -40,7 +40,7 @@ public:
 
     void setRows(const std::vector<MissedRow>& rows);
     [[nodiscard]] const MissedRow* row(int row) const;  ///< null when there is none
-    /// The row whose place is within @p reach [m] of @p place, the nearest; -1: there is none.
+    /// Returns the row nearest to @p place within @p reach [m]; -1: there is none.
     [[nodiscard]] int rowAt(const Eigen::Vector3d& place, double reach) const;
 
 protected:

@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// The alarms as a list, newest first. Rows stay where they are as long as the same alarms stand, so that a
-/// choice is kept while their numbers change.
+/// The alarms as a list, newest first. Rows stay while the same alarms stand, so that the selection is kept
+/// while their numbers change.
 class AlarmListModel final : public QAbstractListModel {
     Q_OBJECT
 public:

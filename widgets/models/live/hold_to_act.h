@@ -17,13 +17,13 @@ public:
     }
     void end() { m_held = m_done = false; }
     [[nodiscard]] bool isHeld() const { return m_held; }
-    /// Share of the time that is over, 0 to 1.
+    /// Returns the share of the time that has passed, 0 to 1.
     [[nodiscard]] double progress(SteadyTime now) const {
         if (!m_held) return 0.0;
         const double share = std::chrono::duration<double>(now - m_since) / m_length;
         return share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
     }
-    /// True once, when the time is over; it must be let go before it can happen again.
+    /// Returns true once, when the time is over. It must be released before it can happen again.
     [[nodiscard]] bool due(SteadyTime now) {
         if (!m_held || m_done || now - m_since < m_length) return false;
         return m_done = true;

@@ -13,18 +13,18 @@
 
 namespace leitstand {
 
-/// What is so: "connected, 22 ms", "brake: stands after 0.31 s and 2 cm".
+/// Returns what a check found: "connected, 22 ms", "brake: stands after 0.31 s and 2 cm".
 [[nodiscard]] QString checkText(const PreflightCheck& check);
-/// What the operator can do about it; empty when nothing has to be done.
+/// Returns what the operator can do about it; empty when nothing has to be done.
 [[nodiscard]] QString remedyText(const PreflightCheck& check);
-/// "✓", "!", "✗": a shape for each state, so that colour is not alone.
+/// Returns "✓", "!" or "✗": a shape for each state, so that colour is not alone.
 [[nodiscard]] QString stateMark(CheckState state);
 /// "in order", "needs a look", "must be mended".
 [[nodiscard]] QString stateText(CheckState state);
 [[nodiscard]] Tone toneOf(CheckState state);
-/// All of them in a line: "All in order", "2 must be mended, 1 needs a look".
+/// Returns the verdict on all @p checks in a line: "All in order", "2 must be mended, 1 needs a look".
 [[nodiscard]] QString verdictText(const std::vector<PreflightCheck>& checks);
-/// How a brake test stands: "Let go of the sticks ...", "Drives ...", its result; for the page.
+/// Returns the state of a brake test for the page: "Let go of the sticks ...", "Drives ...", its result.
 [[nodiscard]] QString brakeText(BrakeTest::Phase phase, const BrakeResult& result);
 
 /// The preflight page's checks, a row each, robot by robot.

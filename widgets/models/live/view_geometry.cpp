@@ -33,7 +33,7 @@ PredictedPath predictedPath(const BodyBox& body, const DriveVelocity& velocity, 
 }
 
 bool standsBeforeWall(const VirtualScanView& view, const Eigen::Vector2d& point) {
-    constexpr int Beside = 3;  // sectors: a wall that is looked along is spread over them
+    constexpr int Beside = 3;  // sectors: a wall at a grazing angle is spread over them
     const double near = 0.15 + 0.03 * point.norm();
     const int count = static_cast<int>(view.sectors.size());
     if (count == 0) return true;

@@ -6,10 +6,10 @@
 
 namespace leitstand {
 
-/// A decision on the map in the operator's words, after "Undo": "scan 12 set aside", "3 scans set aside",
-/// "the map's area".
+/// Returns a decision on the map in the operator's words, after "Undo": "scan 12 set aside", "3 scans set
+/// aside", "the map's area".
 [[nodiscard]] QString decisionText(const MapDecision& decision);
-/// What was taken back or done again, likewise: "scan 12 set aside", "V1".
+/// Returns what was taken back or done again in the operator's words: "scan 12 set aside", "V1".
 [[nodiscard]] QString undoneText(const UndoneThing& thing);
 
 }  // namespace leitstand

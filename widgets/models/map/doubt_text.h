@@ -9,10 +9,10 @@
 
 namespace leitstand {
 
-/// What speaks against a scan (bits of ScanDoubt), in the operator's words: "little overlap, jump"; empty:
-/// nothing.
+/// Returns what speaks against a scan (bits of ScanDoubt), in the operator's words: "little overlap, jump";
+/// empty: nothing.
 [[nodiscard]] QString doubtText(std::uint8_t doubts);
-/// Each doubt with what it means and what may help, a line each; empty: there is none.
+/// Returns each doubt with its meaning and what may help, a line each; empty: there is none.
 [[nodiscard]] QString doubtDetails(std::uint8_t doubts);
 
 /// "certain", "uncertain ?", "set aside".

@@ -40,7 +40,7 @@ void KeyScanModel::setScans(LiveMapPtr scans) {
         endResetModel();
         return;
     }
-    // Scans only come: what is chosen stays chosen.
+    // Scans are only added, so the selection stays.
     const int before = rowCount(), more = static_cast<int>(scans->scans.size()) - before;
     if (more > 0) beginInsertRows({}, 0, more - 1);
     m_scans = std::move(scans);
@@ -125,7 +125,7 @@ QVariant KeyScanModel::data(const QModelIndex& index, int role) const {
         case ToneRole: {
             const Tone tone = toneOf(scan->pose.trust);
             const bool said = index.column() == Trust || index.column() == Doubts;
-            // What a scan was doubted for that was accepted since is history.
+            // Doubts about a scan that was accepted since are history.
             if (index.column() == Doubts && tone == Tone::Normal) return static_cast<int>(Tone::Muted);
             return static_cast<int>(tone == Tone::Attention && !said ? Tone::Normal : tone);
         }
@@ -154,7 +154,7 @@ QVariant KeyScanModel::headerData(int section, Qt::Orientation orientation, int 
 
 QString keyScanDetails(const LiveKeyScan& scan) {
     QStringList lines;
-    // How it came about is told of every scan; it speaks against none.
+    // A guessed motion is listed whatever the trust: it speaks against no scan.
     constexpr auto Guessed = static_cast<std::uint8_t>(ScanDoubt::Guessed);
     const QString doubts = doubtDetails(static_cast<std::uint8_t>(scan.pose.doubts & ~Guessed));
     if (!doubts.isEmpty() && scan.pose.trust == ScanTrust::Uncertain) lines += doubts;

@@ -12,7 +12,7 @@
 
 namespace leitstand {
 
-/// The key scans of a live map, newest first: how far each counts, and what speaks against it.
+/// The key scans of a live map, newest first: whether each counts, and what speaks against it.
 class KeyScanModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -20,18 +20,19 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Letters of the robots whose scans these are.
+    /// Sets the robots, whose letters name the scans.
     void setRobots(const std::vector<RobotFace>& robots);
     void setScans(LiveMapPtr scans);
     [[nodiscard]] const LiveMap& scans() const { return *m_scans; }
-    /// The scan of @p row; null when there is none.
+    /// Returns the scan in @p row; null when there is none.
     [[nodiscard]] const LiveKeyScan* scanAt(int row) const;
     [[nodiscard]] int rowOf(std::uint64_t id) const;  ///< -1: there is none
-    /// The newest scan that waits for a decision; 0: none.
+    /// Returns the newest scan that waits for a decision; 0: none.
     [[nodiscard]] std::uint64_t newestUncertain() const;
-    /// Likewise, but the next older one where @p id is one that waits; from the oldest on to the newest.
+    /// Returns the next older waiting scan when @p id waits itself, after the oldest the newest; otherwise
+    /// the newest.
     [[nodiscard]] std::uint64_t uncertainBefore(std::uint64_t id) const;
-    /// How many wait.
+    /// Returns how many scans wait.
     [[nodiscard]] int uncertain() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -46,10 +47,10 @@ private:
     std::map<std::string, QString> m_letters;  ///< by robot
 };
 
-/// All there is to say about @p scan, in lines.
+/// Returns all details of @p scan, in lines.
 [[nodiscard]] QString keyScanDetails(const LiveKeyScan& scan);
 
-/// The scans in a line: "12 scans · 2 wait for a decision".
+/// Returns the scans in a line: "12 scans · 2 wait for a decision".
 [[nodiscard]] QString keyScanSummary(const KeyScanModel& model);
 
 }  // namespace leitstand

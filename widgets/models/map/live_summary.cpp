@@ -20,7 +20,7 @@ struct Say {
     Q_DECLARE_TR_FUNCTIONS(leitstand::LiveSummary)
 };
 
-/// When a robot's scan was laid onto the map last.
+/// Returns when a robot's scan was last matched to the map.
 std::optional<Time> lastMatched(const RobotsInMap& robots) {
     std::optional<Time> last;
     for (const RobotInMap& robot : robots) {
@@ -68,8 +68,8 @@ MapSummary liveSummaryOf(const LiveMapFacts& facts) {
         std::chrono::duration<double>(facts.now - std::max(matched.value_or(newest.entered), newest.entered))
             .count();
     summary.stale = matched && ago >= MapStaleAfter;
-    // The verdict first: where there is too little room even so, the age is what is cut; but not where that
-    // matters.
+    // The verdict comes first, so that the age is cut when there is too little room. A stale map has the age
+    // first.
     QStringList parts = {trustText(newest.pose.trust), agoText(ago)};
     if (summary.stale) parts.swapItemsAt(0, 1);
     summary.briefResult = parts.join(Between);

@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// What the colour of a point tells.
+/// What the colour of a point shows.
 enum class MapColouring : std::uint8_t { Label, Scan, Height, Range, Robot, Intensity, Age };
 
 /// Which poses are shown.
@@ -30,7 +30,7 @@ struct MapViewSettings {
     Theme theme = Theme::Dark;
     MapFollow follow = MapFollow::Free;
 
-    /// Ceilings would hide what is below them.
+    /// Whether ceilings are drawn, which would hide what is below them.
     [[nodiscard]] bool withCeiling() const { return look != MapLook::Top && follow == MapFollow::Free; }
     bool operator==(const MapViewSettings&) const = default;
 };

@@ -6,9 +6,8 @@
 
 namespace leitstand {
 
-/// The place among @p rows of the one whose Row::inMap is nearest to @p place, seen from above, within @p
-/// reach [m]; -1: there is none. So a choice stays with what it was made of while that grows, shrinks or
-/// moves.
+/// Returns the index of the row whose Row::inMap is nearest to @p place, seen from above, within @p reach
+/// [m]; -1: there is none. This keeps a selection on its thing while that grows, shrinks or moves.
 template <class Row>
 [[nodiscard]] int nearestRow(const std::vector<Row>& rows, const Eigen::Vector3d& place, double reach) {
     int nearest = -1;

@@ -16,7 +16,7 @@ struct PlaceTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::RobotMark)
 };
 
-/// One of the doubts that inWords() lists; else as it is.
+/// Translates a doubt that inWords() lists; returns any other word as it is.
 QString doubtOf(const QString& word) {
     for (unsigned bit = 1; bit < 256; bit *= 2) {
         const auto doubt = static_cast<std::uint8_t>(bit);

@@ -8,11 +8,11 @@
 
 namespace leitstand {
 
-/// Why a robot's place is certain or not, RobotInMap::how, in the window's language.
+/// Returns why a robot's place is certain or not, RobotInMap::how, in the window's language.
 [[nodiscard]] QString howText(const std::string& how);
 
-/// How sure the place of a robot is, and why: "place certain to 83 %: its scan fits the map", "place
-/// uncertain, 12 %: little overlap"; empty: nobody knows where it is.
+/// Returns how sure the place of a robot is, and why: "place certain to 83 %: its scan fits the map", "place
+/// uncertain, 12 %: little overlap". Empty: its place is unknown.
 [[nodiscard]] QString placeText(const RobotInMap& place);
 
 }  // namespace leitstand

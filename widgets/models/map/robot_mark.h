@@ -19,17 +19,17 @@ struct RobotMark {
     RobotFace face;
     std::vector<Eigen::Vector2d> footprint;  ///< base_link [m]
     double height = 0.0;                     ///< [m]
-    bool tracked = false;                    ///< chains, else wheels
+    bool tracked = false;                    ///< tracks, otherwise wheels
     Pose baseInMap = Pose::Identity();
     TrailPtr trail = {};                     ///< in the map's frame; may be null
-    bool afterGap = false;                   ///< nobody knows the way to baseInMap from the trail's end
+    bool afterGap = false;                   ///< the way to baseInMap from the trail's end is unknown
     std::optional<Pose> goalInMap = {};      ///< where it was sent
-    std::optional<double> doubtRadius = {};  ///< it is not sure where it is: somewhere within [m]
-    QString note = {};                       ///< said beside it: "place uncertain"; may be empty
-    QString details = {};      ///< how sure its place is, in whole: for tooltips and screen readers
+    std::optional<double> doubtRadius = {};  ///< its place is uncertain: somewhere within [m]
+    QString note = {};                       ///< shown beside it: "place uncertain"; may be empty
+    QString details = {};      ///< how sure its place is, in full: for tooltips and screen readers
     Tone tone = Tone::Normal;  ///< of the note
     bool selected = false;
-    bool stale = false;  ///< nothing was heard of it lately: it may be elsewhere
+    bool stale = false;  ///< nothing was received from it lately: it may be elsewhere
 };
 
 }  // namespace leitstand

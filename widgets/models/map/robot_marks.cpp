@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-/// A robot whose scan fits badly is taken to be so near to where it is drawn [m]; more the less is certain.
+/// Radius around a drawn robot whose scan fits badly, within which it is [m]; larger when less is certain.
 constexpr double LeastDoubt = 0.3, MoreDoubt = 0.7;
 
 struct Say {

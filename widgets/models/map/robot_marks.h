@@ -8,19 +8,19 @@
 
 namespace leitstand {
 
-/// How @p robot is drawn where @p place says it is; empty while nobody knows. @p goalInMap: where it was
-/// sent.
+/// Returns how @p robot is drawn at @p place; empty while that is unknown. @p goalInMap: where it was sent.
 [[nodiscard]] std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescription& robot,
                                                    const RobotInMap& place, const LinkStatus& link,
                                                    bool selected, const std::optional<Pose>& goalInMap = {});
 
-/// How sure the places of all @p marks are, a line each.
+/// Returns how sure the places of all @p marks are, a line each.
 [[nodiscard]] QString detailsOf(const std::vector<RobotMark>& marks);
 
 /// Whether both are drawn alike.
 [[nodiscard]] bool sameMark(const RobotMark& a, const RobotMark& b);
 
-/// What is to be said of robots that are not in the map yet; empty: all are. @p placeKeys: that place one.
+/// Returns the text about robots that are not in the map yet; empty: all are. @p placeKeys: keys that place
+/// one.
 [[nodiscard]] QString unplacedText(const std::vector<RobotFace>& unplaced, const QString& placeKeys);
 
 }  // namespace leitstand

@@ -22,7 +22,7 @@ QString angle(double radians) {
     return numberText(std::abs(inDegrees(radians)), 1) + QStringLiteral("°");
 }
 
-/// Where it sits and looks otherwise than it is said to.
+/// Returns how its place and direction differ from those described.
 QString mountText(const ScannerCorrection& more) {
     QStringList off;
     const auto add = [&off](double value, const QString& text, const QString& by) {

@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// Asks whether the 3D scanner of the robot of title @p robot is to be corrected by @p more.
+/// Returns the question whether to correct the 3D scanner of the robot with title @p robot by @p more.
 [[nodiscard]] QString scannerQuestionText(const QString& robot, const ScannerCorrection& more);
 
 }  // namespace leitstand

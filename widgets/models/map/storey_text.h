@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// What the storey of this number is called: "0", "+1", "−1".
+/// Returns the name of the storey with @p number: "0", "+1", "−1".
 [[nodiscard]] inline QString storeyText(int number) {
     return QString::fromStdString(storeyName(number));
 }

@@ -16,7 +16,7 @@ struct Say {
     Q_DECLARE_TR_FUNCTIONS(leitstand::PadCallouts)
 };
 
-/// In one word for both ends of a stick.
+/// Returns one word for both ends of a stick.
 QString shortName(PadAction action) {
     switch (action) {
         case PadAction::Forward:
@@ -43,7 +43,7 @@ QString shortName(PadAction action) {
     return padActionName(action);
 }
 
-/// @p of: what belongs to the spot, for example the axes of a stick.
+/// @p of: controls that belong to the spot, for example the axes of a stick.
 PadCallout calloutOf(const PadSpot& spot, const QString& control, const std::vector<PadControl>& of,
                      bool whole, const PadBindings& bindings, const std::vector<PadCommandFace>& commands,
                      const PadState& state) {

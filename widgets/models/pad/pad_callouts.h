@@ -24,14 +24,14 @@ struct PadCallout {
     bool held = false;  ///< right now
 };
 
-/// Of a known pad: what stands left and right of its drawing, each from the top.
+/// Callouts left and right of the drawing of a known pad, each from the top.
 struct PadCallouts {
     std::vector<PadCallout> left, right;
 };
 [[nodiscard]] PadCallouts padCallouts(const PadBindings& bindings,
                                       const std::vector<PadCommandFace>& commands, const PadState& state);
 
-/// Of any joystick: every control that does something.
+/// Returns every control of any joystick that does something.
 [[nodiscard]] std::vector<PadCallout> padList(const PadBindings& bindings,
                                               const std::vector<PadCommandFace>& commands,
                                               const PadState& state);

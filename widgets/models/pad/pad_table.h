@@ -10,8 +10,8 @@
 
 namespace leitstand {
 
-/// What a gamepad can do, a row each, first driving and STOP, then commands; and which control does it. The
-/// bindings are changed by pushing a control: capture(), then states of the pad.
+/// What a gamepad can do and with which control, a row each: first driving and STOP, then commands. Pushing a
+/// control changes the bindings: capture(), then states of the pad.
 class PadTable final : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -22,19 +22,19 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void setCommands(std::vector<PadCommandFace> commands);
-    /// The bindings as they are used now; what was changed here is forgotten.
+    /// Sets the bindings in use; discards what was changed here.
     void setBindings(const PadBindings& bindings);
     [[nodiscard]] const PadBindings& bindings() const { return m_bindings; }
     [[nodiscard]] const PadState& state() const { return m_state; }
-    /// Changed here, and not used yet.
+    /// Whether the bindings were changed here and are not in use yet.
     [[nodiscard]] bool isChanged() const { return m_bindings != m_used; }
-    /// Why the bindings cannot be used; empty when they can.
+    /// Returns why the bindings cannot be used; empty when they can.
     [[nodiscard]] QString fault() const;
 
     void setState(const PadState& state);
     void setShape(double deadZone, double expo, double press);
-    void reset();           ///< to what pads of this layout usually do
-    void capture(int row);  ///< the next control that is pushed is the row's; -1: no more
+    void reset();           ///< to the default bindings of this layout
+    void capture(int row);  ///< gives the row the next control that is pushed; -1: no more
     [[nodiscard]] int captured() const { return m_row; }
     void clear(int row);
     [[nodiscard]] bool canClear(int row) const;
@@ -47,7 +47,7 @@ public:
 
 signals:
     void changed();                    ///< bindings, or whether a control is waited for
-    void refused(const QString& why);  ///< the control that was pushed cannot be the row's
+    void refused(const QString& why);  ///< the control that was pushed cannot be given to the row
 
 private:
     [[nodiscard]] std::optional<PadAction> actionAt(int row) const;

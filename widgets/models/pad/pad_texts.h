@@ -20,11 +20,11 @@ struct PadCommandFace {
 [[nodiscard]] QString padActionHint(PadAction action);
 /// "Left stick up", "LT"; of an unknown joystick "Axis 3 +", "Button 7", counted from 1. A dash for none.
 [[nodiscard]] QString padControlName(const PadControl& control, PadLayout layout);
-/// What the operator is to do now so that the pad drives: "Hold LT, then push the stick."
+/// Returns what the operator must do now so that the pad drives: "Hold LT, then push the stick."
 [[nodiscard]] QString padDriveHint(const PadBindings& bindings);
-/// How a gamepad is connected, and which are known.
+/// Returns how to connect a gamepad, and which are known.
 [[nodiscard]] QString padConnectHelp();
-/// What drives without one.
+/// Returns the keys that drive without a gamepad.
 [[nodiscard]] QString padlessKeys();
 
 }  // namespace leitstand

@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// Texts of a table, with what each row means.
+/// Texts of a table, with the meaning of each row.
 struct TextTable {
     struct Row {
         QStringList cells;
@@ -20,15 +20,15 @@ struct TextTable {
     std::vector<Row> rows;
 };
 
-/// What both maps of @p comparison are in figures: a row a figure, columns figure, as recorded, registered
-/// again. Errors against the truth only where it is known.
+/// Returns the figures of both maps of @p comparison, one per row. Columns: figure, as recorded, registered
+/// again. Errors against the truth are included only when that is known.
 [[nodiscard]] TextTable figuresOf(const MapComparison& comparison);
-/// A row for each key scan: how well it meets the one before it in both maps, and how far it moved.
+/// Returns a row for each key scan: how well it meets the one before it in both maps, and how far it moved.
 [[nodiscard]] TextTable scansOf(const MapComparison& comparison);
 
 /// "moved 12.3 mm at most".
 [[nodiscard]] QString movedText(const MapComparison& comparison);
-/// "13 key scans · moved 12.3 mm at most": for who hears that the comparison is done.
+/// Returns "13 key scans registered again: moved 12.3 mm at most", to announce that the comparison is done.
 [[nodiscard]] QString comparedText(const MapComparison& comparison);
 
 }  // namespace leitstand

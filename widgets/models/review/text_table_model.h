@@ -5,7 +5,7 @@
 
 namespace leitstand {
 
-/// Texts in rows and columns; every cell says what its row means.
+/// Texts in rows and columns; every cell has the meaning of its row as a hint.
 class TextTableModel final : public TextRowsModel {
     Q_OBJECT
 public:

@@ -44,7 +44,7 @@ QString itemText(ScoreItem item) {
     return {};
 }
 
-/// What each item brings of what it could; an item is not torn apart where lines end.
+/// Returns the points of each item out of those possible. Lines do not break within an item.
 QString itemsText(const std::vector<ScoredItem>& items) {
     QStringList texts;
     for (const ScoredItem& one : items) {

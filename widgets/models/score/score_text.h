@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// One line of the score's pane: what, and what it brings.
+/// One line of the score's pane: an item and its points.
 struct ScoreLine {
     QString what;
     QString points;
@@ -24,12 +24,12 @@ struct ScoreText {
     QString score;                  ///< "74.3 points"
     QString rules;                  ///< "RoboCup Rescue 2005 · version 1.0 · 6 values unconfirmed"
     QString left;                   ///< "12 min left"; empty without a limit
-    std::vector<ScoreLine> finds;   ///< what each brings, penalties, operators
-    std::vector<ScoreLine> advice;  ///< what one more thing would bring, largest first, at most five
+    std::vector<ScoreLine> finds;   ///< points of each, penalties, operators
+    std::vector<ScoreLine> advice;  ///< gains of one more step, largest first, at most five
     friend bool operator==(const ScoreText&, const ScoreText&) = default;
 };
 
-/// What @p result says by @p profile.
+/// Returns the text of @p result by @p profile.
 [[nodiscard]] ScoreText scoreText(const ScoreProfile& profile, const ScoreResult& result,
                                   const MissionClock& clock);
 

@@ -7,23 +7,23 @@
 
 namespace leitstand {
 
-/// Where moments of a mission stand on its timeline, from 0 (its start) to 1 (its end). Time in which nothing
-/// was recorded has a small share of its own, however long it was. Pure.
+/// Maps moments of a mission to places on its timeline, from 0 (its start) to 1 (its end). Time in which
+/// nothing was recorded has a small share of its own, however long it was. Pure.
 class TimelineAxis {
 public:
     TimelineAxis() = default;
-    /// @p stretches: in which something was recorded, by time, not overlapping.
+    /// @p stretches: periods in which something was recorded, by time, not overlapping.
     explicit TimelineAxis(std::vector<TimelineStretch> stretches);
 
     [[nodiscard]] bool empty() const { return m_parts.empty(); }
     [[nodiscard]] Time first() const;
     [[nodiscard]] Time last() const;
     [[nodiscard]] double placeOf(Time at) const;
-    /// The moment that stands there, of a gap its nearer end.
+    /// Returns the moment at @p place; within a gap its nearer end.
     [[nodiscard]] Time timeAt(double place) const;
-    /// Recorded time until @p at: what a mission's clock of its own would show.
+    /// Returns the recorded time until @p at: what a mission's own clock would show.
     [[nodiscard]] std::chrono::nanoseconds recordedUntil(Time at) const;
-    /// Places where gaps begin and end.
+    /// Returns the places where gaps begin and end.
     [[nodiscard]] std::vector<std::pair<double, double>> gaps() const;
 
     /// A tick of the axis.
@@ -31,7 +31,7 @@ public:
         Time at{};
         double place = 0.0;
     };
-    /// Ticks at round times of day in UTC, at least @p apart places from another, outside of gaps.
+    /// Returns ticks at round times of day in UTC, at least @p apart places from each other, outside of gaps.
     [[nodiscard]] std::vector<Tick> ticks(double apart) const;
 
 private:

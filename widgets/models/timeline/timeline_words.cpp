@@ -39,7 +39,7 @@ QString victimText(const TimelineMark& mark) {
     return TimelineTexts::tr("%1 filed").arg(name);
 }
 
-/// A cue or what a robot says to have seen, in words.
+/// Returns a cue, or what a robot reports to have seen, in words.
 QString seenText(const std::string& kind) {
     if (kind == "victim") return TimelineTexts::tr("a victim");
     if (kind == "heat") return TimelineTexts::tr("heat");

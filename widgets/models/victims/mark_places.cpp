@@ -8,7 +8,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Between = 2.0;  // marks that were moved, and others [px]
+constexpr double Between = 2.0;  // between moved marks and others [px]
 constexpr int Directions = 8, Rounds = 2;
 
 double apart(const QPointF& one, const QPointF& other) {
@@ -20,7 +20,7 @@ double apart(const QPointF& one, const QPointF& other) {
 std::vector<QPointF> markPlaces(const std::vector<MarkDisc>& marks) {
     std::vector<QPointF> places;
     for (const MarkDisc& mark : marks) {
-        // With the middle of one of them under the other.
+        // Two marks overlap when the middle of one is under the other.
         std::optional<std::size_t> under;
         for (std::size_t i = 0; i < places.size() && !under; ++i) {
             if (apart(mark.at, places[i]) < std::max(mark.radius, marks[i].radius)) under = i;

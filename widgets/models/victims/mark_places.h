@@ -8,13 +8,13 @@ namespace leitstand {
 
 /// A round mark on the map.
 struct MarkDisc {
-    QPointF at;           ///< where what it marks is [px]
+    QPointF at;           ///< place of what it marks [px]
     double radius = 0.0;  ///< [px]
 };
 
-/// Where to paint @p marks, the most important first, so that none hides another: one that would lie on an
-/// earlier one is beside it, in the direction in which it is off. Marks that only touch stay; so do those
-/// for which there is no room around.
+/// Returns where to paint @p marks, the most important first, so that none hides another. A mark that would
+/// lie on an earlier one goes beside it, in the direction of its offset. Marks that only touch stay; so do
+/// those without room around.
 [[nodiscard]] std::vector<QPointF> markPlaces(const std::vector<MarkDisc>& marks);
 
 }  // namespace leitstand

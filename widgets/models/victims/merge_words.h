@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// What becomes of a find that is to be merged with the nearest one of its kind.
+/// The offer to merge a find with the nearest one of its kind.
 struct MergeOffer {
     std::optional<std::uint32_t> into;  ///< number of the other one; empty: it cannot be merged
     QString text;                       ///< "V2 is part of V1 now, 0.3 m away", or why not

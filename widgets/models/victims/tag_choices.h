@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// What was read in the mission, on codes that were filed and on those that the station believes to have
-/// seen: what may be @p find's tag, the nearest to it first.
+/// Returns the texts that may be @p find's tag, the nearest to it first. They come from filed codes and from
+/// codes that the station believes to have seen.
 [[nodiscard]] QStringList tagChoices(const MissionState& mission, const VictimSample& find);
 
 }  // namespace leitstand

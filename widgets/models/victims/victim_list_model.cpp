@@ -38,7 +38,7 @@ QString VictimListModel::hint(int row) const {
 
 Tone VictimListModel::tone(int row, int column) const {
     const VictimRow& shown = m_rows[static_cast<std::size_t>(row)];
-    // What does not count stands back as a whole; else the state tells what is open.
+    // A discarded find has its tone in all cells, others only in the state.
     const bool whole = shown.discarded || m_columns[static_cast<std::size_t>(column)] == State;
     return whole ? shown.tone : Tone::Normal;
 }

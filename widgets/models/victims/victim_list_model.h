@@ -7,22 +7,22 @@
 
 namespace leitstand {
 
-/// Victims, other finds and candidates as a table. A choice is kept while numbers change.
+/// Victims, other finds and candidates as a table. The selection is kept while numbers change.
 class VictimListModel final : public TextRowsModel {
     Q_OBJECT
 public:
     enum Column { Name, State, Where, Found, Signs };
 
-    /// Has @p columns, from left to right.
+    /// Shows @p columns, from left to right.
     explicit VictimListModel(std::vector<Column> columns = {Name, State, Where, Signs},
                              QObject* parent = nullptr);
 
     void setRows(const std::vector<VictimRow>& rows);
     [[nodiscard]] const VictimRow* row(int row) const;  ///< null when there is none
     [[nodiscard]] const std::vector<VictimRow>& rows() const { return m_rows; }
-    /// The row of @p find; -1: it is not there.
+    /// Returns the row of @p find; -1: it is not there.
     [[nodiscard]] int rowOf(const FindKey& find) const;
-    /// Where @p column stands; -1: nowhere.
+    /// Returns the index of @p column; -1: it is not shown.
     [[nodiscard]] int placeOf(Column column) const;
 
 protected:

@@ -80,7 +80,7 @@ VictimRow rowOf(const MissionState& mission, const CandidateSample& candidate,
     VictimRow row;
     row.find = {candidate.kind, 0};
     row.candidate = candidate.id;
-    // Where the list is narrow, its letter alone tells a code from a body.
+    // In a narrow list, only the letter distinguishes a code from a body.
     row.name = QString::fromStdString(nameOf(candidate.kind, 0)).replace(u'0', u'?');
     row.what = kindText(candidate.kind);
     row.state = Say::tr("candidate %1").arg(percentText(candidate.confidence));

@@ -16,7 +16,7 @@
 
 namespace leitstand {
 
-/// A victim, another find, or what the station believes to be one, as a row of a list and as a mark.
+/// A victim, another find, or a candidate, as a row of a list and as a mark.
 struct VictimRow {
     FindKey find{VictimSample::Kind::Victim, 0};  ///< number 0: a candidate, not filed
     std::uint32_t candidate = 0;                  ///< CandidateSample::id of one
@@ -29,36 +29,36 @@ struct VictimRow {
     Tone tone = Tone::Normal;
     Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
     double deviation = Unknown;                       ///< [m]
-    Time found{};        ///< station's clock; of candidates when it was told last
-    QString since = {};  ///< "12:04:31"
-    QString place = {};  ///< x y z in the map [m]
-    QString moved = {};  ///< as movedText(), when it moved with its scan last; empty: it did not
+    Time found{};                                     ///< station's clock; of candidates when last published
+    QString since = {};                               ///< "12:04:31"
+    QString place = {};                               ///< x y z in the map [m]
+    QString moved = {};  ///< as movedText(), of its last move with its scan; empty: it did not move
     bool discarded = false;
 
     [[nodiscard]] bool filed() const { return candidate == 0; }
     friend bool operator==(const VictimRow&, const VictimRow&) = default;
 };
 
-/// All that is not discarded, by kind and number, and after them candidates that were neither filed nor
-/// dismissed, the surest first. @p robotInMap: of the selected robot; empty: nobody knows. @p moves: of this
-/// mission; null: rows do not tell them.
+/// Returns all finds that are not discarded, by kind and number. After them come the candidates that are
+/// neither filed nor dismissed, the surest first. Where: as seen from @p robotInMap of the selected robot;
+/// empty: unknown. Moves: by @p moves of this mission; null: rows do not show them.
 [[nodiscard]] std::vector<VictimRow> victimRows(const MissionState& mission,
                                                 const std::optional<Pose>& robotInMap,
                                                 const FindMoves* moves = nullptr);
-/// Candidates that were neither filed nor dismissed, the surest first.
+/// Returns the candidates that are neither filed nor dismissed, the surest first.
 [[nodiscard]] std::vector<VictimRow> candidateRows(const MissionState& mission,
                                                    const std::optional<Pose>& robotInMap);
-/// All that was ever filed, also what was discarded since, by kind and number.
+/// Returns all that was ever filed, also what was discarded since, by kind and number.
 [[nodiscard]] std::vector<VictimRow> filedRows(const MissionState& mission, const FindMoves* moves = nullptr);
 
 /// "confirmed", "unconfirmed", "discarded", "part of V2".
 [[nodiscard]] QString statusText(const VictimSample& find);
-/// "surface", "trapped", "void", "entombed" in words, as the log has it when it is none of them.
+/// Returns "surface", "trapped", "void" or "entombed" in words; any other word as the log has it.
 [[nodiscard]] QString situationText(const std::string& situation);
 
-/// "3.2 m, 40° left": of @p place as seen from a robot.
+/// Returns where @p place is as seen from a robot: "3.2 m, 40° left".
 [[nodiscard]] QString whereText(const Pose& robotInMap, const Eigen::Vector3d& place);
-/// What is known of @p find in short, remarks last: "heat 33 °C · motion · trapped · R-17".
+/// Returns what is known of @p find in short, remarks last: "heat 33 °C · motion · trapped · R-17".
 [[nodiscard]] QString signsText(const VictimSample& find);
 /// "victim", "hazard", "QR code", "object".
 [[nodiscard]] QString kindText(VictimSample::Kind kind);

@@ -13,8 +13,8 @@
 namespace leitstand {
 namespace {
 
-constexpr std::size_t MostPictures = 4;  ///< a find
-constexpr double Around = 2.5;           ///< of the way, shown in its picture [m]
+constexpr std::size_t MostPictures = 4;  ///< per find
+constexpr double Around = 2.5;           ///< margin about the way in its picture [m]
 constexpr double LeastSide = 6.0;        ///< of that picture [m]
 
 MapArea areaOf(const Way& way, const Eigen::Vector3d& place) {
@@ -28,7 +28,7 @@ MapArea areaOf(const Way& way, const Eigen::Vector3d& place) {
     return {middle - half, middle + half};
 }
 
-/// Of evidence, for people.
+/// Returns the name of a kind of evidence, for people.
 std::string nameOf(const std::string& kind) {
     if (kind == "picture") return translate("leitstand::ReportText", "picture");
     if (kind == "thermal") return translate("leitstand::ReportText", "infrared picture");

@@ -6,7 +6,7 @@ namespace leitstand {
 
 class ReportSource;
 
-/// Evidence and way of @p find; what cannot be fetched is told in @p warnings.
+/// Returns the evidence of @p find and the way to it; adds to @p warnings what cannot be read.
 [[nodiscard]] FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource& source,
                                 std::vector<std::string>& warnings);
 

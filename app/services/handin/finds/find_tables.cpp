@@ -34,7 +34,7 @@ bool belongs(VictimSample::Kind kind, FindList::Kind list) {
     return true;
 }
 
-/// What stands on it, else what was noted, else its name.
+/// Returns what stands on it, else what was noted, else its name.
 std::string contentOf(const ReportFind& find) {
     if (find.sample.kind == VictimSample::Kind::Victim) return find.name;
     if (!find.sample.tag.empty()) return find.sample.tag;
@@ -56,7 +56,7 @@ FindList listOf(const ReportModel& model, FindList::Kind kind) {
         const VictimSample& sample = find.sample;
         const bool counts = sample.status == VictimSample::Status::Confirmed && find.position.allFinite();
         if (!counts || !belongs(sample.kind, kind)) continue;
-        // Numbers run per kind; a list of all kinds needs numbers of its own.
+        // Numbers run per kind; a list of all kinds needs its own numbers.
         const auto id =
             kind == FindList::Kind::Pois ? static_cast<std::uint32_t>(list.finds.size() + 1) : sample.number;
         list.finds.push_back({.id = id,

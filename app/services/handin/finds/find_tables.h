@@ -8,9 +8,10 @@
 
 namespace leitstand {
 
-/// The confirmed finds of @p model as the list of @p kind: victims, QR codes, or all points of interest.
+/// Returns the confirmed finds of @p model as the list of @p kind: victims, QR codes, or all points of
+/// interest.
 [[nodiscard]] FindList listOf(const ReportModel& model, FindList::Kind kind);
-/// What was searched with each kind of sensor, and what was missed.
+/// Returns what was searched with each kind of sensor, and what was missed.
 [[nodiscard]] std::vector<ListedSearch> searchListOf(const ReportModel& model);
 
 }  // namespace leitstand

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name of a file that is in its folder, not above or below it, and not hidden.
+/// Whether @p name is that of a file in its folder, not above or below it, and not hidden.
 bool isPlain(const std::string& name) {
     return !name.empty() && name.front() != '.' && fs::path(name).filename() == fs::path(name);
 }
@@ -37,7 +37,7 @@ bool isOfMission(const fs::path& list, const FindList& victims) {
 }  // namespace
 
 EarlierReport::EarlierReport(fs::path folder) : m_folder(std::move(folder)) {
-    // Where there is none, or one that others wrote in their way, nothing is known to be ours.
+    // Without one, or with one that others wrote in their format, no file is known to be ours.
     if (auto listed = readChecksums(m_folder)) m_listed = std::move(listed).value();
     std::erase_if(m_listed, [](const Checksum& one) { return !isPlain(one.name); });
 }
@@ -52,7 +52,7 @@ std::vector<std::string> EarlierReport::untouched(const std::vector<std::string>
 
 std::vector<std::string> EarlierReport::remove(const std::string& name, const std::vector<std::string>& names,
                                                const FindList& victims) const {
-    // What the files of each report begin with, and whether it is one of this mission.
+    // The beginning of each report's file names, and whether the report is of this mission.
     std::map<std::string, bool> reports = {{name, true}};
     const std::string ending = endingOf(FindList::Kind::Victims);
     for (const Checksum& one : m_listed) {

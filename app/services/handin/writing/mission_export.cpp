@@ -37,7 +37,7 @@ ReportFile told(const fs::path& file, std::string check) {
     return {.name = file.string(), .bytes = bytes, .whole = true, .check = std::move(check)};
 }
 
-/// The file that was @p written, read again.
+/// Reads the file that was @p written again.
 Result<ReportFile> again(const Result<void>& written, const fs::path& file,
                          const FileContents& contents = {}) {
     if (!written) return written.error();
@@ -94,7 +94,7 @@ Result<ExportOutcome> exportTrajectories(const fs::path& out, const ReportModel&
     return outcome;
 }
 
-/// Whether @p model has the storey that @p map is to show.
+/// Error when @p model does not have the storey that @p map is to show.
 Result<void> hasMap(const ReportModel& model, const ReportMap& map, const fs::path& out) {
     std::vector<int> numbers;
     for (const ReportStorey& storey : model.storeys) numbers.push_back(storey.share.number);
@@ -134,10 +134,10 @@ Result<ExportOutcome> exportList(const fs::path& out, const Exported& from) {
     return oneFile(again(writeFindList(out, list), out, {.count = list.finds.size()}));
 }
 
-/// A format that is made of the report's model; clouds have a table of their own (CloudFormat).
+/// A format made from the report's model; clouds have their own table (CloudFormat).
 struct ModelFormat {
     std::string_view ending, subject;
-    bool showsMap = false;  ///< it is nothing where no scan counts
+    bool showsMap = false;  ///< needs a scan that counts
     Result<ExportOutcome> (*write)(const fs::path& out, const Exported& from);
 };
 constexpr std::array<ModelFormat, 4> ModelFormats = {{

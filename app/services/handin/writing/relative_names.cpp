@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Takes @p prefix away wherever a path in @p text begins with it.
+/// Removes @p prefix wherever a path in @p text begins with it.
 void takeAway(std::string& text, const std::string& prefix) {
     constexpr std::string_view Before = " \t\n\"'(<[";
     if (prefix.empty()) return;
@@ -21,9 +21,9 @@ void takeAway(std::string& text, const std::string& prefix) {
     }
 }
 
-/// Calls @p folder itself by its own name.
+/// Replaces @p folder itself by its own name.
 void callByName(std::string& text, const std::string& folder, const std::string& name) {
-    if (folder.size() < 2 || folder == name) return;  // "." stands for too much
+    if (folder.size() < 2 || folder == name) return;  // "." would match too much
     for (auto at = text.find(folder + ':'); at != std::string::npos; at = text.find(folder + ':', at + 1)) {
         if (at == 0 || text[at - 1] == ' ') text.replace(at, folder.size(), name);
     }

@@ -5,8 +5,8 @@
 
 namespace leitstand {
 
-/// @p text with the files of @p mission, a folder or a file in one, called as they are within the folder:
-/// what a report tells of a mission is the same wherever it lies and however it was named.
+/// Returns @p text with paths of files of @p mission, a folder or a file in one, relative to the folder. The
+/// text of a report then does not depend on where the mission lies and how its path was written.
 [[nodiscard]] std::string namedWithin(std::string text, const std::filesystem::path& mission);
 
 }  // namespace leitstand

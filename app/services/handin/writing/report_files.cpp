@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @p found @p what of @p file, or that it is to have others.
+/// Returns @p found and @p what in words; error when @p file should have another number of them.
 Result<std::string> counted(const fs::path& file, std::size_t found, const std::string& what,
                             const FileContents& expected) {
     if (expected.count && *expected.count != found)
@@ -91,7 +91,7 @@ Result<std::string> checkTrajectory(const fs::path& file, const FileContents& ex
     return counted(file, poses->size(), "poses", expected);
 }
 
-/// As far as a PDF can be checked without a reader of PDFs: its frame is whole.
+/// Checks a PDF as far as possible without a reader of PDFs: its frame is whole.
 Result<std::string> checkPdf(const fs::path& file, const FileContents& expected) {
     std::ifstream in(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -119,7 +119,7 @@ Result<std::string> checkPdf(const fs::path& file, const FileContents& expected)
     return pages > 0 ? fmt::format("{} pages", pages) : fmt::format("{} bytes", bytes.size());
 }
 
-/// How a file that was written is read again, by its ending.
+/// How a written file is read again, by its ending.
 struct FileCheck {
     std::string_view ending;
     Result<std::string> (*check)(const fs::path& file, const FileContents& expected);

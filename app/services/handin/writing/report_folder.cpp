@@ -23,7 +23,7 @@ std::filesystem::path reportFolderOf(const std::filesystem::path& mission) {
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(in.gcount()));
     if (text.ends_with('\n')) text.pop_back();
-    // What is no path from the root is none of ours.
+    // Anything but an absolute path is none of ours.
     const bool sound = text.size() < LongestPath && text.find('\0') == std::string::npos;
     const std::filesystem::path out = sound ? text : std::string();
     return out.is_absolute() ? out : std::filesystem::path();

@@ -17,12 +17,12 @@
 namespace leitstand {
 namespace {
 
-constexpr int LeastRest = 4;  // part of the interval that is waited where a report takes longer than that
+constexpr int LeastRest = 4;  // least rest after a report, as a part of the interval: interval / LeastRest
 
-/// Robots are driven beside it: the calling thread computes when others need no processor. On Linux that is
-/// a matter of a thread; threads that it begins are like it.
+/// Robots are driven at the same time: the calling thread computes when others need no processor. On Linux
+/// this is set per thread, and threads that it starts inherit it.
 void giveWay() {
-    constexpr int Nice = 5;  // a third of what another gets, so that the hand-in comes on a busy machine too
+    constexpr int Nice = 5;  // a third of another's share, so that it is written on a busy machine too
     beginSharedThreads();
     (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), Nice);
 }

@@ -10,9 +10,9 @@
 
 namespace leitstand {
 
-/// Keeps the hand-in of a mission that is being recorded up to date: writes it again at an interval, counted
-/// from begin to begin, and whenever it is asked, on a thread of its own that gives way to all others. It
-/// must end before the mission is closed, whose log it reads.
+/// Keeps the hand-in of a mission up to date while it is recorded. Writes it at an interval, counted from
+/// start to start, and on request. Works on its own thread, which gives way to all others. It must end before
+/// the mission is closed, because it reads the mission's log.
 class ReportKeeper {
 public:
     struct Settings {
@@ -22,13 +22,13 @@ public:
     };
     /// @p onWritten is called on the keeper's thread after each attempt.
     ReportKeeper(Settings settings, std::function<void(const Result<ReportOutcome>&)> onWritten);
-    ~ReportKeeper();  ///< a report that is being written is given up; files are whole all the same
+    ~ReportKeeper();  ///< cancels a report that is being written; its files are whole nevertheless
     ReportKeeper(const ReportKeeper&) = delete;
     ReportKeeper& operator=(const ReportKeeper&) = delete;
 
-    /// Writes now, or once more when it is just writing. Any thread.
+    /// Writes now, or once more if it is writing already. Any thread.
     void writeNow();
-    void end();  ///< nothing is begun any more; does not wait for what is being written
+    void end();  ///< begins no more reports; does not wait for one that is being written
 
 private:
     struct State;

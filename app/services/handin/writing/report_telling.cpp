@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is wrong with @p file, which is named without its folder @p out, that is told anyway.
+/// Returns what is wrong with @p file, named without its folder @p out, which the message names anyway.
 std::string problemOf(const ReportFile& file, const fs::path& out) {
     const std::string folder = (out / "").string();
     const std::string why = file.check.starts_with(folder) ? file.check.substr(folder.size()) : file.check;

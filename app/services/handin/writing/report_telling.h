@@ -9,17 +9,16 @@
 
 namespace leitstand {
 
-/// Tells an operator what came of reports that are written again and again.
+/// Makes messages for the operator about reports that are written repeatedly.
 class ReportTelling {
 public:
-    /// What is to be told of the report @p done into the folder @p out, each a message: what is missing in it
-    /// that the one before did not miss, then, last, that it is written, or which of its files are broken and
-    /// why.
+    /// Returns the messages about the report @p done in the folder @p out. First comes what it misses and the
+    /// one before did not miss. Last comes that it is written, or which of its files are broken and why.
     [[nodiscard]] std::vector<std::string> of(const Result<ReportOutcome>& done,
                                               const std::filesystem::path& out);
 
 private:
-    std::vector<std::string> m_warnings;  ///< of the report before
+    std::vector<std::string> m_warnings;  ///< of the previous report
 };
 
 }  // namespace leitstand

@@ -33,14 +33,14 @@ namespace fs = std::filesystem;
 constexpr double CloudEdge = 0.02;       ///< of the cubes that keep a point in the PLY [m]
 constexpr double PrintedPixels = 3.0e6;  ///< of a map in the PDF
 
-/// A file that was @p written, and what it is to hold.
+/// Result of writing a file, and what the file should contain.
 struct Written {
     Result<void> written;
     FileContents contents = {};
 };
 
-/// Writes the files of one report; where one fails the others are written all the same, until nobody wants
-/// them any more.
+/// Writes the files of one report. When one fails the others are still written, unless the report is
+/// cancelled.
 class Writing {
 public:
     Writing(fs::path folder, std::string name, const Progress& progress)
@@ -61,7 +61,7 @@ public:
             m_contents.push_back(done.contents);
         }
     }
-    /// What the file of number @p index of names() is to hold.
+    /// What the file of number @p index of names() should contain.
     [[nodiscard]] const FileContents& contents(std::size_t index) const { return m_contents[index]; }
     [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
     [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
@@ -79,7 +79,7 @@ private:
 
 void writeMaps(Writing& writing, const ReportModel& model) {
     if (!model.hasMap()) return;
-    std::vector<ReportMap> maps = {{0, {}}, {1, {}}};  // the rules ask for one with everything
+    std::vector<ReportMap> maps = {{0, {}}, {1, {}}};  // the rules require one with everything
     if (!model.storeys.empty()) {
         for (const ReportMap& one : mapsOf(model)) maps.push_back(one);
     }
@@ -250,7 +250,8 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
                     {.count = 1 + content.maps.size() + content.finds.size()}};
         });
     }
-    // Not before all of the new one is there, nor after it is listed: the list of what is old would be lost.
+    // Only when all of the new report is there, and before it is listed: the list of the old files would be
+    // lost.
     std::vector<std::string> listed = writing.names();
     if (writing.failure() && !progress.cancelled()) {
         for (std::string& old : earlier.untouched(listed)) listed.push_back(std::move(old));

@@ -12,7 +12,7 @@
 
 namespace leitstand {
 
-/// How a report is written.
+/// Options of a report.
 struct ReportOptions {
     /// Lays a report out as the bytes of a PDF; empty: none is written. Called on the caller's thread.
     std::function<Result<std::string>(const ReportContent&)> pdf = {};
@@ -20,7 +20,7 @@ struct ReportOptions {
     Time created{};            ///< stated in the PDF; epoch: now
 };
 
-/// A file of a report, read again.
+/// A file of a report, after it was read again.
 struct ReportFile {
     std::string name;
     std::uintmax_t bytes = 0;
@@ -28,22 +28,22 @@ struct ReportFile {
     std::string check;   ///< what was found in it, or what is wrong
 };
 
-/// What came of a report.
+/// Result of writing a report.
 struct ReportOutcome {
-    std::string name;  ///< that its files begin with
+    std::string name;  ///< beginning of its files' names
     std::vector<ReportFile> files;
     std::vector<std::string> warnings;  ///< what is missing or could not be read, each in a sentence
     std::size_t victims = 0, finds = 0, scans = 0;
     double explored = 0.0;  ///< [m2]
-    double seconds = 0.0;   ///< of work
+    double seconds = 0.0;   ///< duration of the work
     [[nodiscard]] bool whole() const;
 };
 
-/// Writes the hand-in of @p mission into the folder @p out, which is made where it is absent: GeoTIFF at two
-/// heights, lists, OctoMap, PLY with labels, a TUM trajectory for each robot, PDF, SHA256SUMS. Files of an
-/// earlier report of the same name are replaced, each whole or not at all; those of earlier reports of this
-/// mission by other names are removed once the new ones are there (EarlierReport). Then every file is read
-/// again. An error when the mission cannot be opened, or a file cannot be written.
+/// Writes the hand-in of @p mission into the folder @p out, which is created if absent: GeoTIFF at two
+/// heights, lists, OctoMap, PLY with labels, a TUM trajectory for each robot, PDF, SHA256SUMS. Replaces files
+/// of an earlier report of the same name, each whole or not at all. Removes those of earlier reports of this
+/// mission by other names once the new ones are there (EarlierReport). Then reads every file again. Error
+/// when the mission cannot be opened, or a file cannot be written.
 [[nodiscard]] Result<ReportOutcome> writeReport(const std::filesystem::path& mission,
                                                 const std::filesystem::path& out,
                                                 const ReportOptions& options, const Progress& progress = {});

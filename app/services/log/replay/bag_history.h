@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// The past of a mission as its bag has it, decoded.
+/// The past of a mission, decoded from its bag.
 class BagHistory final : public MissionHistory {
 public:
     /// Both must outlive it.

@@ -23,7 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds Tick(20);  ///< how soon a pause or a cancel is noticed
 
-/// A reliable writer suits every reader; what stayed for late comers does so again.
+/// A reliable writer suits every reader; topics that were transient local are so again.
 Qos offered(const TopicInfo& topic) {
     const bool stays = topic.qosProfiles.find("durability: 1") != std::string::npos ||
                        topic.qosProfiles.find("transient_local") != std::string::npos;
@@ -34,7 +34,7 @@ Qos offered(const TopicInfo& topic) {
     return qos;
 }
 
-/// Topics that robots share, so that two on it do not disturb each other.
+/// Whether robots share @p topic, so that two on it do not disturb each other.
 bool isShared(const std::string& topic) {
     const auto table = streamTable();
     return std::any_of(table.begin(), table.end(), [&topic](const StreamFacts& row) {
@@ -42,7 +42,7 @@ bool isShared(const std::string& topic) {
     });
 }
 
-/// The first live robot whose name is one of @p names; empty when there is none.
+/// Returns the first live robot whose name is one of @p names; empty when there is none.
 std::optional<std::string> liveNamesake(const Node& node, const std::set<std::string>& names) {
     for (const RemoteEndpoint& endpoint : node.endpoints()) {
         if (endpoint.kind != RemoteEndpoint::Kind::Writer) continue;
@@ -88,12 +88,12 @@ Result<std::unique_ptr<MissionReplay>> MissionReplay::open(const ReplaySettings&
     auto chosen = nodeSettings(settings.domain, "leitstandctl replay");
     if (!chosen) return chosen.error();
     NodeSettings network = std::move(chosen).value();
-    // No radio to spare: at several times its speed, a mission must not wait in our own queues.
+    // There is no radio to spare: at several times its speed, a mission must not wait in our own queues.
     network.telemetryLimit = network.scanLimit = network.pictureLimit = {8000, 1};
     auto node = Node::create(network);
     if (!node) return node.error();
     state->node = std::move(node).value();
-    // Discovery takes its time: nothing is said before it is clear that nobody of that name is there.
+    // Discovery takes its time: nothing is published before it is clear that no robot of that name is there.
     const auto settled = Clock::now() + std::chrono::duration<double>(settings.settleSeconds);
     do {
         if (const auto robot = liveNamesake(*state->node, state->robots)) {
@@ -114,7 +114,7 @@ Result<std::unique_ptr<MissionReplay>> MissionReplay::open(const ReplaySettings&
                                                  .type = topic.info.type,
                                                  .qos = offered(topic.info),
                                                  .flow = flowOf(topic.info.type)});
-        if (!publisher) {  // DDS knows one type a topic
+        if (!publisher) {  // DDS knows one type per topic
             state->outcome.problems.push_back(publisher.error().text);
             continue;
         }
@@ -167,14 +167,14 @@ bool MissionReplay::State::playOnce(const std::atomic<bool>& paused, const Progr
             begins = true;
         const std::chrono::duration<double> wait = pace.waitBefore(event->received, begins);
         due += std::chrono::duration_cast<Clock::duration>(wait / settings.rate);
-        if (!waitUntil(due, paused, progress)) return false;  // pauses move everything on
+        if (!waitUntil(due, paused, progress)) return false;  // pauses delay everything
         publish(*event);
         progress.done(static_cast<double>(event->sequence) / events);
     }
     return true;
 }
 
-/// What was said last must reach those that listen, as far as they still do.
+/// Waits until the last samples have reached those that still listen.
 void MissionReplay::State::waitForListeners(const Progress& progress) const {
     const auto until = Clock::now() + std::chrono::seconds(30);
     for (const auto& [key, publisher] : publishers) {
@@ -185,7 +185,7 @@ void MissionReplay::State::waitForListeners(const Progress& progress) const {
 }
 
 ReplayOutcome MissionReplay::play(const std::atomic<bool>& paused, const Progress& progress) {
-    // A mission with nothing to say must not be said over and over.
+    // A mission without anything to publish must not be played over and over.
     while (m_state->playOnce(paused, progress) && m_state->settings.loop && m_state->outcome.published > 0 &&
            !progress.cancelled()) {
     }

@@ -14,36 +14,37 @@
 
 namespace leitstand {
 
-/// How to play a mission.
+/// Settings of a replay.
 struct ReplaySettings {
     std::filesystem::path mission;
     DomainSettings domain = {};
     double rate = 1.0;           ///< of the mission's time to real time, above 0
     bool loop = false;           ///< begin again at the end
-    double settleSeconds = 2.0;  ///< listened for live robots before the first sample [s]
+    double settleSeconds = 2.0;  ///< time spent listening for live robots before the first sample [s]
 };
 
-/// What was played.
+/// Result of a replay.
 struct ReplayOutcome {
     std::uint64_t published = 0;
-    std::uint64_t heldBack = 0;  ///< events that a replay must not say
+    std::uint64_t heldBack = 0;  ///< events that a replay must not publish
     std::vector<std::string> heldBackTopics;
     std::vector<std::string> problems;  ///< what could not be read or sent
 };
 
-/// Publishes what a mission's robots said, on DDS, at the pace at which it came; stamps stay as they were.
+/// Publishes on DDS what a mission's robots sent, at the pace at which it was received; stamps stay
+/// unchanged.
 class MissionReplay {
 public:
-    /// Opens the mission and joins the domain. Errors: the bag cannot be read; a live robot of the same name
-    /// is on the domain (then nothing is published).
+    /// Opens the mission and joins the domain. Error when the bag cannot be read, or a live robot of the same
+    /// name is on the domain (then nothing is published).
     [[nodiscard]] static Result<std::unique_ptr<MissionReplay>> open(const ReplaySettings& settings,
                                                                      const Progress& progress = {});
     ~MissionReplay();
     MissionReplay(const MissionReplay&) = delete;
     MissionReplay& operator=(const MissionReplay&) = delete;
 
-    /// Plays to the end (of each round, when it loops) or until @p progress is cancelled. @p paused may be
-    /// switched at any time: the replay stands still and goes on where it was.
+    /// Plays to the end (of each round, when it loops) or until @p progress is cancelled. Switching @p paused
+    /// at any time stops the replay, and continues it where it was.
     [[nodiscard]] ReplayOutcome play(const std::atomic<bool>& paused, const Progress& progress = {});
 
 private:

@@ -6,7 +6,7 @@ namespace leitstand {
 namespace {
 
 using std::chrono::nanoseconds;
-constexpr std::chrono::seconds Short(1);  ///< a gap that nobody waits for
+constexpr std::chrono::seconds Short(1);  ///< wait for a gap that is too long
 
 /// Whether @p later is more than MostSilence after @p earlier; neither sum nor difference may overflow.
 bool farAfter(Time later, Time earlier) {

@@ -6,16 +6,16 @@
 
 namespace leitstand {
 
-/// How long a replay waits before it says the next event, by the times at which the log received them. Those
-/// may be anything: 1970, 2262, back and forth.
+/// Computes how long a replay waits before it publishes the next event, by the times at which the log
+/// received them. Those may be anything: 1970, 2262, back and forth.
 class ReplayPace {
 public:
-    /// Nobody waits longer than this for what a log says next [s]: such a gap is one between sessions, or a
-    /// time that makes no sense, and lasts a second.
+    /// No wait is longer than this. Such a gap lies between sessions, or is a time that makes no sense; it
+    /// lasts a second.
     static constexpr std::chrono::hours MostSilence{1};
 
-    /// The wait before an event received at @p received. @p begins: it is the first of a session, before
-    /// which the station was off.
+    /// Returns the wait before an event received at @p received. @p begins: it is the first of a session,
+    /// before which the station was off.
     [[nodiscard]] std::chrono::nanoseconds waitBefore(Time received, bool begins);
 
 private:

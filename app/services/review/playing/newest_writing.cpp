@@ -19,7 +19,8 @@ bool isWriting(const Decision& decision) {
                                 std::holds_alternative<NoteSample>(decision.content));
 }
 
-/// Of the events after @p from and before @p to, all of which @p station said.
+/// Returns the newest entry among the events of @p station after @p from and before @p to; all events there
+/// are of that station.
 ReviewWriting newestWithin(const MissionState& mission, const std::string& station, std::uint64_t from,
                            std::uint64_t to) {
     ReviewWriting newest;

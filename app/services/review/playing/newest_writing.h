@@ -6,18 +6,18 @@
 
 namespace leitstand {
 
-/// What tells a review's session in the log from those of the mission: its title, and what names of stations
-/// that write reviews begin with.
+/// Distinguish a review's session in the log from those of the mission: its title, and the beginning of the
+/// names of stations that write reviews.
 inline constexpr std::string_view ReviewTitle = "Review", ReviewStation = "review";
 
-/// Something that was written in a review; both null: nothing.
+/// An entry that was written in a review; both null: none.
 struct ReviewWriting {
     const Decision* decision = nullptr;  ///< a note, or an entry on a find
     const CandidateSample* dismissal = nullptr;
     explicit operator bool() const { return decision != nullptr || dismissal != nullptr; }
 };
-/// The newest that was written in any review of @p mission and is not taken back, one of both; never what the
-/// mission recorded itself. Stays valid as long as @p mission.
+/// Returns the newest entry of any review of @p mission that is not taken back, one of both kinds. Never
+/// returns what the mission recorded itself. Stays valid as long as @p mission.
 [[nodiscard]] ReviewWriting newestWriting(const MissionState& mission);
 
 }  // namespace leitstand

@@ -11,9 +11,9 @@ using Clock = std::chrono::steady_clock;
 using Nanoseconds = std::chrono::nanoseconds;
 
 constexpr std::chrono::milliseconds Tick(33), TickAround(200);  ///< the latter while it goes backwards
-constexpr std::chrono::seconds LongestTick(1);                  ///< a busy computer makes no leaps
+constexpr std::chrono::seconds LongestTick(1);                  ///< so that a busy computer makes no leaps
 
-/// @p at, or where what was recorded goes on from there in the direction of @p rate.
+/// Returns @p at, or where the recording goes on from there in the direction of @p rate.
 Time passedOver(const std::vector<TimelineStretch>& stretches, Time at, double rate) {
     const auto next = std::find_if(stretches.begin(), stretches.end(),
                                    [at](const TimelineStretch& one) { return one.to >= at; });
@@ -52,7 +52,7 @@ void ReviewPlayer::wake() {
 void ReviewPlayer::play(double rate) {
     const std::lock_guard lock(m_mutex);
     const double size = std::abs(rate);
-    const bool stands = !(size > 0.0);  // also what is no number
+    const bool stands = !(size > 0.0);  // also NaN
     m_rate = stands ? 0.0 : std::copysign(std::clamp(size, Slowest, Fastest), rate);
     wake();
 }
@@ -163,7 +163,7 @@ void ReviewPlayer::run(const std::stop_token& stop) {
             if (m_rate != 0.0) advance(std::min<Nanoseconds>(now - before, LongestTick), *index);
             before = now;
             at = m_position;
-            asked = asked || m_rate == 0.0;  // where it comes to stand everything is shown
+            asked = asked || m_rate == 0.0;  // where it stops, everything is shown
             scene.watch(m_watched);
             scene.show(m_map);
         }

@@ -17,22 +17,22 @@
 
 namespace leitstand {
 
-/// Called on the player's thread, which they must not hold up; any may be empty.
+/// Called on the player's thread, which they must not block; any may be empty.
 struct ReviewListener {
-    std::function<void(double fraction)> onOpening = {};  ///< how far it is mapped and read through, 0 to 1
-    std::function<void(const ReviewIndexPtr&)> onIndex = {};    ///< once: it is; moments come from then on
+    std::function<void(double fraction)> onOpening = {};        ///< share of mapping and reading done, 0 to 1
+    std::function<void(const ReviewIndexPtr&)> onIndex = {};    ///< once, when all is read; moments follow
     std::function<void(const ReviewMomentPtr&)> onMoment = {};  ///< each that is shown
     std::function<void(const std::string&)> onMessage = {};     ///< for the operator, in words
 };
 
-/// Plays a recorded mission, forwards and backwards, on a thread of its own. Stretches of time in which
-/// nothing was recorded are passed over. Any thread; nothing waits for the disk.
+/// Plays a recorded mission, forwards and backwards, on its own thread. Skips times in which nothing was
+/// recorded. Any thread; no call waits for the disk.
 class ReviewPlayer {
 public:
-    static constexpr double Slowest = 0.1, Fastest = 32.0;  ///< of mission's time to real time
-    static constexpr double MapPart = 0.9;                  ///< of opening a mission that has no map
+    static constexpr double Slowest = 0.1, Fastest = 32.0;  ///< ratio of mission's time to real time
+    static constexpr double MapPart = 0.9;                  ///< share of opening a mission that has no map
 
-    /// Opens the mission, at ReviewIndex::opensAt unless something else is sought before it is read through.
+    /// Opens the mission at ReviewIndex::opensAt, unless another moment is sought before it is read through.
     /// Errors as of ReviewLog::open().
     [[nodiscard]] static Result<std::unique_ptr<ReviewPlayer>> open(const std::filesystem::path& mission,
                                                                     ReviewListener listener = {});
@@ -45,30 +45,30 @@ public:
     [[nodiscard]] Time first() const { return m_first; }
     [[nodiscard]] Time last() const { return m_last; }
 
-    /// @p rate: of mission's time to real time, negative: backwards, 0: stands; within the bounds. It stands
-    /// by itself at the end, and at the start when it goes backwards.
+    /// Plays at @p rate: ratio of mission's time to real time, within the bounds; negative: backwards, 0:
+    /// stands. It stops by itself at the end, and at the start when it goes backwards.
     void play(double rate);
     [[nodiscard]] double rate() const;
-    /// Goes to @p at, which is brought within the mission; the newest wish counts.
+    /// Goes to @p at, limited to the mission; the newest request counts.
     void seek(Time at);
     void step(std::chrono::nanoseconds by);  ///< from where it is
     void watch(const std::string& robot);    ///< as of ReviewScene
     void show(ReviewMap map);
     [[nodiscard]] ReviewMap map() const;
-    /// Where it is, or was told to go.
+    /// The present position, or the one that was requested.
     [[nodiscard]] Time position() const;
-    /// The newest that was made; null before the mission was read through.
+    /// The newest moment that was made; null before the mission was read through.
     [[nodiscard]] ReviewMomentPtr moment() const;
-    /// Whether clouds are registered before it opens, since no station made a map (ReviewLog::makeMap()):
-    /// opening up to MapPart.
+    /// Whether clouds are registered before it opens, since no station made a map (ReviewLog::makeMap()).
+    /// Opening then does this up to MapPart.
     [[nodiscard]] bool mapsOffline() const { return m_mapsOffline; }
-    /// Ends that: it opens with what is registered by now.
+    /// Ends the registration: it opens with what is registered by now.
     void stopMapping() { m_mapping.request_stop(); }
 
 private:
     ReviewPlayer(std::unique_ptr<ReviewLog> log, ReviewListener listener);
     void run(const std::stop_token& stop);
-    /// Maps where that is needed and reads through.
+    /// Makes a map if needed, and reads the mission through.
     [[nodiscard]] ReviewIndexPtr opened(const std::stop_token& stop);
     void show(ReviewScene& scene, Time at, bool around);
     void advance(std::chrono::nanoseconds real, const ReviewIndex& index);  ///< under the mutex
@@ -82,7 +82,7 @@ private:
     mutable std::mutex m_mutex;
     std::condition_variable_any m_woken;
     Time m_position;        ///< under the mutex, as all that follows
-    bool m_sought = false;  ///< somebody said where to go
+    bool m_sought = false;  ///< somebody requested a position
     double m_rate = 0.0;
     std::string m_watched;
     ReviewMap m_map = ReviewMap::AsThen;

@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// Waits until the mission @p has what was said last. Errors, in words: the @p problem that its log tells of,
-/// or that it is not there after @p patience, when nobody can say whether it was written.
+/// Waits until the mission @p has what was published last. Errors, in words: the @p problem of its log, or
+/// that it is not there after @p patience, when nobody knows whether it was written.
 [[nodiscard]] Result<void> untilWritten(const std::function<bool()>& has,
                                         const std::function<std::string()>& problem,
                                         std::chrono::nanoseconds patience = std::chrono::seconds(5));

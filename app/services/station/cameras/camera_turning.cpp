@@ -8,7 +8,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds LeftAlone(10);  ///< cameras, before another station gets them
+constexpr std::chrono::seconds LeftAlone(10);  ///< time without use, before another station gets the cameras
 
 GrantId cameraGrant(const std::string& robot) {
     return {GrantSample::Kind::Camera, robot};
@@ -139,7 +139,7 @@ Result<void> CameraTurning::pulse() {
         command.positions.insert(command.positions.end(), {angles->pan, angles->tilt});
     }
     for (const auto& [robot, command] : commands) {
-        if (!maySend(robot)) continue;  // due again until the grant is there, or the wish is dropped
+        if (!maySend(robot)) continue;  // due again until the grant is held, or the wish is dropped
         auto sent = m_wire.send(robot, command);
         if (!sent && !std::exchange(m_uses[robot].failed, true)) outcome = sent.error();
     }

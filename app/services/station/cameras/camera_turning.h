@@ -17,20 +17,21 @@
 
 namespace leitstand {
 
-/// A camera that can be turned, as the station has it now.
+/// A camera that can be turned, in its present state.
 struct CameraTurn {
     PanTiltMount mount;
-    std::optional<PanTiltAngles> now, wish;  ///< now: as the robot's joints say; wish: while it is on its way
+    std::optional<PanTiltAngles> now, wish;  ///< now: by the robot's joints; wish: while it is on its way
     bool waiting = false;                    ///< for the grant to turn cameras
     std::string heldBy;                      ///< another station that has the grant, for people; empty: none
 };
 
-/// Turns cameras of robots: cameras of one pan-tilt unit turn together. Asks for the grant when it is first
-/// used, and leaves it to a station that asks once they were left alone for 10 s; until anybody has it, who
-/// holds the grant to drive turns cameras, too (RobotAgent). Any thread; nothing waits for the network.
+/// Turns cameras of robots: cameras of one pan-tilt unit turn together. Requests the grant when it is first
+/// used. Releases it to a station that requests it once the cameras were left alone for 10 s. Until anybody
+/// has it, the holder of the grant to drive turns cameras, too (RobotAgent). Any thread; no call waits for
+/// the network.
 class CameraTurning : public EventSink {
 public:
-    /// What it needs of its station.
+    /// Functions of its station.
     struct Wire {
         std::function<GrantView(const GrantId&)> grant;
         std::function<bool(const GrantId&)> mayAct;
@@ -40,18 +41,18 @@ public:
     };
     CameraTurning(const std::vector<RobotDescription>& robots, Wire wire);
 
-    void onEvent(const Event& event) override;  ///< joint states; others are passed by
-    /// Empty when @p sensor of @p robot cannot be turned.
+    void onEvent(const Event& event) override;  ///< takes joint states; ignores others
+    /// Returns the state of a camera; empty when @p sensor of @p robot cannot be turned.
     [[nodiscard]] std::optional<CameraTurn> view(const std::string& robot, const std::string& sensor) const;
 
-    // What the operator wants; nothing for what cannot be turned.
+    // Requests of the operator; without effect on what cannot be turned.
     void turnTo(const std::string& robot, const std::string& sensor, const PanTiltAngles& angles);
     void turnBy(const std::string& robot, const std::string& sensor, const PanTiltAngles& step);
-    /// On and on, until told otherwise [rad/s].
+    /// Turns on and on, until another rate is set [rad/s].
     void setRate(const std::string& robot, const std::string& sensor, const PanTiltAngles& perSecond);
     void recentre(const std::string& robot);  ///< all of its cameras
 
-    /// Sends what is due; to be called about 30 times a second. The error is told once for each wish.
+    /// Sends what is due; call it about 30 times a second. Returns an error once for each wish.
     [[nodiscard]] Result<void> pulse();
 
 private:
@@ -67,7 +68,7 @@ private:
     std::map<std::pair<std::string, std::string>, std::string> m_unitOf;  ///< by robot and sensor
     struct Use {
         SteadyTime last = {};
-        bool failed = false;  ///< told already
+        bool failed = false;  ///< reported already
     };
     std::map<std::string, Use> m_uses;  ///< by robot
 };

@@ -97,7 +97,7 @@ void PictureFeed::apply(const Work& work, Picture picture, ShownPicture& shown) 
         picture = panorama->unwrapped(picture);
         shown.panorama = panorama->shape();
     }
-    // False colours would tell other temperatures.
+    // Changed contrast would show other temperatures in false colours.
     if (work.event.role == StreamRole::Picture && work.look.contrast != ContrastHelp::Off) {
         picture = withContrast(picture, work.look.contrast);
         shown.contrast = work.look.contrast;

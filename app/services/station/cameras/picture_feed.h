@@ -22,38 +22,38 @@
 
 namespace leitstand {
 
-/// How the operator wants to see pictures of a camera. The log and snapshots have them as they came.
+/// How the operator wants to see pictures of a camera. The log and snapshots keep them as they came.
 struct PictureLook {
-    ContrastHelp contrast = ContrastHelp::Off;  ///< not of infrared cameras
+    ContrastHelp contrast = ContrastHelp::Off;  ///< not for infrared cameras
     bool unwrapped = false;                     ///< panorama of an omnidirectional camera
     friend bool operator==(const PictureLook&, const PictureLook&) = default;
 };
 
 /// A picture ready to be shown.
 struct ShownPicture {
-    std::string robot, sensor;                       ///< sensor: StreamDescription::sensor
-    std::uint64_t sequence = 0;                      ///< of its event: the same when only the look changed
-    PictureSample sample;                            ///< as it came
-    std::variant<Picture, ThermalPicture> content;   ///< looks applied; thermal where the camera measures
-    Time stamp{}, received{};                        ///< robot's and station's clock
-    std::uint64_t fingerprint = 0;                   ///< contentHash() of the sample's bytes
-    ContrastHelp contrast = ContrastHelp::Off;       ///< that the content got
-    std::optional<PanoramaShape> panorama;           ///< that the content is
-    std::shared_ptr<const CameraInfoSample> camera;  ///< how it sees; null: not told yet
+    std::string robot, sensor;                      ///< sensor: StreamDescription::sensor
+    std::uint64_t sequence = 0;                     ///< of its event; unchanged when only the look changed
+    PictureSample sample;                           ///< as it came
+    std::variant<Picture, ThermalPicture> content;  ///< with the look applied; thermal if the camera measures
+    Time stamp{}, received{};                       ///< robot's and station's clock
+    std::uint64_t fingerprint = 0;                  ///< contentHash() of the sample's bytes
+    ContrastHelp contrast = ContrastHelp::Off;      ///< applied to the content
+    std::optional<PanoramaShape> panorama;          ///< shape of the content, if it is one
+    std::shared_ptr<const CameraInfoSample> camera;  ///< its calibration; null: none came yet
     int width = 0, height = 0;                       ///< of the picture as it came [px]
     std::vector<HeatBlob> heat;                      ///< of a thermal one
 };
 using ShownPicturePtr = std::shared_ptr<const ShownPicture>;
 
-/// Decodes pictures on a thread of its own, of each camera always the newest: what comes while it is at work
-/// takes the place of what waits (the log keeps all). Any thread.
+/// Decodes pictures on its own thread, always the newest of each camera. A picture that comes while it is at
+/// work replaces the waiting one (the log keeps all). Any thread.
 class PictureFeed {
 public:
     /// Called on the feed's thread.
     struct Listener {
         std::function<void(const ShownPicturePtr&)> onPicture;
         std::function<void(const std::string&)>
-            onProblem;  ///< a camera's first picture that is none, in words
+            onProblem;  ///< the first broken picture of a camera, in words
     };
 
     PictureFeed(std::vector<RobotDescription> robots, Listener listener);
@@ -61,8 +61,8 @@ public:
     PictureFeed(const PictureFeed&) = delete;
     PictureFeed& operator=(const PictureFeed&) = delete;
 
-    void onEvent(const Event& event);  ///< pictures and camera infos; others are passed by
-    /// How pictures of a camera are shown from now on; its newest one comes once more.
+    void onEvent(const Event& event);  ///< takes pictures and camera infos; ignores others
+    /// Sets how pictures of a camera are shown from now on; its newest one is shown again.
     void setLook(const std::string& robot, const std::string& sensor, const PictureLook& look);
 
 private:

@@ -16,18 +16,19 @@ namespace leitstand {
 /// A picture to be kept, and what is known about it.
 struct SnapshotWish {
     ShownPicturePtr picture;
-    std::string camera;                   ///< what the operator calls it, "Left camera"
+    std::string camera;                   ///< its name for the operator, "Left camera"
     std::optional<Pose> baseInOdom;       ///< of the robot, by its newest odometry
     std::optional<PanTiltAngles> turned;  ///< of the camera
 };
 
-/// Writes snapshots into the folder `snapshots` of a mission, on a thread of its own: PNG of the picture as
-/// it came (infrared: the raw numbers in 16 bits), with robot, camera, stamps and pose as text in the file.
+/// Writes snapshots into the folder `snapshots` of a mission, on its own thread. Each is a PNG of the picture
+/// as it came (infrared: the raw numbers in 16 bits), with robot, camera, stamps and pose as text in the
+/// file.
 class Snapshots {
 public:
     /// Called on the thread of the snapshots.
     struct Listener {
-        /// The file, relative to the mission's folder.
+        /// @p file is relative to the mission's folder.
         std::function<void(const std::string& robot, const std::filesystem::path& file)> onWritten;
         std::function<void(const std::string& why)> onProblem;
     };
@@ -37,7 +38,7 @@ public:
     Snapshots& operator=(const Snapshots&) = delete;
 
     void take(const SnapshotWish& wish);  ///< any thread
-    void finish();                        ///< waits until all that were taken are written
+    void finish();                        ///< waits until all taken snapshots are written
 
 private:
     [[nodiscard]] Result<std::filesystem::path> write(const SnapshotWish& wish) const;

@@ -22,7 +22,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto Hangs = 2s;       ///< without a word, of which two a second come
+constexpr auto Hangs = 2s;       ///< without a message; two come each second
 constexpr auto EndsWithin = 5s;  ///< two seconds of zeros, and leaving the domain
 
 Error notStarted(const std::filesystem::path& program, int problem) {
@@ -40,14 +40,14 @@ int spawn(pid_t& id, const std::filesystem::path& program, const std::vector<std
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, pipe, STDIN_FILENO);
-    // Others of our files, which their openers may have let pass on, are none of its business.
+    // Our other files, which their openers may have left inheritable, are not for the guard.
     posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t none;
     sigemptyset(&none);
     posix_spawnattr_setsigmask(&attributes, &none);
-    // What a terminal sends to the station, as Ctrl-Z, is not for the guard: a group of its own.
+    // A group of its own: what a terminal sends to the station, such as Ctrl-Z, is not for the guard.
     posix_spawnattr_setpgroup(&attributes, 0);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
     const int problem = posix_spawn(&id, program.c_str(), &files, &attributes, argv.data(), environ);
@@ -60,8 +60,8 @@ int spawn(pid_t& id, const std::filesystem::path& program, const std::vector<std
 
 Result<std::unique_ptr<GuardProcess>> GuardProcess::start(const std::filesystem::path& program,
                                                           const std::vector<std::string>& words) {
-    // Both ends are closed in whatever else this process starts: who held ours open would keep the guard from
-    // seeing that we died.
+    // Both ends are closed in all other processes that this one starts. A process that held ours open would
+    // keep the guard from noticing that we died.
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return notStarted(program, errno);

@@ -14,22 +14,22 @@
 namespace leitstand {
 
 /// A leitstand-guard that runs beside this process, and the pipe to it. It ends by itself when the pipe
-/// closes, whatever becomes of this process. One thread, but for pulse().
+/// closes, whatever happens to this process. One thread, except for pulse().
 class GuardProcess {
 public:
-    /// @p program: its file; @p words: of its command line. Errors: it cannot be started.
+    /// Starts @p program, its file, with @p words on its command line. Error when it cannot be started.
     [[nodiscard]] static Result<std::unique_ptr<GuardProcess>> start(const std::filesystem::path& program,
                                                                      const std::vector<std::string>& words);
-    ~GuardProcess();  ///< closes the pipe and waits for its end, which comes at once when nobody drives
+    ~GuardProcess();  ///< closes the pipe and waits for its end, which is immediate when nobody drives
     GuardProcess(const GuardProcess&) = delete;
     GuardProcess& operator=(const GuardProcess&) = delete;
 
-    /// What it is told; false when it does not take it. Never waits. Any thread.
+    /// Sends it @p pulse; false when it does not take it. Never waits. Any thread.
     bool pulse(const GuardPulse& pulse) const;
     [[nodiscard]] int pipe() const { return m_pipe; }  ///< readable when read() has something new
-    /// Takes what it said since. False when it has ended.
+    /// Takes its messages since the last call. False when it has ended.
     [[nodiscard]] bool read();
-    /// The robot hears it, as it said last, and that is not long ago: it does not hang.
+    /// Whether its last message reports that the robot receives it, and is recent: the guard does not hang.
     [[nodiscard]] bool isReady(SteadyTime now) const;
     void kill() const;
     [[nodiscard]] pid_t id() const { return m_id; }
@@ -43,7 +43,7 @@ private:
     SteadyTime m_heard = {};
 };
 
-/// The guard beside the program that runs: where programs are installed, and where they are built.
+/// Returns the guard beside the running program: where programs are installed, and where they are built.
 [[nodiscard]] std::filesystem::path guardProgram();
 
 }  // namespace leitstand

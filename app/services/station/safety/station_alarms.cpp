@@ -58,7 +58,7 @@ void StationAlarms::onEvent(const Event& event) {
     Bump& bump = known->second;
     for (const Bumper& bumper : bumps->bumpers) {
         std::uint32_t& hits = bump.hits[bumper.name];
-        // What was hit before the station listened is no news.
+        // Hits from before the station listened are no news.
         if (bumper.pressed || (!first && bumper.hits > hits)) {
             bump.newest = bumper.name;
             bump.at = std::chrono::steady_clock::now();
@@ -70,7 +70,7 @@ void StationAlarms::onEvent(const Event& event) {
 void StationAlarms::endEarlier(const MissionState& mission, std::uint64_t session) const {
     for (const auto& [id, state] : *mission.alarms) {
         if (std::get<0>(id) != m_setup.station || state.alarm.state == AlarmSample::State::Cleared) continue;
-        if (session > 0 && state.raised >= session) continue;  // of the log, since it was opened
+        if (session > 0 && state.raised >= session) continue;  // an alarm of the log since it was opened
         AlarmSample over = state.alarm;
         over.stamp = stationTime();
         over.state = AlarmSample::State::Cleared;
@@ -122,7 +122,7 @@ std::vector<AlarmCause> StationAlarms::causes(const MissionState& mission, Time 
 
 void StationAlarms::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "alarms");
-    std::optional<std::uint64_t> ended;  // alarms before this session, which may not be known at once
+    std::optional<std::uint64_t> ended;  // alarms before this session are ended; it may not be known at once
     std::mutex asleep;
     std::condition_variable_any never;
     auto next = std::chrono::steady_clock::now();
@@ -148,7 +148,7 @@ void StationAlarms::run(const std::stop_token& stop) {
 void StationAlarms::log(const std::vector<AlarmChange>& changes, Time now) const {
     for (const AlarmChange& change : changes) {
         const bool ofLog = change.cause.id.key == alarm_key::Log;
-        if (ofLog && change.kind != AlarmChange::Kind::Acknowledged) continue;  // there already
+        if (ofLog && change.kind != AlarmChange::Kind::Acknowledged) continue;  // logged already
         const bool act = change.cause.severity == AlarmSeverity::Act;
         m_setup.onLog({.stamp = now,
                        .station = m_setup.station,

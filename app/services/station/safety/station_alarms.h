@@ -20,7 +20,7 @@
 
 namespace leitstand {
 
-/// What the alarms of a station are made of. The functions are called on the alarms' own thread.
+/// Inputs of a station's alarms. The functions are called on the alarms' own thread.
 struct StationAlarmsSetup {
     std::vector<RobotDescription> robots;
     std::string station;  ///< persistent identity
@@ -29,31 +29,31 @@ struct StationAlarmsSetup {
     std::function<RobotView(const std::string& robot)> view;
     std::function<MissionStatePtr()> mission;
     std::function<LiveMapPtr()> scans;              ///< those of the map
-    std::function<RobotsInMapPtr()> places = {};    ///< of robots in it
-    std::function<void(const AlarmSample&)> onLog;  ///< to be kept in the mission
+    std::function<RobotsInMapPtr()> places = {};    ///< places of robots in it
+    std::function<void(const AlarmSample&)> onLog;  ///< logs it in the mission
 };
 
 /// All alarms as views show them.
 struct AlarmsView {
-    std::vector<Alarm> alarms;     ///< newest first, those that ended last
-    std::uint64_t attentions = 0;  ///< rises with each that is to be told once
-    bool loud = false;             ///< one says "act", and is not acknowledged
+    std::vector<Alarm> alarms;     ///< newest first; those that ended come last
+    std::uint64_t attentions = 0;  ///< rises with each alarm that is to be announced once
+    bool loud = false;             ///< one has the severity Act, and is not acknowledged
     Time mutedUntil{};             ///< station's clock; the past: not muted
 };
 
-/// Judges five times a second what the operator has to know, on a thread of its own: whatever the window is
-/// doing. What is raised, acknowledged and over is in the log; alarms that an earlier session left standing
-/// are ended there. Alarms of the log itself are raised by LiveMission, and only shown here. Any thread.
+/// Judges five times a second what the operator has to know, on its own thread, whatever the window is doing.
+/// Logs alarms that are raised, acknowledged and over, and ends those that an earlier session left standing.
+/// Alarms of the log itself are raised by LiveMission, and only shown here. Any thread.
 class StationAlarms : public EventSink {
 public:
     explicit StationAlarms(StationAlarmsSetup setup);
     ~StationAlarms() override;
 
-    void close() override;  ///< judges no more; the functions of the setup are not called any longer
-    void onEvent(const Event& event) override;  ///< bumps are over before they are looked at
+    void close() override;  ///< judges no more; the functions of the setup are no longer called
+    void onEvent(const Event& event) override;  ///< takes bumps, which are over before alarms are judged
     void acknowledge(const AlarmId& id);
     void acknowledgeNewest();
-    void mute(std::chrono::nanoseconds time);  ///< from now on; 0: not any more
+    void mute(std::chrono::nanoseconds time);  ///< from now on; 0: ends it
     [[nodiscard]] AlarmsView view() const;
     [[nodiscard]] const AlarmLimits& limits() const { return m_setup.limits; }
 
@@ -71,7 +71,7 @@ private:
     void log(const std::vector<AlarmChange>& changes, Time now) const;
 
     const StationAlarmsSetup m_setup;
-    mutable std::mutex m_mutex;  ///< of the next two; nothing else is called under it
+    mutable std::mutex m_mutex;  ///< guards the next two; nothing else is called under it
     AlarmBook m_book;
     std::map<std::string, Bump> m_bumps;  ///< by robot
     std::jthread m_thread;                ///< last: joined first

@@ -15,8 +15,8 @@ namespace {
 using std::chrono::milliseconds;
 using Verdict = BrakeResult::Verdict;
 
-constexpr milliseconds LooksAhead(200);  ///< what is ahead is worked out so often
-constexpr milliseconds SilentFor(400);   ///< after the last step; somebody looks five times a second
+constexpr milliseconds LooksAhead(200);  ///< how often the space ahead is computed
+constexpr milliseconds SilentFor(400);   ///< after the last step; look() is called five times a second
 
 std::int64_t count(SteadyTime time) {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
@@ -100,7 +100,7 @@ void StationBrakes::look(const std::string& robot) {
 void StationBrakes::step(const std::string& robot, Entry& entry) {
     std::optional<BrakeResult> over;
     {
-        // Locked to the end, so that of two threads' steps none undoes the other's.
+        // Locked to the end, so that the steps of two threads do not undo each other.
         const std::lock_guard lock(m_mutex);
         if (!entry.running) return;
         const SteadyTime now = steadyNow();
@@ -116,7 +116,7 @@ void StationBrakes::step(const std::string& robot, Entry& entry) {
         if (!entry.test.isRunning()) {
             over = entry.test.result();
             over->when = stationTime();
-            // Who sees that it ended finds its result.
+            // Whoever sees that it ended finds its result.
             keep(entry, *over);
             entry.running = false;
         }
@@ -128,7 +128,7 @@ void StationBrakes::step(const std::string& robot, Entry& entry) {
 }
 
 void StationBrakes::keep(Entry& entry, const BrakeResult& result) {
-    // A test that proved nothing takes nothing back.
+    // An inconclusive test does not take back a failure.
     const bool proved = result.verdict != Verdict::Inconclusive;
     if (proved || entry.last.verdict != Verdict::Failed) entry.last = result;
     judge(entry);
@@ -145,7 +145,7 @@ void StationBrakes::finish(const std::string& robot, const BrakeResult& result) 
         const std::lock_guard lock(m_mutex);
         for (const auto& [name, one] : m_entries) all.emplace(name, one.last);
     }
-    // Robots that the station does not drive today keep what they had.
+    // Robots that the station does not drive today keep their results.
     for (const auto& known : readBrakes(m_file)) all.insert(known);
     m_hands.done(robot, result, writeBrakes(m_file, all));
 }

@@ -17,51 +17,52 @@
 
 namespace leitstand {
 
-/// Brake tests of the station's robots, and who may be driven after them: a robot that failed is refused
-/// until it passes, or the operator drives it nevertheless. Any thread.
+/// Brake tests of the station's robots, and which robots may be driven after them. A robot that failed is
+/// refused until it passes, or the operator drives it nevertheless. Any thread.
 class StationBrakes : public EventSink {
 public:
-    /// What a test does with a robot and learns of it.
+    /// What a test does with a robot and queries of it.
     struct Hands {
-        /// Without what is ahead, which is asked for apart.
+        /// Without the space ahead, which is queried separately.
         std::function<BrakeFacts(const std::string& robot)> facts;
-        std::function<double(const std::string& robot)> spaceAhead;  ///< [m]; NaN: nobody knows
+        std::function<double(const std::string& robot)> spaceAhead;  ///< [m]; NaN: unknown
         std::function<void(const std::string& robot, const DriveVelocity& sticks)> push;
         std::function<void(const std::string& robot, bool on)> focus;  ///< of driving; all others lose it
         std::function<void(const std::string& robot)> refresh;         ///< the conditions of driving changed
-        /// @p kept: whether the result could be written where it is remembered.
+        /// @p kept: whether the result could be written to the file.
         std::function<void(const std::string& robot, const BrakeResult& result, const Result<void>& kept)>
             done;
     };
-    /// @p file: where results are remembered.
+    /// @p file: where results are stored.
     StationBrakes(const std::vector<RobotDescription>& robots, std::filesystem::path file, Hands hands);
 
-    /// Begins a test; one that runs begins anew. The operator's key has to be told from now on.
+    /// Begins a test, or a running one again. From now on the operator's key must be reported by hold() and
+    /// end().
     void begin(const std::string& robot);
     void hold(const std::string& robot);  ///< the key is down; ten times a second or more
-    void end(const std::string& robot);   ///< the key was let go
+    void end(const std::string& robot);   ///< the key was released
     [[nodiscard]] BrakeTest::Phase phase(const std::string& robot) const;
     [[nodiscard]] BrakeResult result(const std::string& robot) const;  ///< newest, also of earlier runs
 
-    /// Driving a robot although it failed; ends with the next test, and with the program.
+    /// Allows to drive a robot although it failed; ends with the next test, and with the program.
     void setOverridden(const std::string& robot, bool on);
     [[nodiscard]] bool isOverridden(const std::string& robot) const;
 
     [[nodiscard]] bool isRunning(const std::string& robot) const;
-    /// The robot failed and must not be driven. Never waits.
+    /// Whether the robot failed and must not be driven. Never waits.
     [[nodiscard]] bool refuses(const std::string& robot) const;
-    /// It showed that it has no watchdog, and is driven nevertheless. Never waits.
+    /// Whether it showed that it has no watchdog, and is driven nevertheless. Never waits.
     [[nodiscard]] bool needsGuard(const std::string& robot) const;
-    /// Nothing may be sent to the robot now. Never waits; false once the test is not looked after any more.
+    /// Whether nothing may be sent to the robot now. Never waits; false once look() is not called any more.
     [[nodiscard]] bool silences(const std::string& robot) const;
 
-    void onEvent(const Event& event) override;  ///< odometry; others are passed by
-    void look(const std::string& robot);        ///< to be called a few times a second
+    void onEvent(const Event& event) override;  ///< takes odometry; ignores others
+    void look(const std::string& robot);        ///< call it a few times a second
 
 private:
     struct Entry {
         BrakeTest test;    ///< under the mutex, as the next three
-        BrakeResult last;  ///< that was not inconclusive, or that there was first
+        BrakeResult last;  ///< newest; an inconclusive one does not replace a failure
         double space = 0.0;
         SteadyTime spaceAt = {};
         std::atomic<bool> running = false, refused = false, overridden = false, unwatched = false;
@@ -70,14 +71,14 @@ private:
     [[nodiscard]] Entry* find(const std::string& robot);
     [[nodiscard]] const Entry* find(const std::string& robot) const;
     void step(const std::string& robot, Entry& entry);
-    static void keep(Entry& entry, const BrakeResult& result);  ///< locked
-    static void judge(Entry& entry);                            ///< likewise, by the last result
+    static void keep(Entry& entry, const BrakeResult& result);  ///< under the mutex
+    static void judge(Entry& entry);                            ///< by the last result; under the mutex
     void finish(const std::string& robot, const BrakeResult& result);
 
     const std::filesystem::path m_file;
     const Hands m_hands;
     mutable std::mutex m_mutex;
-    std::map<std::string, Entry> m_entries;  ///< by robot; fixed
+    std::map<std::string, Entry> m_entries;  ///< by robot; the set is fixed
 };
 
 }  // namespace leitstand

@@ -92,10 +92,10 @@ void StationGuards::begin(const std::string& robot, Entry& entry) {
     }
 }
 
-/// Whether a robot's guard is as it is to be; true when that allows or forbids driving from now on.
+/// Brings a robot's guard into the wanted state; true when that allows or forbids driving from now on.
 bool StationGuards::look(const std::string& robot, Entry& entry, bool stopping) {
     const bool wanted = entry.wanted && !stopping, before = entry.ready;
-    std::unique_ptr<GuardProcess> over;  // ends without anybody who waits for the lock
+    std::unique_ptr<GuardProcess> over;  // ends without the lock, so that nobody waits for it
     {
         const std::lock_guard lock(entry.mutex);
         const bool alive = entry.process && entry.process->read() && !entry.deaf;

@@ -19,27 +19,27 @@
 
 namespace leitstand {
 
-/// Guards of the station's robots: a process beside it for each robot that has no watchdog and is driven
-/// nevertheless. Such a robot is driven only while its guard is there and heard by it. Any thread.
+/// Guards of the station's robots: a separate process for each robot that has no watchdog and is driven
+/// nevertheless. Such a robot is driven only while its guard runs and the robot receives it. Any thread.
 class StationGuards {
 public:
     struct Setup {
         std::filesystem::path program;                          ///< the guard's
-        std::map<std::string, std::vector<std::string>> words;  ///< of its command line, by robot
+        std::map<std::string, std::vector<std::string>> words;  ///< its command line, by robot
         /// Whether a robot may be driven has changed. Called on the guards' own thread.
         std::function<void(const std::string& robot)> onChange;
-        /// A robot has no guard, which it should have, and why. On the same thread.
+        /// A robot lacks the guard that it should have, and why. On the same thread.
         std::function<void(const std::string& robot, const std::string& problem)> onTrouble;
     };
     explicit StationGuards(Setup setup);
-    ~StationGuards();  ///< guards end
+    ~StationGuards();  ///< ends the guards
     StationGuards(const StationGuards&) = delete;
     StationGuards& operator=(const StationGuards&) = delete;
 
-    void want(const std::string& robot, bool wanted);  ///< whether it is to have a guard. Never waits
-    /// It needs no guard, or has one that it hears. Never waits.
+    void want(const std::string& robot, bool wanted);  ///< sets whether it should have a guard. Never waits
+    /// Whether it needs no guard, or has one that it receives. Never waits.
     [[nodiscard]] bool allows(const std::string& robot) const;
-    /// What its guard is told; nothing where there is none. Never waits for the guard.
+    /// Sends @p pulse to its guard, if there is one. Never waits for the guard.
     void pulse(const std::string& robot, const GuardPulse& pulse);
     [[nodiscard]] GuardView view(const std::string& robot) const;
     [[nodiscard]] std::optional<pid_t> processOf(const std::string& robot) const;
@@ -47,12 +47,12 @@ public:
 private:
     struct Entry {
         std::atomic<bool> wanted = false, ready = false;
-        mutable std::mutex mutex;               ///< of the rest
-        std::unique_ptr<GuardProcess> process;  ///< made and ended by our thread alone
-        bool deaf = false;                      ///< it did not take what it was told
+        mutable std::mutex mutex;               ///< guards the rest
+        std::unique_ptr<GuardProcess> process;  ///< created and ended by our thread only
+        bool deaf = false;                      ///< it did not take a pulse
         std::string problem;                    ///< why there is none
         SteadyTime failed = {};
-        std::string told;  ///< the problem that was told last; of our thread
+        std::string told;  ///< the problem that was reported last; of our thread
     };
     void run(const std::stop_token& stop);
     void wake() const;
@@ -61,7 +61,7 @@ private:
     void begin(const std::string& robot, Entry& entry);
 
     const Setup m_setup;
-    std::map<std::string, Entry> m_entries;  ///< fixed
+    std::map<std::string, Entry> m_entries;  ///< the set is fixed
     int m_wake = -1;                         ///< an eventfd
     std::jthread m_thread;                   ///< last: joined first
 };

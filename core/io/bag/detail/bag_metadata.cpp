@@ -28,7 +28,7 @@ YAML::Node span(Time first, Time last, YAML::Node into) {
     return into;
 }
 
-/// The whole time that the files tell.
+/// Returns the first and last time over all @p files with messages; epoch when there are none.
 std::pair<Time, Time> wholeSpan(const std::vector<BagMetadata::File>& files) {
     Time first = Time::max(), last{};
     for (const auto& file : files) {
@@ -192,7 +192,7 @@ Result<BagMetadata> parseMetadata(const std::string& yaml, const std::string& na
                 translate("leitstand::Error", "{}: expected {} with a storage_identifier"), name, Root)};
         }
         return metadataOf(root);
-    } catch (const std::exception& problem) {  // what YAML throws names line and column
+    } catch (const std::exception& problem) {  // YAML's exceptions name line and column
         return Error{leitstand::fill(translate("leitstand::Error", "{}: expected rosbag2's metadata: {}"),
                                      name, problem.what())};
     }

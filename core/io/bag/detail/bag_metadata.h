@@ -13,7 +13,7 @@
 
 namespace leitstand::detail {
 
-/// What rosbag2's metadata.yaml and its copy in the table `metadata` say.
+/// Content of rosbag2's metadata.yaml and of its copy in the table `metadata`.
 struct BagMetadata {
     struct File {
         std::string path;  ///< relative to the bag
@@ -31,28 +31,28 @@ struct BagMetadata {
     std::vector<Topic> topics;
     std::map<std::string, std::string> custom;  ///< custom_data
 
-    /// ROS 2 Iron's: newer ROS reads it too, but Iron reads no later one.
+    /// Version of ROS 2 Iron: newer ROS reads it too, but Iron reads no later one.
     static constexpr int WrittenVersion = 8;
     [[nodiscard]] std::uint64_t messages() const;
-    /// Messages that file @p name held once: those counted in it, and those that were missing already when
-    /// they were counted. 0: it is not listed.
+    /// Returns how many messages file @p name ever held: those counted in it, and those that were already
+    /// missing when they were counted. 0: it is not listed.
     [[nodiscard]] std::uint64_t writtenInto(const std::string& name) const;
 };
 
-/// custom_data that marks a bag of ours: the last sequence that the counts of @ref BagMetadata know of.
+/// Key of custom_data for the last sequence that the counts of @ref BagMetadata include; marks a bag of ours.
 inline constexpr std::string_view CountedKey = "leitstand_counted_to";
 
-/// custom_data of a file's own copy: its writer finished it.
+/// Key of custom_data in a file's own copy: its writer finished the file.
 inline constexpr std::string_view ClosedKey = "leitstand_closed";
-/// custom_data with a file's name behind it: how many of its messages were lost before the counts were made.
+/// Key prefix of custom_data, before a file's name: how many of its messages were lost before the counting.
 inline constexpr std::string_view MissingKey = "leitstand_missing_in_";
 
-/// The number that all of a value of custom_data is.
+/// Parses a value of custom_data; empty unless all of @p text is one number.
 [[nodiscard]] std::optional<std::uint64_t> numberIn(const std::string& text);
 
-/// @p metadata as YAML: the content of metadata.yaml, or bare as the table has it.
+/// Returns @p metadata as YAML: the content of metadata.yaml, or with @p bare that of the table.
 [[nodiscard]] std::string yamlOf(const BagMetadata& metadata, bool bare);
-/// Reads either form; @p name stands in errors.
+/// Parses either form. Errors contain @p name.
 [[nodiscard]] Result<BagMetadata> parseMetadata(const std::string& yaml, const std::string& name);
 
 }  // namespace leitstand::detail

@@ -43,8 +43,8 @@ Result<FolderLock> FolderLock::take(const fs::path& folder) {
         return Error{
             fmt::format("{}: cannot be opened: {}", folder.string(), std::generic_category().message(errno))};
     }
-    // A reader's probe holds the lock for an instant. Where the file system knows no locks (some network
-    // ones), the mission goes unguarded.
+    // A reader's probe holds the lock for an instant. On file systems without locks (some network ones), the
+    // mission is unguarded.
     for (int attempt = 0; ::flock(lock.m_descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
          ++attempt) {
         if (attempt == 20) {

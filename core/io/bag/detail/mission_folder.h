@@ -10,10 +10,10 @@
 
 namespace leitstand::detail {
 
-/// A mission's folder held by one writer, for as long as this lives (flock: gone with the process).
+/// Lock of one writer on a mission's folder, held while this lives (flock: released when the process ends).
 class FolderLock {
 public:
-    /// Locks @p folder; an error when another writer has it.
+    /// Locks @p folder. Error when another writer has it.
     [[nodiscard]] static Result<FolderLock> take(const std::filesystem::path& folder);
     /// Whether a writer has @p folder now.
     [[nodiscard]] static bool isTaken(const std::filesystem::path& folder);
@@ -26,7 +26,7 @@ private:
     int m_descriptor = -1;
 };
 
-/// Brings the entries of @p folder to the disk.
+/// Flushes the entries of @p folder to the disk.
 void syncFolder(const std::filesystem::path& folder);
 
 /// A file of a bag and its number: 2 of "mission_2.db3".
@@ -35,7 +35,7 @@ struct NumberedFile {
     std::optional<unsigned long> number;
 };
 
-/// The database files in @p folder by number, those without one last, by name.
+/// Returns the database files in @p folder by number. Files without a number come last, by name.
 [[nodiscard]] Result<std::vector<NumberedFile>> databaseFiles(const std::filesystem::path& folder);
 
 }  // namespace leitstand::detail

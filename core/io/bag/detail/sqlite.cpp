@@ -74,7 +74,7 @@ Result<Database> Database::open(const std::string& file, int flags, const std::s
     sqlite3* handle = nullptr;
     const int code = sqlite3_open_v2(file.c_str(), &handle, flags, vfs.empty() ? nullptr : vfs.c_str());
     Database database;
-    database.m_database.reset(handle);  // there is one to close even when opening failed
+    database.m_database.reset(handle);  // must be closed even when opening failed
     if (code != SQLITE_OK) return Error{database.problem()};
     sqlite3_extended_result_codes(handle, 1);
     return database;

@@ -14,7 +14,7 @@ struct sqlite3_stmt;
 
 namespace leitstand::detail {
 
-/// A prepared statement; what it returns is valid until the next step() or reset().
+/// A prepared statement. Its results are valid until the next step() or reset().
 class Statement {
 public:
     Statement() = default;
@@ -25,7 +25,7 @@ public:
     void bind(int index, std::string_view text);             ///< copied
     void bind(int index, std::span<const std::byte> bytes);  ///< must live until the step is done
     [[nodiscard]] int step();                                ///< SQLite's code: SQLITE_ROW, SQLITE_DONE ...
-    /// Steps to the end and makes ready again; SQLITE_OK, or the code of what went wrong.
+    /// Steps to the end and resets. Returns SQLITE_OK or the code of the error.
     [[nodiscard]] int run();
     void reset();
 
@@ -45,19 +45,19 @@ private:
 class Database {
 public:
     Database() = default;
-    /// Opens @p file by SQLite's @p flags through the named @p vfs (empty: the usual one).
+    /// Opens @p file with SQLite's @p flags through the named @p vfs (empty: the default one).
     [[nodiscard]] static Result<Database> open(const std::string& file, int flags,
                                                const std::string& vfs = {});
 
     [[nodiscard]] explicit operator bool() const { return m_database != nullptr; }
     [[nodiscard]] sqlite3* handle() const { return m_database.get(); }
     [[nodiscard]] Statement prepare(std::string_view sql) const { return {m_database.get(), sql}; }
-    /// Runs statements without results; SQLITE_OK or an error's code.
+    /// Runs statements without results. Returns SQLITE_OK or the code of the error.
     [[nodiscard]] int run(const char* sql) const;
-    /// First column of the first row of @p sql, or @p otherwise.
+    /// Returns the first column of the first row of @p sql; @p otherwise when there is none.
     [[nodiscard]] std::int64_t number(std::string_view sql, std::int64_t otherwise) const;
-    [[nodiscard]] std::string problem() const;  ///< SQLite's words for the last error
-    /// Closes; false when SQLite refuses.
+    [[nodiscard]] std::string problem() const;  ///< SQLite's text for the last error
+    /// Closes the connection; false when SQLite refuses.
     bool close();
 
 private:

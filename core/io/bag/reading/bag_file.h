@@ -15,7 +15,7 @@
 
 namespace leitstand::detail {
 
-/// A topic as one file has it.
+/// A topic as one file describes it.
 struct FileTopic {
     TopicInfo info;
     std::optional<std::uint64_t> messages;  ///< empty: not counted
@@ -29,17 +29,17 @@ struct BagRow {
     Payload cdr;
 };
 
-/// What the files of a bag have in common, and how they are read.
+/// Facts about one file of a bag.
 struct BagFileFacts {
     std::map<std::int64_t, FileTopic> topics;  ///< by id
     std::uint64_t firstId = 0, lastId = 0;     ///< of messages; 0: none
     Time first{}, last{};                      ///< receive times
-    bool ours = false;                         ///< ordered by id, else by time
+    bool ours = false;                         ///< a bag of ours: ordered by id; others: by time
     bool closed = true;                        ///< its writer finished it
-    std::uint64_t expected = 0;                ///< messages that its own metadata count; 0: they count none
+    std::uint64_t expected = 0;                ///< message count in its own metadata; 0: none
     std::vector<std::string> problems;
 
-    /// All messages; empty where those of some topic were not counted.
+    /// Returns the number of all messages; empty when some topic has no count.
     [[nodiscard]] std::optional<std::uint64_t> messages() const {
         std::uint64_t sum = 0;
         for (const auto& [id, topic] : topics) {
@@ -52,8 +52,8 @@ struct BagFileFacts {
 
 /// Which rows to read.
 struct RowQuery {
-    Time afterTime = Time::min();  ///< where order is by time: the last row read
-    std::uint64_t afterId = 0;     ///< the last row read
+    Time afterTime = Time::min();  ///< time of the last row read, when ordered by time
+    std::uint64_t afterId = 0;     ///< id of the last row read
     std::uint64_t lastId = std::numeric_limits<std::int64_t>::max();
     Time lastTime = Time::max();
     std::optional<std::set<std::int64_t>> topics;  ///< empty: all
@@ -66,28 +66,28 @@ public:
     [[nodiscard]] const BagFileFacts& facts() const { return m_facts; }
 
     enum class Outcome { More, End, Broken };
-    /// Appends the next rows to @p rows, some dozens at most. Broken: the file is damaged behind them.
+    /// Appends the next rows to @p rows, a few dozen at most. Returns Broken when the file is damaged there.
     [[nodiscard]] virtual Outcome fetch(const RowQuery& query, std::vector<BagRow>& rows) = 0;
-    /// The row of @p id.
+    /// Returns the row of @p id; empty when there is none. Sets @p broken when the file is damaged.
     [[nodiscard]] virtual std::optional<BagRow> row(std::uint64_t id, bool& broken) = 0;
-    /// The newest row of @p topics up to and with @p id. Broken (@p broken set): the file is damaged.
+    /// Returns the newest row of @p topics up to @p id (inclusive). Sets @p broken when the file is damaged.
     [[nodiscard]] virtual std::optional<BagRow> lastUpTo(const std::set<std::int64_t>& topics,
                                                          std::uint64_t id, bool& broken) = 0;
-    /// The first id received at or after @p time; 0 when there is none.
+    /// Returns the first id received at or after @p time; 0 when there is none.
     [[nodiscard]] virtual std::uint64_t idAt(Time time, bool& broken) = 0;
     /// Counts the messages of each topic.
     virtual void count() = 0;
-    /// What was met and could not be read since the last call.
+    /// Returns the problems found since the last call.
     [[nodiscard]] virtual std::vector<std::string> newProblems() { return {}; }
 
 protected:
     BagFileFacts m_facts;
 };
 
-/// Rows with an id above this make no sense: sequences of a bag are numbered on from file to file.
+/// Rows with a larger id are invalid; the sequences of a bag continue from file to file.
 inline constexpr std::uint64_t MaxId = 1'000'000'000'000'000;
 
-/// No message is longer; what a damaged file says beyond that is not believed [B].
+/// No message is longer [B]. Larger sizes in a damaged file are rejected.
 inline constexpr std::uint64_t MaxMessageBytes = 256U << 20U;
 
 /// The limits of one fetch().

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uintmax_t MaxMetadataBytes = 16U << 20U;
 
-/// What metadata.yaml in @p folder says, when there is one that can be read.
+/// Reads metadata.yaml in @p folder. Empty, with an entry in @p problems, when it cannot be read.
 std::optional<BagMetadata> readMetadata(const fs::path& folder, std::vector<std::string>& problems) {
     const fs::path file = folder / "metadata.yaml";
     std::error_code problem;
@@ -84,8 +84,8 @@ void numberOn(std::vector<BagPart>& parts) {
     }
 }
 
-/// What SQLite read, or where its log hides frames behind a broken one, what is found page by page if that is
-/// more.
+/// Returns @p opened, or the file read page by page (@p damaged is set). The latter when the log hides frames
+/// behind a broken one and salvage finds no fewer messages.
 std::shared_ptr<BagFile> withHiddenFrames(const fs::path& path, std::shared_ptr<BagFile> opened,
                                           std::vector<std::string>& problems, bool& damaged) {
     const fs::path log = path.string() + "-wal";

@@ -13,14 +13,14 @@
 
 namespace leitstand::detail {
 
-/// A file of a bag and where its rows stand in the bag's sequence.
+/// A file of a bag and the place of its rows in the sequence of the bag.
 struct BagPart {
     std::filesystem::path path{};
     std::shared_ptr<BagFile> file{};
     std::uint64_t offset = 0;   ///< sequence = id + offset
-    bool live = false;          ///< a writer has it
+    bool live = false;          ///< a writer has it open
     bool damaged = false;       ///< read page by page
-    std::uint64_t missing = 0;  ///< messages that were counted and are not there
+    std::uint64_t missing = 0;  ///< messages that were counted but are not in the file
 };
 
 /// A bag with all its files open.
@@ -34,18 +34,18 @@ struct OpenBag {
 /// Who may be writing a bag while it is opened.
 enum class Writer : std::uint8_t {
     Anyone,  ///< whoever holds the folder's lock
-    Nobody   ///< the caller holds it, and does not write yet
+    Nobody   ///< the caller holds the lock and does not write yet
 };
 
-/// Opens a bag's folder or one file of it, as BagReader::open() tells.
+/// Opens the folder of a bag or one file of it; see BagReader::open().
 [[nodiscard]] Result<OpenBag> openBag(const std::filesystem::path& bag, Writer writer = Writer::Anyone);
 
-/// Sets how many messages of @p part are missing, by its own metadata and those of metadata.yaml; tells it,
-/// where there are any.
+/// Sets how many messages of @p part are missing, by its own metadata and by metadata.yaml. Returns a text
+/// that reports them; empty when none are missing.
 [[nodiscard]] std::string judgeMissing(BagPart& part, const std::optional<BagMetadata>& metadata);
 
-/// Opens @p path by SQLite or, where that cannot read it or all of it, page by page (@p damaged is set). What
-/// is wrong with its write-ahead log is added to @p problems.
+/// Opens @p path with SQLite, or page by page (@p damaged is set) when SQLite cannot read all of it. Adds
+/// what is wrong with its write-ahead log to @p problems.
 [[nodiscard]] Result<std::shared_ptr<BagFile>> openFile(const std::filesystem::path& path, bool live,
                                                         std::vector<std::string>& problems, bool& damaged);
 

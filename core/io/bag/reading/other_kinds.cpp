@@ -35,7 +35,7 @@ std::vector<fs::path> otherFiles(const fs::path& folder) {
     return files;
 }
 
-/// What metadata.yaml lists and the folder does not have: a split that was not copied along.
+/// Reports files that metadata.yaml lists but the folder does not have: splits that were not copied.
 void tellAbsent(const fs::path& folder, const BagMetadata& metadata, std::vector<std::string>& problems) {
     for (const auto& file : metadata.files) {
         // Old versions of rosbag2 put the folder's own name in front.

@@ -13,16 +13,16 @@
 
 namespace leitstand::detail {
 
-/// What a file with these first bytes is when it is a bag that we do not read ("an MCAP file"); empty when it
-/// is none that we know.
+/// Returns the kind of a bag that we do not read ("an MCAP file") by the first bytes of a file. Empty when
+/// they match no kind that we know.
 [[nodiscard]] std::string otherKind(std::string_view begin);
-/// The same of the file at @p path.
+/// Returns the same for the file at @p path.
 [[nodiscard]] std::string otherKindOf(const std::filesystem::path& path);
-/// Whether @p cdr is no CDR but compressed by zstd, as rosbag2 does in its mode "message".
+/// Whether @p cdr is compressed by zstd, as by rosbag2 in its mode "message", and not plain CDR.
 [[nodiscard]] bool isCompressed(const Payload& cdr);
 
-/// An error when the bag in @p folder, which has @p files to read, is of a kind that we do not read; names
-/// in @p problems what else the bag has or should have.
+/// Checks that the bag in @p folder, with @p files to read, is of a kind that we read; error otherwise. Adds
+/// files that are not read or are missing to @p problems.
 [[nodiscard]] Result<void> checkKind(const std::filesystem::path& folder,
                                      const std::optional<BagMetadata>& metadata,
                                      const std::vector<NumberedFile>& files,

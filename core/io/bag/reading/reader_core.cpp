@@ -11,8 +11,8 @@ namespace leitstand::detail {
 
 namespace {
 
-/// Times that a file tells may be anything. Those from 1970 to 2106 can be added to and subtracted from each
-/// other, and what robots stamp (68 years from 1970) from them.
+/// Clamps a time from a file, which may be anything, to 1970 to 2106. Such times can be added to and
+/// subtracted from each other, and robots' stamps (68 years from 1970) from them.
 Time sane(Time told) {
     constexpr Time Latest{std::chrono::seconds(1LL << 32)};
     return std::clamp(told, Time{}, Latest);
@@ -118,7 +118,7 @@ bool ReaderCore::salvage(std::size_t index) {
 
 BagFile::Outcome ReaderCore::fetch(std::size_t index, const RowQuery& query, std::vector<BagRow>& rows) {
     auto outcome = m_bag.parts[index].file->fetch(query, rows);
-    // Who asks again after the rows of a broken file gets those that salvage finds.
+    // A caller that fetches again after the rows of a broken file gets the rows that salvage finds.
     if (outcome == BagFile::Outcome::Broken) {
         outcome = salvage(index) ? BagFile::Outcome::More : BagFile::Outcome::End;
         if (m_bag.parts[index].live)

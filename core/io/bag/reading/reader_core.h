@@ -12,7 +12,7 @@
 
 namespace leitstand::detail {
 
-/// The files of an open bag as one sequence of events; goes over to salvage where a file turns out damaged.
+/// The files of an open bag as one sequence of events. Switches to salvage when a file proves damaged.
 class ReaderCore {
 public:
     explicit ReaderCore(OpenBag bag);
@@ -24,11 +24,12 @@ public:
     [[nodiscard]] std::uint64_t lastSequence() const;
 
     [[nodiscard]] const std::vector<BagPart>& parts() const { return m_bag.parts; }
-    /// The next rows of part @p index; after damage, those that salvage finds.
+    /// Fetches the next rows of part @p index; after damage, the rows that salvage finds.
     [[nodiscard]] BagFile::Outcome fetch(std::size_t index, const RowQuery& query, std::vector<BagRow>& rows);
-    /// @p row of part @p index as an event; empty, and told, when nobody knows its topic or it is not CDR.
+    /// Returns @p row of part @p index as an event. Empty, with a reported problem, when its topic is unknown
+    /// or it is not CDR.
     [[nodiscard]] std::optional<RawEvent> eventOf(std::size_t index, BagRow row);
-    /// The ids in part @p index of topics named so.
+    /// Returns the ids in part @p index of the topics with these names.
     [[nodiscard]] std::set<std::int64_t> idsOf(std::size_t index,
                                                const std::vector<std::string>& topics) const;
 
@@ -46,10 +47,10 @@ private:
     void takeCountsOfMetadata();
 
     OpenBag m_bag;
-    std::vector<BagSession> m_sessions;  // one a part
+    std::vector<BagSession> m_sessions;  // one per part
     std::vector<BagTopic> m_topics;
     std::set<std::string> m_told;
-    std::set<std::size_t> m_lost;  // parts that not even salvage reads
+    std::set<std::size_t> m_lost;  // parts that even salvage cannot read
 };
 
 }  // namespace leitstand::detail

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t CountedAtOnce = 100'000;  // rows, when nobody counted them
+constexpr std::uint64_t CountedAtOnce = 100'000;  // rows; a file with fewer is counted on opening
 
 Time timeAt(std::int64_t nanoseconds) {
     return Time(std::chrono::nanoseconds(nanoseconds));
@@ -44,7 +44,7 @@ Result<void> SqliteFile::connect(bool live) {
         m_vfs = std::make_unique<OverlayVfs>();
         vfs = m_vfs->name();
     }
-    // Without a writer, "read and write" lets SQLite roll an interrupted transaction back, in memory.
+    // Without a writer, "read and write" lets SQLite roll back an interrupted transaction in memory.
     const int flags = live ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
     std::error_code problemOfPath;
     auto opened = Database::open(fs::absolute(m_file, problemOfPath).string(), flags, vfs);
@@ -55,7 +55,7 @@ Result<void> SqliteFile::connect(bool live) {
     sqlite3* handle = m_database.handle();
     sqlite3_busy_timeout(handle, 2'000);
     sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, static_cast<int>(MaxMessageBytes));
-    // The file may be anybody's.
+    // The file may come from anyone.
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
@@ -196,7 +196,7 @@ void SqliteFile::readCounts() {
             if (to != metadata->custom.end()) {
                 std::from_chars(to->second.data(), to->second.data() + to->second.size(), countedTo);
             }
-            // Finished while someone was reading, the file stays one with a log.
+            // A file that was finished while someone read it stays in WAL mode.
             m_logGone = m_logGone && !metadata->custom.contains(std::string(ClosedKey));
             const bool whole = m_facts.ours || metadata->messages() == m_facts.lastId - m_facts.firstId + 1;
             if (whole && addTail(countedTo)) return;

@@ -19,8 +19,8 @@ namespace leitstand::detail {
 /// A file of a bag that SQLite can read: rosbag2's schema, versions 1 to 4.
 class SqliteFile final : public BagFile {
 public:
-    /// Opens @p file. With @p live, a writer has it, with whom SQLite's own locks keep us apart; else nothing
-    /// of it is changed or locked. An error when SQLite cannot read it, which begins with its name.
+    /// Opens @p file. With @p live, a writer has it, and SQLite's own locks keep us apart. Otherwise nothing
+    /// of it is changed or locked. Error when SQLite cannot read it; the text begins with the file's name.
     [[nodiscard]] static Result<std::unique_ptr<BagFile>> open(const std::filesystem::path& file, bool live);
 
     [[nodiscard]] Outcome fetch(const RowQuery& query, std::vector<BagRow>& rows) override;
@@ -47,14 +47,14 @@ private:
     [[nodiscard]] Outcome fetchTopics(const RowQuery& query, std::vector<BagRow>& rows);
 
     std::filesystem::path m_file;
-    std::unique_ptr<OverlayVfs> m_vfs;  // before the connection, which goes first
+    std::unique_ptr<OverlayVfs> m_vfs;  // declared before the connection, which is destroyed first
     Database m_database;
-    bool m_byTopic = false;  // our index of topics is there
-    bool m_byTime = false;   // rosbag2's index of times is there
-    bool m_logGone = false;  // the write-ahead log that belongs to the file is not there
+    bool m_byTopic = false;  // the file has our index of topics
+    bool m_byTime = false;   // the file has rosbag2's index of times
+    bool m_logGone = false;  // the write-ahead log of the file is missing
 };
 
-/// The row that @p statement stands on: id, topic_id, timestamp, data.
+/// Returns the current row of @p statement: id, topic_id, timestamp, data.
 [[nodiscard]] BagRow rowOf(const Statement& statement);
 
 }  // namespace leitstand::detail

@@ -12,8 +12,8 @@ namespace leitstand::detail {
 namespace {
 
 constexpr std::int64_t LogHeader = 32, FrameHeader = 24;
-/// A log begins a new round over the old one, whose frames stay behind the new ones: with each round SQLite
-/// adds 1 to the first of two numbers that all frames of a round have. No log sees more rounds.
+/// A log begins each new round over the old one, so old frames stay behind the new ones. In each round SQLite
+/// adds 1 to the first of two numbers that all frames of the round share. No log has more rounds.
 constexpr std::uint32_t MostRounds = 10'000'000;
 
 /// The checksum of a log, over 32-bit words in the byte order that its header names.
@@ -34,7 +34,7 @@ struct LogChecksum {
     friend bool operator==(const LogChecksum&, const LogChecksum&) = default;
 };
 
-/// The two numbers that all frames of a round have.
+/// The two numbers that all frames of a round share.
 struct Round {
     std::uint32_t count = 0, random = 0;
     friend bool operator==(const Round&, const Round&) = default;
@@ -85,8 +85,8 @@ private:
         return true;
     }
 
-    /// Without a header: the round is that of the first frame that the one behind it fits, in either order of
-    /// bytes. The first frame itself cannot be proven.
+    /// Without a header, takes the round of the first frame if the second frame continues it, in either byte
+    /// order. The first frame itself cannot be verified.
     bool guessRound() {
         if (!readFrame(LogHeader)) return false;
         const Frame first = m_frame;
@@ -96,7 +96,7 @@ private:
             sum.big = big;
             if (m_frame.round != first.round || !continues(sum)) continue;
             m_round = first.round;
-            m_before = m_computed = {.a = ~first.told.a, .b = 0, .big = big};  // fits no first frame
+            m_before = m_computed = {.a = ~first.told.a, .b = 0, .big = big};  // matches no first frame
             return true;
         }
         return false;
@@ -112,7 +112,7 @@ private:
         return true;
     }
 
-    /// Whether the frame's checksum goes on from @p sum, which becomes the frame's own.
+    /// Whether the frame's checksum continues @p sum, which becomes the frame's own.
     bool continues(LogChecksum& sum) const {
         const std::span<const std::byte> bytes(m_bytes);
         sum.add(bytes.first(8));
@@ -120,7 +120,7 @@ private:
         return sum.a == m_frame.told.a && sum.b == m_frame.told.b;
     }
 
-    /// Takes frame @p number at @p at; false at the end of the round.
+    /// Takes frame @p number at offset @p at; false at the end of the round.
     bool take(std::size_t number, std::int64_t at) {
         LogChecksum told = m_before, computed = m_computed;
         const bool fitsTold = continues(told);
@@ -130,7 +130,7 @@ private:
         m_inRound = true;
         m_computed = fitsTold ? told : computed;
         m_before = m_frame.told;
-        // SQLite wants both: the numbers of the round, and the checksum.
+        // SQLite requires both: the numbers of the round, and the checksum.
         if (!m_stopped && !(fits && member)) {
             m_stopped = true;
             m_found.firstBroken = number;
@@ -165,11 +165,11 @@ private:
     std::vector<std::byte> m_bytes;  // of a frame
     Frame m_frame;
     Round m_round;
-    LogChecksum m_before, m_computed;                 // of the frame before: as it says, and as it is
-    bool m_inRound = false;                           // the frame before belongs to the round
-    bool m_last = false;                              // the frame before is sound
+    LogChecksum m_before, m_computed;                 // checksum of the frame before: stored, computed
+    bool m_inRound = false;                           // that frame belongs to the round
+    bool m_last = false;                              // that frame is sound
     bool m_stopped = false;                           // SQLite reads no further
-    std::map<std::uint32_t, std::int64_t> m_pending;  // of a transaction that is not committed yet
+    std::map<std::uint32_t, std::int64_t> m_pending;  // of a transaction not committed yet
     std::size_t m_pendingHidden = 0;
     LogFrames m_found;
 };

@@ -8,22 +8,21 @@
 
 namespace leitstand::detail {
 
-/// What a write-ahead log of SQLite holds (https://www.sqlite.org/fileformat2.html, section 4). SQLite reads
-/// it up to the first frame that is broken; here those behind it count too. Each frame's checksum goes on
-/// from that of the frame before, which stands in that frame, so a frame is known to be sound without those
-/// before.
+/// The frames of a write-ahead log of SQLite (https://www.sqlite.org/fileformat2.html, section 4). SQLite
+/// reads the log up to the first broken frame; here the frames behind it count too. The checksum of a frame
+/// continues the one stored in the frame before. A frame can therefore be verified without earlier frames.
 struct LogFrames {
     std::map<std::uint32_t, std::int64_t> pages;  ///< page -> offset of its newest committed content
     std::size_t sound = 0;                        ///< frames of the log's present round
-    std::size_t broken = 0;                       ///< frames that belong to it and are not sound
+    std::size_t broken = 0;                       ///< frames of the round that are not sound
     std::size_t firstBroken = 0;                  ///< its place, from 1; 0: the header is broken
-    std::size_t hidden = 0;                       ///< committed sound frames that SQLite does not come to
+    std::size_t hidden = 0;                       ///< committed sound frames that SQLite does not reach
     bool cut = false;                             ///< it ends in a broken frame or within a transaction
 
     [[nodiscard]] bool hides() const { return hidden > 0; }
 };
 
-/// Looks at every frame of @p log, whose database has pages of @p pageSize bytes.
+/// Reads every frame of @p log, whose database has pages of @p pageSize bytes.
 [[nodiscard]] LogFrames logFrames(const OverlayFile& log, std::size_t pageSize);
 
 }  // namespace leitstand::detail

@@ -29,7 +29,7 @@ bool OverlayFile::readBase(std::int64_t offset, std::span<std::byte> into) const
                                     offset + static_cast<std::int64_t>(done));
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return false;
-        if (got == 0) break;  // someone cut it meanwhile
+        if (got == 0) break;  // someone truncated it meanwhile
         done += static_cast<std::size_t>(got);
     }
     std::fill(into.begin() + static_cast<std::ptrdiff_t>(done), into.end(), std::byte{0});

@@ -9,7 +9,7 @@
 
 namespace leitstand::detail {
 
-/// The content of a file as it is on the disk, and as if what was written since were there too.
+/// The content of a file on the disk, with all later writes kept in memory on top.
 class OverlayFile {
 public:
     OverlayFile() = default;  ///< absent
@@ -20,7 +20,7 @@ public:
 
     [[nodiscard]] bool exists() const { return m_exists; }
     [[nodiscard]] std::int64_t size() const { return m_size; }
-    /// Reads from @p offset; false when the disk fails. What lies behind the end is zero.
+    /// Reads from @p offset; false when the disk fails. Bytes behind the end are zero.
     [[nodiscard]] bool read(std::int64_t offset, std::span<std::byte> into) const;
     void write(std::int64_t offset, std::span<const std::byte> bytes);
     void resize(std::int64_t size);
@@ -34,9 +34,9 @@ private:
 
     int m_descriptor = -1;
     bool m_exists = false;
-    std::int64_t m_baseSize = 0;  // of the disk's part that still counts
+    std::int64_t m_baseSize = 0;  // bytes of the file on disk that still count
     std::int64_t m_size = 0;
-    std::map<std::int64_t, Block> m_blocks;  // written ones
+    std::map<std::int64_t, Block> m_blocks;  // written blocks
 };
 
 }  // namespace leitstand::detail

@@ -15,9 +15,9 @@ struct OverlayVfs::Impl {
     std::string name;
     sqlite3_vfs vfs{};
     sqlite3_vfs* base = nullptr;                                // the system's own
-    std::map<std::string, std::shared_ptr<OverlayFile>> files;  // also what was removed, or is only in memory
+    std::map<std::string, std::shared_ptr<OverlayFile>> files;  // also removed ones, and those only in memory
 
-    /// The file at @p path, as it is by now.
+    /// Returns the file at @p path in its present state.
     std::shared_ptr<OverlayFile> file(const char* path) {
         auto& file = files[path];
         if (!file) file = std::make_shared<OverlayFile>(path);
@@ -27,7 +27,7 @@ struct OverlayVfs::Impl {
 
 namespace {
 
-/// What SQLite allocates for a file.
+/// The file object that SQLite allocates.
 struct OpenFile {
     sqlite3_file base;  // first: SQLite knows only this
     std::shared_ptr<OverlayFile> content;
@@ -73,7 +73,7 @@ int notLocked(sqlite3_file*, int* reserved) {
     return SQLITE_OK;
 }
 
-// Version 1: no shared memory, so that the index of a write-ahead log is kept in ours.
+// Version 1: no shared memory, so the index of a write-ahead log stays in our memory.
 constexpr sqlite3_io_methods Methods = {
     .iVersion = 1,
     .xClose = closeFile,
@@ -118,7 +118,7 @@ int deleteFile(sqlite3_vfs* vfs, const char* path, int) {
 
 int accessFile(sqlite3_vfs* vfs, const char* path, int, int* yes) {
     const auto file = implOf(vfs).file(path);
-    *yes = file->exists() && file->size() > 0;  // as SQLite's own does for SQLITE_ACCESS_EXISTS
+    *yes = file->exists() && file->size() > 0;  // as SQLite's own VFS for SQLITE_ACCESS_EXISTS
     return SQLITE_OK;
 }
 

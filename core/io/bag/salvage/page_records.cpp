@@ -39,7 +39,7 @@ std::uint64_t contentSize(std::uint64_t type) {
     return type < 10 ? Sizes[type] : type < 12 ? 0 : (type - 12) / 2;
 }
 
-/// Bytes of a record of @p size that stand in its leaf page (file format, section 1.6).
+/// Returns how many bytes of a record of @p size stand in its leaf page (file format, section 1.6).
 std::size_t localSize(std::uint64_t size, std::size_t usable) {
     const std::size_t most = usable - 35;
     if (size <= most) return static_cast<std::size_t>(size);
@@ -136,7 +136,7 @@ std::optional<std::vector<std::byte>> wholeRecord(const PageFile& file, const Pa
         record.insert(record.end(), part.begin(), part.end());
         next = bigEndian32(page);
     }
-    // The last page of a chain says so: anything else is not this record's.
+    // The last page of a chain names no next page; anything else is not part of this record.
     if (next != 0) return std::nullopt;
     return record;
 }

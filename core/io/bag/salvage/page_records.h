@@ -12,22 +12,21 @@
 
 namespace leitstand::detail {
 
-/// A row of a table as its leaf page has it.
+/// A row of a table as its leaf page holds it.
 struct PageCell {
-    std::uint64_t row = 0;             ///< its id
+    std::uint64_t row = 0;             ///< id of the row
     std::uint64_t size = 0;            ///< of the record [B]
-    std::uint32_t page = 0;            ///< where the cell is
+    std::uint32_t page = 0;            ///< page that holds the cell
     std::size_t offset = 0;            ///< of the record's local part, in the page
     std::size_t local = 0;             ///< bytes of the record in the page
     std::uint32_t overflow = 0;        ///< page of the rest; 0: there is none
     std::span<const std::byte> begin;  ///< the local part; valid during the call
 };
 
-/// Calls @p take with every cell that a page of @p file holds as a leaf of some table, if it makes sense:
-/// bounds within page and file.
+/// Calls @p take with every cell in the leaf pages of @p file whose bounds lie within page and file.
 void eachCell(const PageFile& file, const std::function<void(const PageCell&)>& take);
 
-/// A column of a record: SQLite's serial type, and where its content stands.
+/// A column of a record: SQLite's serial type and the place of its content.
 struct PageColumn {
     std::uint64_t type = 0;
     std::uint64_t offset = 0, size = 0;  ///< in the record [B]
@@ -37,15 +36,15 @@ struct PageColumn {
     [[nodiscard]] bool isText() const { return type >= 13 && type % 2 == 1; }
 };
 
-/// The columns that the header at the beginning of a record tells, when header and columns are just as long
-/// as the record; empty otherwise, or when there are more than @p most.
+/// Returns the columns that the header of a record lists. Empty when header and columns are not exactly as
+/// long as the record, or when there are more than @p most.
 [[nodiscard]] std::vector<PageColumn> columnsOf(const PageCell& cell, std::size_t most = 8);
-/// The number in an integer column, whose content must stand in @p record.
+/// Returns the number in an integer column; empty when its content is not within @p record.
 [[nodiscard]] std::optional<std::int64_t> integerIn(std::span<const std::byte> record,
                                                     const PageColumn& column);
 [[nodiscard]] std::optional<std::string> textIn(std::span<const std::byte> record, const PageColumn& column);
 
-/// The whole record of @p cell with what its overflow pages hold; empty when they do not hold it.
+/// Returns the whole record of @p cell, with its overflow pages; empty when they do not hold it.
 [[nodiscard]] std::optional<std::vector<std::byte>> wholeRecord(const PageFile& file, const PageCell& cell);
 
 }  // namespace leitstand::detail

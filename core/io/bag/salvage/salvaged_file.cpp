@@ -18,7 +18,7 @@ constexpr std::size_t MostGapsTold = 20;
 Result<std::unique_ptr<BagFile>> SalvagedFile::open(const std::filesystem::path& file,
                                                     const std::string& why) {
     std::vector<std::size_t> sizes = {PageFile::toldPageSize(file)};
-    if (sizes.front() == 0) sizes = {8'192, 4'096, 16'384, 32'768, 65'536, 1'024};  // ours, then SQLite's own
+    if (sizes.front() == 0) sizes = {8'192, 4'096, 16'384, 32'768, 65'536, 1'024};  // ours, SQLite's, others
     for (const std::size_t size : sizes) {
         std::unique_ptr<SalvagedFile> salvaged(new SalvagedFile(file, size));
         salvaged->search();
@@ -34,7 +34,7 @@ void SalvagedFile::search() {
     eachCell(m_pages, [this](const PageCell& cell) { takeCell(cell); });
     const auto byId = [](const Found& a, const Found& b) { return a.id < b.id; };
     const auto sameId = [](const Found& a, const Found& b) { return a.id == b.id; };
-    // A row may be found twice, once in a page that is out of date: the whole one counts.
+    // A row may be found twice, once in an outdated page; the complete one counts.
     const auto firstTorn = std::stable_partition(m_found.begin(), m_found.end(), [this](const Found& found) {
         return m_pages.isWhole(found.cell.overflow, found.cell.size - found.cell.local);
     });
@@ -91,7 +91,7 @@ void SalvagedFile::takeTexts(const PageCell& cell, const std::vector<PageColumn>
     const auto text = [&](std::size_t i) { return textIn(*record, columns[i]).value_or(""); };
     if (metadata) {
         auto parsed = parseMetadata(text(2), m_file.string());
-        // Of the copies that were replaced, pages may be left.
+        // Pages of replaced copies may remain.
         if (parsed && (!m_metadata || parsed->messages() >= m_metadata->messages()))
             m_metadata = std::move(parsed).value();
     } else if (text(1).starts_with('/')) {

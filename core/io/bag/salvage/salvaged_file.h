@@ -16,11 +16,11 @@
 
 namespace leitstand::detail {
 
-/// A file of a bag that SQLite cannot read (any more): every page is looked at once, and what looks like a
-/// row of messages is one. Opening reads the whole file.
+/// A file of a bag that SQLite cannot read (any more). Looks at every page once and takes all that looks like
+/// a row of messages. Opening reads the whole file.
 class SalvagedFile final : public BagFile {
 public:
-    /// Searches @p file; @p why SQLite cannot read it stands in the problems. An error when nothing is found.
+    /// Searches @p file. The problems state @p why SQLite cannot read it. Error when nothing is found.
     [[nodiscard]] static Result<std::unique_ptr<BagFile>> open(const std::filesystem::path& file,
                                                                const std::string& why);
 
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] std::vector<std::string> newProblems() override;
 
 private:
-    /// Where a row of messages stands.
+    /// Place of a row of messages.
     struct Found {
         std::uint64_t id = 0;
         std::int64_t topic = 0;
@@ -58,7 +58,7 @@ private:
     std::vector<Found> m_found;                        // by id
     std::map<std::string, std::string> m_definitions;  // by type
     std::optional<BagMetadata> m_metadata;
-    std::uint64_t m_unread = 0;  // rows whose bytes the disk did not give after all
+    std::uint64_t m_unread = 0;  // rows whose bytes could not be read after all
     std::vector<std::string> m_news;
 };
 

@@ -1,4 +1,4 @@
-// The rows of SqliteFile: how they are found and in which order.
+// How SqliteFile finds its rows, and in which order.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ std::int64_t nanoseconds(Time time) {
     return time.time_since_epoch().count();
 }
 
-/// "(1, 2, 3)", as a condition on topic_id.
+/// Returns "(1, 2, 3)" for a condition on topic_id.
 std::string listed(const std::set<std::int64_t>& topics) {
     return fmt::format("({})", fmt::join(topics, ", "));
 }
@@ -45,7 +45,7 @@ BagFile::Outcome SqliteFile::fetch(const RowQuery& query, std::vector<BagRow>& r
 }
 
 BagFile::Outcome SqliteFile::fetchOrdered(const RowQuery& query, std::vector<BagRow>& rows) {
-    // Without an index on time, other bags are read in the order of their rows too.
+    // Without an index on time, other bags are also read in the order of their rows.
     const bool byTime = m_byTime && !m_facts.ours;
     std::string sql =
         "SELECT id, topic_id, timestamp, data FROM messages WHERE timestamp <= ?3 AND id <= ?4 ";

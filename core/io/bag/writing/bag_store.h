@@ -11,11 +11,11 @@
 
 namespace leitstand::detail {
 
-/// What goes to the disk together: all of it or nothing.
+/// What goes to the disk together: all or nothing.
 struct BagBatch {
     std::vector<TopicInfo> topics;  ///< new ones
     std::vector<RawEvent> events;   ///< rising sequences
-    bool metadata = false;          ///< whether the bag's metadata are brought up to date too
+    bool metadata = false;          ///< also updates the metadata of the bag
     [[nodiscard]] bool empty() const { return topics.empty() && events.empty() && !metadata; }
 };
 
@@ -28,15 +28,15 @@ struct StoreProblem {
     };
     Kind kind = Kind::Failed;
     std::string text;       ///< names the file
-    std::size_t event = 0;  ///< of Refused
+    std::size_t event = 0;  ///< index of the refused event
 };
 
-/// Where a BagWriter puts what it has: the disk, or in tests one that is slow or full. One thread uses it;
-/// freeBytes() may be called from another.
+/// Where a BagWriter stores its data: the disk, or a slow or full one in tests. One thread uses it; another
+/// may call freeBytes().
 class BagStore {
 public:
     virtual ~BagStore() = default;
-    /// Brings @p batch to the disk (fsync). Afterwards nothing of it is there when it fails.
+    /// Brings @p batch to the disk (fsync). On failure nothing of it is there.
     [[nodiscard]] virtual std::optional<StoreProblem> commit(const BagBatch& batch) = 0;
     /// Free space that an ordinary user may fill [B].
     [[nodiscard]] virtual std::uint64_t freeBytes() = 0;

@@ -16,7 +16,7 @@ using std::chrono::seconds;
 
 constexpr auto Window = seconds(10);  // the rate is the mean over it
 constexpr double Least = 1.0;         // [s], since commits come in bursts
-constexpr auto Calm = seconds(5);     // without drops, until the alarm is over
+constexpr auto Calm = seconds(5);     // an alarm ends after this time without drops
 constexpr double Behind = 2.0;        // [s]
 
 std::string lastsAgain(double minutes) {
@@ -57,7 +57,7 @@ std::vector<BagAlarm> DiskWatch::update(const DiskReading& reading) {
 
     std::vector<BagAlarm> changed;
     using Kind = BagAlarm::Kind;
-    // What is nearly over must not end and begin again with every reading.
+    // An alarm that is nearly over must not end and begin again with every reading.
     const double margin = m_raised[Kind::DiskFilling] ? 1.2 : 1.0;
     const auto say = [&]<class... T>(fmt::format_string<T...> text, T&&... values) {
         return reading.where + ": " + fmt::format(text, std::forward<T>(values)...);

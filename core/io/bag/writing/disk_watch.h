@@ -11,7 +11,7 @@
 
 namespace leitstand::detail {
 
-/// What a writer knows of its disk at a moment.
+/// State of a writer's disk at one moment.
 struct DiskReading {
     std::chrono::steady_clock::time_point now{};
     std::uint64_t writtenBytes = 0, freeBytes = 0;
@@ -19,15 +19,15 @@ struct DiskReading {
     std::size_t queuedBytes = 0;
     double secondsBehind = 0.0;  ///< age of the oldest event that is not on the disk [s]
     bool full = false;           ///< the last attempt met a full disk
-    std::string failure;         ///< the last attempt failed otherwise; empty: it did not
+    std::string failure;         ///< why the last attempt failed otherwise; empty: it did not
     std::string where;           ///< file
 };
 
-/// Turns readings into rate, minutes left and alarms that begin and end. Not thread-safe.
+/// Computes the rate, the minutes left, and when alarms begin and end. Not thread-safe.
 class DiskWatch {
 public:
     explicit DiskWatch(double alarmMinutes) : m_alarmMinutes(alarmMinutes) {}
-    /// The alarms that changed since the last reading.
+    /// Returns the alarms that changed since the last reading.
     [[nodiscard]] std::vector<BagAlarm> update(const DiskReading& reading);
     [[nodiscard]] double bytesPerSecond() const { return m_rate; }
     [[nodiscard]] double minutesLeft() const { return m_minutesLeft; }

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// No log loses more messages; what metadata.yaml says beyond that is not believed.
+/// No log loses more messages. A larger gap to metadata.yaml is not believed.
 constexpr std::uint64_t MostLost = 100'000'000;
 
 fs::path nextFile(const fs::path& folder, const std::vector<NumberedFile>& earlier) {
@@ -34,7 +34,7 @@ BagMetadata summaryOf(const ReaderCore& reader) {
             session.lastSequence == 0 ? 0 : session.lastSequence - session.firstSequence + 1;
         summary.files.push_back(
             {session.file.filename().string(), session.first, session.last, session.messages.value_or(most)});
-        // What is gone stays told when the counts are written anew.
+        // Missing messages stay recorded when the counts are written again.
         if (session.missing > 0) {
             summary.custom[std::string(MissingKey) + session.file.filename().string()] =
                 std::to_string(session.missing);
@@ -46,7 +46,7 @@ BagMetadata summaryOf(const ReaderCore& reader) {
     return summary;
 }
 
-/// What metadata.yaml in @p folder says; empty: it is not there.
+/// Reads metadata.yaml in @p folder; empty when there is none.
 std::optional<Result<BagMetadata>> toldMetadata(const fs::path& folder) {
     std::ifstream in(folder / "metadata.yaml", std::ios::binary);
     if (!in) return std::nullopt;
@@ -55,14 +55,14 @@ std::optional<Result<BagMetadata>> toldMetadata(const fs::path& folder) {
     return parseMetadata(text.str(), "metadata.yaml");
 }
 
-/// Whether @p told says that others wrote it; where nothing else is there, also when it cannot be read.
+/// Whether @p told shows that others wrote it. Without any file, unreadable metadata count as theirs too.
 bool isOfOthers(const std::optional<Result<BagMetadata>>& told, bool anyFile) {
     if (!told) return false;
     return *told ? !(*told)->custom.contains(std::string(CountedKey)) : !anyFile;
 }
 
-/// The last sequence that was given: @p found, or what @p told knows of. That may stand in a log that is
-/// gone, and is not given twice.
+/// Returns the last sequence that was given out: @p found, or a later one in @p told. The later one may be in
+/// a log that is gone, and is not given out again.
 std::uint64_t lastGiven(std::uint64_t found, const std::optional<Result<BagMetadata>>& told) {
     if (!told || !*told) return found;
     const auto counted = (*told)->custom.find(std::string(CountedKey));

@@ -10,13 +10,13 @@ namespace leitstand::detail {
 
 /// What a mission's folder holds before a session begins.
 struct EarlierSessions {
-    BagMetadata metadata;            ///< their files, topics and counts, as far as they can be read
+    BagMetadata metadata;            ///< files, topics and counts so far, as far as readable
     std::uint64_t lastSequence = 0;  ///< 0: no events
-    std::filesystem::path nextFile;  ///< of the session that begins
+    std::filesystem::path nextFile;  ///< file of the session that begins
 };
 
-/// Looks into @p folder, changing nothing. Sessions that cannot be read are no error; a bag of others is one,
-/// since the next session would write over its metadata.
+/// Reads @p folder and changes nothing. Sessions that cannot be read are no error. A bag of others is one,
+/// since the next session would overwrite its metadata.
 [[nodiscard]] Result<EarlierSessions> earlierSessions(const std::filesystem::path& folder);
 
 }  // namespace leitstand::detail

@@ -12,39 +12,39 @@
 
 namespace leitstand::detail {
 
-/// Events that wait for the disk, bounded in bytes; which go first when they do not fit. Not thread-safe.
-/// What take() gave out still counts as waiting until settle().
+/// Events that wait for the disk, bounded in bytes; pictures are dropped first. Not thread-safe. Events that
+/// take() returned count as waiting until settle().
 class EventQueue {
 public:
     using Clock = std::chrono::steady_clock;
-    /// @p droppableBound: bytes that may wait when a picture comes; @p bound: when anything else comes [B].
+    /// @p droppableBound: bytes that may wait when a picture comes; @p bound: when another event comes [B].
     EventQueue(std::size_t droppableBound, std::size_t bound)
         : m_droppableBound(droppableBound), m_bound(bound) {}
 
-    /// Takes @p event, or drops it: a picture beyond the first bound, the rest beyond the second, for which
-    /// waiting pictures make room.
+    /// Queues or drops @p event. A picture is dropped beyond the first bound. Another event is dropped beyond
+    /// the second, after all waiting pictures.
     void push(RawEvent event, bool droppable, Clock::time_point now);
-    /// The oldest events, at least one and together about @p bytes.
+    /// Takes the oldest events: at least one, together about @p bytes [B].
     [[nodiscard]] std::vector<RawEvent> take(std::size_t bytes);
-    /// An event of take() is written, or was dropped after all.
+    /// Notes that an event of take() is written, or was dropped after all.
     void settle(const RawEvent& event);
-    /// Whether pictures are dropped at once (a full disk), which empties the queue of them.
+    /// Sets whether pictures are dropped at once (a full disk). If so, waiting pictures are dropped too.
     void refuseDroppables(bool refuse);
     /// Counts @p event as dropped without taking it.
     void drop(const RawEvent& event, bool droppable);
 
     [[nodiscard]] bool empty() const { return m_events.empty(); }
-    /// When the oldest that waits came; @p otherwise when none does.
+    /// Returns when the oldest waiting event came; @p otherwise when none waits.
     [[nodiscard]] Clock::time_point oldest(Clock::time_point otherwise) const {
         return m_events.empty() ? otherwise : m_events.front().came;
     }
-    [[nodiscard]] std::size_t waitingBytes() const { return m_waitingBytes; }  ///< not given out
+    [[nodiscard]] std::size_t waitingBytes() const { return m_waitingBytes; }  ///< not taken yet
     [[nodiscard]] std::size_t bytes() const { return m_waitingBytes + m_takenBytes; }
     [[nodiscard]] std::size_t events() const { return m_events.size() + m_taken; }
     [[nodiscard]] const std::map<std::string, std::uint64_t>& dropped() const { return m_dropped; }
     [[nodiscard]] std::uint64_t droppedPictures() const { return m_droppedPictures; }
-    [[nodiscard]] std::uint64_t lostEvents() const { return m_lost; }  ///< dropped, and no pictures
-    /// Sequence of the oldest that was not given out; @p otherwise when none waits.
+    [[nodiscard]] std::uint64_t lostEvents() const { return m_lost; }  ///< dropped, except pictures
+    /// Returns the sequence of the oldest event not taken yet; @p otherwise when none waits.
     [[nodiscard]] std::uint64_t first(std::uint64_t otherwise) const {
         return m_events.empty() ? otherwise : m_events.front().event.sequence;
     }

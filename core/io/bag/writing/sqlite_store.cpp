@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// rosbag2's schema 4. The last index is ours: the rows of one topic in their order. Its condition is always
-// true, but keeps it from being chosen for others' queries, which do not state it.
+// rosbag2's schema 4. The last index is ours: it gives the rows of one topic in order. Its condition is
+// always true. SQLite therefore does not choose it for the queries of others, which do not state it.
 constexpr const char* Tables = R"(
 CREATE TABLE schema(schema_version INTEGER PRIMARY KEY, ros_distro TEXT NOT NULL);
 CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER NOT NULL, metadata TEXT NOT NULL);
@@ -34,7 +34,7 @@ CREATE INDEX leitstand_topic_idx ON messages (topic_id) WHERE topic_id > 0;
 INSERT INTO schema VALUES (4, '');
 )";
 
-constexpr int MaxWalFrames = 512;  // 4 MiB wait for the checkpoint: a log that is lost costs no more
+constexpr int MaxWalFrames = 512;  // 4 MiB until a checkpoint: a lost log costs no more
 
 fs::path normal(const fs::path& folder) {
     std::error_code ignored;
@@ -69,8 +69,8 @@ std::optional<StoreProblem> SqliteStore::createTables() {
     if (!opened) return StoreProblem{.text = m_file.string() + ": cannot be made: " + opened.error().text};
     m_database = std::move(opened).value();
     sqlite3_busy_timeout(m_database.handle(), 2'000);
-    // The tables are written before the write-ahead log is switched on: SQLite throws away the log of a file
-    // that is still empty.
+    // The tables are written before the write-ahead log is switched on, since SQLite discards the log of a
+    // file that is still empty.
     for (const char* sql :
          {"PRAGMA page_size = 8192", "PRAGMA auto_vacuum = NONE", "PRAGMA secure_delete = OFF",
           "PRAGMA cache_size = -16000", "PRAGMA temp_store = MEMORY", "BEGIN", Tables, "COMMIT",
@@ -203,7 +203,7 @@ std::optional<StoreProblem> SqliteStore::storeMetadata(const Books& books) {
 
 void SqliteStore::checkpointWhenLong() {
     if (m_walFrames < MaxWalFrames) return;
-    // On a full disk it fails: the log stays, nothing is lost, and the next commit tries again.
+    // On a full disk this fails. The log stays, nothing is lost, and the next commit tries again.
     sqlite3_wal_checkpoint_v2(m_database.handle(), nullptr, SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
 }
 
@@ -225,7 +225,7 @@ BagMetadata SqliteStore::wholeMetadata() const {
 }
 
 void SqliteStore::writeMetadataFile() {
-    // Only a convenience for others: the database itself tells the same. The next time may succeed.
+    // Only a convenience for others: the database holds the same. The next attempt may succeed.
     (void)writeWhole(m_folder / "metadata.yaml", yamlOf(wholeMetadata(), /*bare=*/false));
 }
 
@@ -244,8 +244,8 @@ std::optional<StoreProblem> SqliteStore::close() {
         *statement = {};
     }
     if (!failed) failed = checked(m_database.run("PRAGMA wal_checkpoint(TRUNCATE)"));
-    // Some readers know no write-ahead log, so the file ends without; a reader of ours may forbid it just
-    // now.
+    // Some readers know no write-ahead log, so the finished file has none. One of our readers may prevent
+    // that for now.
     if (!failed) (void)m_database.run("PRAGMA journal_mode = DELETE");
     m_database.close();
     return failed;

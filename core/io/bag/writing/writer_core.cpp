@@ -78,7 +78,7 @@ WriterCore::Clock::time_point WriterCore::nextCommit(Clock::time_point now) cons
 std::optional<BagBatch> WriterCore::nextBatch() {
     std::unique_lock lock(m_mutex);
     auto now = Clock::now();
-    // Nobody is woken for an event that can wait.
+    // write() wakes nobody for an event that can wait.
     for (; !shallCommit(now); now = Clock::now()) {
         m_wake.wait_until(lock, std::min(nextCommit(now), now + m_settings.commitInterval / 4));
     }
@@ -164,7 +164,7 @@ void WriterCore::dropPictures(BagBatch& batch) {
 
 bool WriterCore::waitToRetry() {
     std::unique_lock lock(m_mutex);
-    if (m_stopping) return false;  // whoever closes shall not wait
+    if (m_stopping) return false;  // close() must not wait
     m_wake.wait_for(lock, m_settings.retryInterval, [this] { return m_stopping; });
     return true;
 }

@@ -20,8 +20,8 @@
 
 namespace leitstand::detail {
 
-/// The two threads of a BagWriter: one that waits for the disk, and one that watches how that goes, since a
-/// disk that hangs must not keep its alarm.
+/// The two threads of a BagWriter. One waits for the disk. The other watches it, so that a disk that hangs
+/// cannot delay its alarm.
 class WriterCore {
 public:
     WriterCore(std::unique_ptr<BagStore> store, const BagWriterSettings& settings,
@@ -45,8 +45,8 @@ private:
     void announce(const TopicInfo& topic);  // locked
     void run();
     [[nodiscard]] bool shallCommit(Clock::time_point now) const;              // locked
-    [[nodiscard]] Clock::time_point nextCommit(Clock::time_point now) const;  // locked; of what waits
-    [[nodiscard]] bool isStored(std::uint64_t sequence) const;                // locked; or dropped
+    [[nodiscard]] Clock::time_point nextCommit(Clock::time_point now) const;  // locked; for what waits
+    [[nodiscard]] bool isStored(std::uint64_t sequence) const;                // locked; also when dropped
     [[nodiscard]] std::optional<BagBatch> nextBatch();
     void commit(BagBatch batch);
     void settle(const BagBatch& batch);
@@ -62,14 +62,14 @@ private:
     const BagWriterSettings m_settings;
     const BagWriter::AlarmHandler m_onAlarm;
 
-    mutable std::mutex m_mutex;  // guards all below but the threads
+    mutable std::mutex m_mutex;  // guards all below except the threads
     std::condition_variable m_wake, m_settled, m_watchWake;
     EventQueue m_queue;
     std::map<TopicKey, TopicUse> m_topics;  // known ones
     std::vector<TopicInfo> m_newTopics;
     std::size_t m_storedTopics = 0;  // of m_topics, on the disk
     std::uint64_t m_lastSequence = 0;
-    std::uint64_t m_urgent = 0;     // last sequence that waits for no interval
+    std::uint64_t m_urgent = 0;     // last sequence that must not wait
     std::uint64_t m_takenFrom = 0;  // first sequence of the batch that is being committed
     Clock::time_point m_topicsCame{}, m_oldestTaken{}, m_lastMetadata{};
     bool m_committing = false, m_flushing = false, m_stopping = false, m_watchStopping = false;

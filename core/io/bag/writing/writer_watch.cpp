@@ -28,7 +28,7 @@ BagWriterStatistics WriterCore::statistics() const {
 
 DiskReading WriterCore::reading() {
     DiskReading reading;
-    reading.freeBytes = m_store->freeBytes();  // may take its time
+    reading.freeBytes = m_store->freeBytes();  // may block
     reading.where = m_store->file().string();
     const std::scoped_lock lock(m_mutex);
     reading.now = Clock::now();

@@ -19,22 +19,22 @@ namespace leitstand::detail {
 
 enum class ByteOrder : bool { Little, Big };
 
-/// Turns the body of a PCD or PLY file into a scan.
+/// Decodes the body of a PCD or PLY file into a scan.
 class CloudDecoder {
 public:
     /// @p layout must have points.
     CloudDecoder(const CloudLayout& layout, Scan& into);
 
-    /// Reads @p points records from byte @p offset of @p file on, in chunks; all of them must be there.
+    /// Reads @p points records in chunks, from byte @p offset of @p file on. Error when there are fewer.
     [[nodiscard]] Result<void> readRecords(InputFile& file, std::uint64_t offset, std::size_t points,
                                            ByteOrder order);
     /// Takes @p points from @p columns, one array per field in the layout's order (compressed PCD).
     [[nodiscard]] Result<void> takeColumns(const std::vector<char>& columns, std::size_t points,
                                            const std::string& file);
-    /// Reads one point a line until there are @p points; fewer are an error.
+    /// Reads one point per line until there are @p points. Error when there are fewer.
     [[nodiscard]] Result<void> readLines(LineReader& reader, std::size_t points);
 
-    /// Drops labels that are not ours, which @p warnings then says of @p file.
+    /// Drops the labels when some are not ours; adds a warning about @p file to @p warnings then.
     void finish(const std::string& file, std::vector<std::string>& warnings);
 
 private:
@@ -47,7 +47,7 @@ private:
 
     const CloudLayout& m_layout;
     PointSink m_sink;
-    std::array<const CloudField*, Roles> m_fields;  // null where the file has none
+    std::array<const CloudField*, Roles> m_fields;  // null: not in the file
 };
 
 }  // namespace leitstand::detail

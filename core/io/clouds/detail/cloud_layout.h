@@ -25,27 +25,27 @@ enum class Scalar : std::uint8_t {
 
 [[nodiscard]] std::size_t sizeOf(Scalar scalar);  ///< [bytes]
 
-/// A field of a point: a number, or several in a row.
+/// A field of a point: one number, or several in a row.
 struct CloudField {
     std::string name;
     Scalar type = Scalar::Float32;
     std::size_t count = 1;
-    std::size_t offset = 0;  ///< from the point's first byte
+    std::size_t offset = 0;  ///< from the first byte of the point [bytes]
     std::size_t column = 0;  ///< place of its first number in a line of text
 };
 
-/// What a point of a PCD or PLY file is made of.
+/// The fields of a point in a PCD or PLY file.
 class CloudLayout {
 public:
     static constexpr std::size_t MaxRecordSize = 1 << 18;  ///< of a point [bytes]
 
-    /// Appends a field behind the others; false when points would grow beyond MaxRecordSize.
+    /// Appends a field; false when points would grow beyond MaxRecordSize.
     [[nodiscard]] bool add(std::string name, Scalar type, std::size_t count = 1);
 
     [[nodiscard]] std::size_t recordSize() const { return m_recordSize; }  ///< of a point [bytes]
     [[nodiscard]] std::size_t columns() const { return m_columns; }        ///< numbers of a point
-    [[nodiscard]] bool hasPoints() const;                                  ///< whether x, y and z are there
-    /// The field that holds a single number and has one of @p names, in small letters.
+    [[nodiscard]] bool hasPoints() const;                                  ///< whether there are x, y and z
+    /// Returns the field that holds a single number and has one of @p names, in lower case; null: none.
     [[nodiscard]] const CloudField* find(std::initializer_list<std::string_view> names) const;
     [[nodiscard]] const CloudField* intensity() const;
     [[nodiscard]] const CloudField* label() const;

@@ -35,10 +35,10 @@ std::optional<Scalar> toScalar(std::string_view type, std::size_t size) {
     }
 }
 
-/// Collects the entries of a header, whose order is free until DATA.
+/// Collects the entries of a header; their order is free until DATA.
 class PcdEntries {
 public:
-    /// Takes a line; a text says what was expected instead.
+    /// Takes a line; returns what was expected instead, if anything.
     std::optional<std::string> take(std::string_view line) {
         const std::string_view keyword = takeField(line);
         if (keyword == "FIELDS" || keyword == "COLUMNS") return takeWords(line, m_names);
@@ -55,7 +55,7 @@ public:
 
     [[nodiscard]] bool complete() const { return m_encoding.has_value(); }
 
-    /// Puts the entries together; a text says what they lack.
+    /// Composes the header from the entries; returns what was expected in them, if anything.
     std::optional<std::string> compose(PcdHeader& header) const {
         if (m_names.empty() || m_names.size() != m_sizes.size() || m_names.size() != m_types.size() ||
             (!m_counts.empty() && m_names.size() != m_counts.size())) {
@@ -120,7 +120,7 @@ private:
     std::optional<PcdEncoding> m_encoding;
 };
 
-/// Fewest bytes that the body must have; a compressed one tells by itself.
+/// Returns the fewest bytes that the body must have; a compressed body contains its own size.
 std::uint64_t leastBody(const PcdHeader& header) {
     switch (header.encoding) {
         case PcdEncoding::Ascii:

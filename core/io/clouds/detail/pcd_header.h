@@ -19,7 +19,7 @@ struct PcdHeader {
     std::uint64_t bodyOffset = 0;  ///< [bytes]
 };
 
-/// Reads the header from the first line on; the reader then stands at the first point.
+/// Reads the header from the first line on; leaves the reader at the first point.
 [[nodiscard]] Result<PcdHeader> readPcdHeader(LineReader& reader);
 
 }  // namespace leitstand::detail

@@ -22,7 +22,7 @@ struct Element {
     std::string name;
     std::size_t count = 0;
     CloudLayout layout;
-    bool hasLists = false;  // then its size is not known
+    bool hasLists = false;  // the size is unknown then
 };
 
 std::optional<Scalar> toScalar(std::string_view name) {
@@ -53,7 +53,7 @@ std::optional<Scalar> toScalar(std::string_view name) {
 /// Collects the entries of a header.
 class PlyEntries {
 public:
-    /// Takes a line after "ply"; a text says what was expected instead.
+    /// Takes a line after "ply"; returns what was expected instead, if anything.
     std::optional<std::string> take(std::string_view line) {
         const std::string_view keyword = takeField(line);
         if (keyword == "comment") return std::nullopt;
@@ -69,7 +69,7 @@ public:
 
     [[nodiscard]] bool complete() const { return m_complete; }
 
-    /// Puts the entries together; a text says what they lack.
+    /// Composes the header from the entries; returns what was expected in them, if anything.
     std::optional<std::string> compose(PlyHeader& header) const {
         if (!m_format) return "a format";
         header.text = *m_format == "ascii";

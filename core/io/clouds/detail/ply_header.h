@@ -10,18 +10,18 @@
 
 namespace leitstand::detail {
 
-/// The header of a PLY file as far as vertices go, checked against the file's size.
+/// The header of a PLY file as far as it concerns vertices, checked against the file's size.
 struct PlyHeader {
     CloudLayout layout;  ///< of a vertex
     std::size_t points = 0;
     int rows = 0, columns = 0;  ///< 0 x 0 when unorganised
     bool text = false;
     ByteOrder order = ByteOrder::Little;
-    std::size_t linesBefore = 0;   ///< of other elements before the vertices, where text
-    std::uint64_t verticesAt = 0;  ///< first byte of the vertices, where binary
+    std::size_t linesBefore = 0;   ///< text only: lines of other elements before the vertices
+    std::uint64_t verticesAt = 0;  ///< binary only: first byte of the vertices
 };
 
-/// Reads the header from the first line on; the reader then stands behind it.
+/// Reads the header from the first line on; leaves the reader behind it.
 [[nodiscard]] Result<PlyHeader> readPlyHeader(LineReader& reader);
 
 }  // namespace leitstand::detail

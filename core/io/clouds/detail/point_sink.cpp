@@ -17,7 +17,7 @@ void PointSink::reserve(std::size_t points, bool intensities, bool labels) {
 
 std::optional<std::string_view> PointSink::addPoint(double x, double y, double z) {
     const Eigen::Vector3d point(x, y, z);
-    // NaN compares false: only infinite and far coordinates are refused.
+    // NaN compares false, so only infinite and far coordinates are refused.
     if ((point.array().abs() > MaxCoordinate).any()) return "finite coordinates within 100 km";
     m_scan.points.push_back(point.array().isNaN().any() ? noEcho() : point.cast<float>().eval());
     return std::nullopt;

@@ -15,10 +15,10 @@ namespace leitstand::detail {
 
 namespace {
 
-constexpr std::size_t ShortestPointLine = 6;  // "0 0 0" and its end
+constexpr std::size_t ShortestPointLine = 6;  // "0 0 0" and its line end
 constexpr std::size_t Nowhere = std::numeric_limits<std::size_t>::max();
 
-/// "226 x 360" as uos files have it in their first line.
+/// Parses "226 x 360", the first line of uos files.
 std::optional<ScanGrid> toGrid(std::string_view line) {
     const auto rows = toCount(takeField(line));
     const std::string_view by = takeField(line);
@@ -33,12 +33,12 @@ bool isComment(std::string_view line) {
     return line.starts_with('#') || line.starts_with("//");
 }
 
-/// Turns lines into points and remembers how many fields the first one had.
+/// Turns lines into points and remembers the number of fields of the first one.
 class PointLines {
 public:
     PointLines(const PointTextFormat& format, Scan& scan) : m_format(format), m_scan(scan), m_sink(scan) {}
 
-    /// Takes one line that is not blank; a text says what was expected instead.
+    /// Takes one line that is not blank; returns what was expected instead, if anything.
     std::optional<std::string> add(std::string_view line, std::size_t lines) {
         const bool first = m_scan.points.empty();
         if (isComment(line)) {

@@ -12,23 +12,23 @@ namespace {
 
 constexpr std::size_t FewestRows = 4, FewestColumns = 8;
 constexpr std::size_t Samples = 4096;
-constexpr float StartsOver = 5.0F;        // a raw scan ends where a step is that many times the usual one
-constexpr float NeighbouringRows = 0.2F;  // rows side by side differ less in direction (12 degrees)
+constexpr float StartsOver = 5.0F;        // a raw scan ends at a step this many times the usual one
+constexpr float NeighbouringRows = 0.2F;  // neighbouring rows differ less in direction (12 degrees)
 
 using Points = std::vector<Eigen::Vector3f>;
 
-/// Chord between the directions to two points of a scan: about the angle [rad]; NaN without an echo.
+/// Returns the chord between the directions to two points of a scan: about the angle [rad]; NaN: no echo.
 float stepBetween(const Points& points, std::size_t a, std::size_t b) {
     const Eigen::Vector3f& p = points[a];
     const Eigen::Vector3f& q = points[b];
     return (p / p.norm() - q / q.norm()).norm();
 }
 
-/// Median step over pairs @p apart, taken evenly from the whole scan; NaN when there is nothing to measure.
+/// Returns the median step over pairs @p apart, sampled evenly from the whole scan; NaN: nothing to measure.
 float medianStep(const Points& points, std::size_t apart) {
     std::vector<float> steps;
     const std::size_t pairs = points.size() - apart;
-    // An odd stride meets all columns of the grid.
+    // An odd stride reaches all columns of the grid.
     const std::size_t stride = (pairs / Samples) | 1U;
     for (std::size_t i = 0; i < pairs; i += stride) {
         const float step = stepBetween(points, i, i + apart);
@@ -40,7 +40,7 @@ float medianStep(const Points& points, std::size_t apart) {
     return *middle;
 }
 
-/// Direction perpendicular to the plane in which the points of a row lie, seen from the scanner.
+/// Returns the normal of the plane in which the points of a row lie, seen from the scanner.
 Eigen::Vector3f normalOfRow(const Points& points, std::size_t begin, std::size_t columns) {
     Eigen::Matrix3f scatter = Eigen::Matrix3f::Zero();
     for (std::size_t i = begin; i < begin + columns; ++i) {
@@ -59,7 +59,7 @@ std::optional<ScanGrid> detectGrid(const Points& points) {
     const float limit = StartsOver * medianStep(points, 1);
     if (!(limit > 0.0F)) return std::nullopt;
 
-    std::size_t columns = 0;  // divides the place of every new start
+    std::size_t columns = 0;  // divides the index of every new start
     std::size_t starts = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (!(stepBetween(points, i - 1, i) > limit)) continue;
@@ -69,7 +69,7 @@ std::optional<ScanGrid> detectGrid(const Points& points) {
     }
     if (starts == 0 || points.size() % columns != 0) return std::nullopt;
     const std::size_t rows = points.size() / columns;
-    std::size_t unknown = 0;  // starts beside points without an echo
+    std::size_t unknown = 0;  // starts next to points without an echo
     for (std::size_t i = columns; i < points.size(); i += columns) {
         if (!std::isfinite(stepBetween(points, i - 1, i))) ++unknown;
     }
@@ -86,7 +86,7 @@ Sweep sweepOf(const Points& points, ScanGrid grid) {
     for (std::size_t row = 0; row < rows; row += stride) {
         along += normalOfRow(points, row * columns, columns).array().square();
     }
-    // The axis about which rows are moved lies in all of their planes.
+    // The axis about which rows are turned lies in all of their planes.
     return along.y() <= along.z() ? Sweep::Tilting : Sweep::Yawing;
 }
 

@@ -14,14 +14,15 @@ struct ScanGrid {
     int rows = 0, columns = 0;
 };
 
-/// The grid in which a scanner took @p points, if they lie in one: every raw scan goes through the same
-/// angles in even steps and the next one starts over. Nothing for incomplete grids and other clouds.
+/// Finds the grid in which a scanner took @p points: every raw scan covers the same angles in even steps, and
+/// the next one starts over. Empty for incomplete grids and other clouds.
 [[nodiscard]] std::optional<ScanGrid> detectGrid(const std::vector<Eigen::Vector3f>& points);
 
 /// Whether the rows are tilted (about y) or turned (about z) against each other.
 [[nodiscard]] Sweep sweepOf(const std::vector<Eigen::Vector3f>& points, ScanGrid grid);
 
-/// Gives @p scan the grid that its points lie in, unless it has one already, and the meaning of its rows.
+/// Sets the grid of @p scan, unless it has one already, and the meaning of its rows. Leaves clouds without a
+/// grid as they are.
 void organise(Scan& scan);
 
 }  // namespace leitstand::detail

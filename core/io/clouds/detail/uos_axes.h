@@ -4,23 +4,23 @@
 
 namespace leitstand::detail {
 
-/// A point of 3DTK (x right, y up, z forward [cm]) in our axes (x forward, y left, z up [m]).
+/// Converts a point of 3DTK (x right, y up, z forward [cm]) to our axes (x forward, y left, z up [m]).
 [[nodiscard]] inline Eigen::Vector3d fromUos(const Eigen::Vector3d& p) {
     return Eigen::Vector3d(p.z(), -p.x(), p.y()) / 100.0;
 }
 
-/// A point of ours [m] in 3DTK's axes [cm].
+/// Converts a point in our axes [m] to 3DTK's axes [cm].
 [[nodiscard]] inline Eigen::Vector3d toUos(const Eigen::Vector3d& p) {
     return Eigen::Vector3d(-p.y(), p.z(), p.x()) * 100.0;
 }
 
-/// Rotation @p inUos of 3DTK as M R M^-1 in our axes.
+/// Converts rotation @p inUos of 3DTK to our axes as M R M^-1.
 [[nodiscard]] inline Eigen::Matrix3d rotationFromUos(const Eigen::Matrix3d& inUos) {
     const Eigen::Matrix3d m = (Eigen::Matrix3d() << 0, 0, 1, -1, 0, 0, 0, 1, 0).finished();
     return m * inUos * m.transpose();
 }
 
-/// Rotation @p ours as M^-1 R M in 3DTK's axes.
+/// Converts rotation @p ours to 3DTK's axes as M^-1 R M.
 [[nodiscard]] inline Eigen::Matrix3d rotationToUos(const Eigen::Matrix3d& ours) {
     const Eigen::Matrix3d m = (Eigen::Matrix3d() << 0, 0, 1, -1, 0, 0, 0, 1, 0).finished();
     return m.transpose() * ours * m;

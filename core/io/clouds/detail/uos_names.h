@@ -7,10 +7,10 @@
 
 namespace leitstand::detail {
 
-/// The number in a name "scanNNN.3d"; nothing for other names.
+/// Returns the number in a name "scanNNN.3d"; empty for other names.
 [[nodiscard]] std::optional<std::size_t> uosNumber(const std::filesystem::path& file);
 
-/// "scan" and @p number with at least three digits.
+/// Returns "scan" and @p number with at least three digits.
 [[nodiscard]] std::string uosName(std::size_t number);
 
 }  // namespace leitstand::detail

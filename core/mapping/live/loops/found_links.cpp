@@ -11,16 +11,17 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Where nobody measured how the robot came there [m, rad].
+/// Deviation where the robot's motion was not measured [m, rad].
 constexpr double Unmeasured = 1.0;
 
-/// Share of each direction that surfaces hold, turns as shifts at the arm; map's axes.
+/// Returns the share of each direction that surfaces hold, in the map's axes. Turns count as shifts at the
+/// arm.
 Information heldBy(const IcpResult& icp, const MatchSettings& match) {
     assert(match.openBelow > IcpResult::UncertainBelow);
     const Eigen::SelfAdjointEigenSolver<Information> solver(icp.information);
     Information held = Information::Zero();
     for (Eigen::Index i = 0; i < 6; ++i) {
-        // From where odometry has all of the say to where it has none.
+        // From where odometry counts alone to where it does not count.
         const double certainty = 3.0 * solver.eigenvalues()[i] - IcpResult::UncertainBelow;
         const double share = std::clamp(certainty / (match.openBelow - IcpResult::UncertainBelow), 0.0, 1.0);
         held += share * solver.eigenvectors().col(i) * solver.eigenvectors().col(i).transpose();
@@ -28,14 +29,14 @@ Information heldBy(const IcpResult& icp, const MatchSettings& match) {
     return held;
 }
 
-/// A scan's axes in the map, for translation and rotation.
+/// Returns a scan's axes in the map, for translation and rotation.
 Information axesOf(const Pose& scanInMap) {
     Information axes = Information::Zero();
     axes.topLeftCorner<3, 3>() = axes.bottomRightCorner<3, 3>() = scanInMap.linear();
     return axes;
 }
 
-/// 1 for shifts, the arm for turns.
+/// Returns 1 for shifts, the arm for turns.
 Vector6 armsOf(const LoopSettings& loops) {
     Vector6 arms;
     arms << 1.0, 1.0, 1.0, loops.arm, loops.arm, loops.arm;

@@ -11,25 +11,26 @@
 
 namespace leitstand {
 
-/// @p from and @p to as they stand in the map.
+/// Returns the link between @p from and @p to as they stand in the map.
 [[nodiscard]] Link linkBetween(const LiveKeyScan& from, const LiveKeyScan& to, LinkKind kind);
 
-/// What a match says of the pose of a scan at @p scanInMap, in the scan's frame: as much as
-/// LoopSettings::matchDeviation along directions that surfaces hold, less along those that they hold less,
-/// nothing along open ones.
+/// Returns the information of a match on the pose of a scan at @p scanInMap, in the scan's frame. It is that
+/// of LoopSettings::matchDeviation along directions that surfaces hold, less along those that they hold less,
+/// and zero along open ones.
 [[nodiscard]] Information informationOf(const IcpResult& icp, const Pose& scanInMap,
                                         const LoopSettings& loops, const MatchSettings& match);
 
-/// How a scan came into the map.
+/// How a scan entered the map.
 struct Entry {
     const LiveKeyScan& scan;
     const LiveKeyScan* predecessor = nullptr;  ///< the robot's key scan before; null: none
-    std::span<const LiveKeyScan> against;      ///< what it was matched with, nearest first
+    std::span<const LiveKeyScan> against;      ///< scans that it was matched with, nearest first
     const Match& match;
 };
 
-/// The link to its predecessor, and to what it was matched with where that fitted. Odometry says only what
-/// the match does not: else a corridor would be as long as the wheels have it.
+/// Returns the link to its predecessor, and links to the scans that it was matched with, if it fitted.
+/// Odometry adds only what the match leaves open. Otherwise a corridor would be as long as the wheels measure
+/// it.
 [[nodiscard]] std::vector<Link> linksOf(const Entry& entry, const LoopSettings& loops,
                                         const MatchSettings& match);
 

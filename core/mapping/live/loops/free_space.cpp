@@ -10,8 +10,8 @@ namespace {
 
 constexpr float Pi = std::numbers::pi_v<float>;
 constexpr int Columns = 180, Rows = 90;  ///< of two degrees: azimuth, elevation
-constexpr float Border = 0.35F;  ///< so near to a cell's border its neighbour counts, too; of its edge
-/// Where a direction lies in the grid, in cells.
+constexpr float Border = 0.35F;          ///< of a cell's edge: so near to a border the neighbour counts, too
+/// The place of a direction in the grid, in cells.
 struct GridPlace {
     float column, row;
 };

@@ -9,19 +9,20 @@
 
 namespace leitstand {
 
-/// What scans looked through, made once for each, of those that were asked for last: a scan's takes 0.2 MB.
+/// The free space of scans, computed once for each, and kept for those used last: 0.2 MB a scan.
 class FreeSpaces {
 public:
     explicit FreeSpaces(const FreeSpaceSettings& settings, std::size_t most = 128)
         : m_settings(settings), m_most(most) {}
 
-    /// Of @p scan, which is the key scan @p id whenever that is asked for; valid until the next call.
+    /// Returns the free space of @p scan, which is the key scan @p id in all calls; valid until the next
+    /// call.
     [[nodiscard]] const FreeSpace& of(std::uint64_t id, const Scan& scan);
 
 private:
     struct Made {
         FreeSpace free;
-        std::uint64_t used = 0;  ///< the number of the call that asked for it last
+        std::uint64_t used = 0;  ///< number of the call that used it last
     };
     FreeSpaceSettings m_settings;
     std::size_t m_most;

@@ -13,7 +13,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::uint64_t LinkBlock = 100'000;  ///< of links that stations number without hearing each other
+constexpr std::uint64_t LinkBlock = 100'000;  ///< of link ids, for stations that do not hear each other
 
 }  // namespace
 
@@ -97,7 +97,7 @@ double LoopCloser::deviation(std::uint64_t from, std::uint64_t to) const {
         const double share = link.kind == LinkKind::Odometry ? m_settings.openDrift : m_settings.drift;
         return share * link.pose.translation().norm();
     });
-    // What does not hang together may be anywhere.
+    // A scan that is not connected may be anywhere.
     return way ? m_settings.driftAtLeast + *way : std::numeric_limits<double>::infinity();
 }
 
@@ -169,7 +169,7 @@ bool LoopCloser::agree(const MatchedPlace& a, const MatchedPlace& b) const {
 }
 
 bool LoopCloser::tooFar(const MatchedPlace& found) const {
-    if (found.link.kind == LinkKind::Session) return false;  // nobody knew how the two parts lie
+    if (found.link.kind == LinkKind::Session) return false;  // the relative pose of the two parts was unknown
     const double shift = found.shift();
     return shift > m_settings.farBeyond * deviation(found.link.from, found.link.to) ||
            Eigen::AngleAxisd(found.correction.linear()).angle() > m_settings.farTurn;
@@ -203,7 +203,7 @@ std::vector<Link> LoopCloser::meet(MatchedPlace found, bool verified) {
     }
     const bool parts = found.link.kind == LinkKind::Session;
     const std::size_t wanted = parts ? m_settings.partsAgree : found.far ? m_settings.farAgree : 2;
-    // How parts lie is a question once all that is known of them does not speak against it.
+    // The relative pose of parts is a question, once nothing that is known contradicts it.
     if (agreeing.size() + 1 < wanted || (parts && !verified)) {
         const bool apart = std::all_of(m_pending.begin(), m_pending.end(), [&](const MatchedPlace& other) {
             return (other.at - found.at).norm() >= 0.5 * m_settings.apart;
@@ -278,7 +278,7 @@ void LoopCloser::meetAt(const LiveKeyScan& scan, const LiveMap& map) {
 
 std::vector<Link> LoopCloser::takeMet() {
     const std::vector<MatchedPlace> met = std::exchange(m_met, {});
-    /// Whether the next one by @p step of the same robot that is well apart agrees.
+    /// Returns whether the next place by @p step of the same robot that is well apart agrees.
     const auto agrees = [&](std::size_t i, std::ptrdiff_t step) {
         for (auto j = static_cast<std::ptrdiff_t>(i) + step; j >= 0 && j < std::ssize(met); j += step) {
             const MatchedPlace& other = met[static_cast<std::size_t>(j)];
@@ -309,7 +309,7 @@ std::vector<Link> LoopCloser::join(const std::map<std::uint64_t, Pose>& scansInM
         if (found && found->link.kind == LinkKind::Session) links.push_back(std::move(found->link));
     }
     if (links.size() < m_settings.partsAgree) return {};
-    // What is looked for stays as it was until all are found.
+    // The graph stays as it was until all are found.
     for (Link& link : links) link = m_graph.add(std::move(link));
     m_pending.clear();
     return links;
@@ -332,11 +332,11 @@ std::vector<Link> LoopCloser::moveTo(const std::map<std::uint64_t, Pose>& scansI
         if (const LiveKeyScan* const other = nearestTo(there->second, map, moves))
             candidates.push_back({&scan, other, there->second});
     }
-    // Matching takes what a scan that enters does, and holds these up. First every other one, then those
+    // A match takes as long as a scan that enters, and delays these. Every other one first, then those
     // between.
     const std::size_t tries = std::min(candidates.size(), 2 * m_settings.mostByHand);
     std::vector<MatchedPlace> fits;
-    std::vector<Pose> off;  // by what each lies from where it was left, to put before poses in the map
+    std::vector<Pose> off;  // by how much each is off from where it was left, to put before poses in the map
     for (const std::size_t begin : {std::size_t{0}, std::size_t{1}}) {
         for (std::size_t i = begin; i < tries && fits.size() < m_settings.mostByHand; i += 2) {
             const Candidate& one = candidates[i * candidates.size() / tries];
@@ -367,7 +367,7 @@ std::vector<std::size_t> LoopCloser::largestAgreeing(const std::vector<MatchedPl
         for (std::size_t j = 0; j < fits.size(); ++j) {
             const Eigen::Vector3d at = fits[j].correction * fits[j].at;
             const Pose difference = off[i].inverse() * off[j];
-            // What was dragged bends along its length.
+            // A part that was dragged bends along its length.
             const double within =
                 m_settings.agreeWithin + m_settings.drift * (fits[i].at - fits[j].at).norm();
             if ((off[i] * at - off[j] * at).norm() <= within &&
@@ -380,7 +380,7 @@ std::vector<std::size_t> LoopCloser::largestAgreeing(const std::vector<MatchedPl
 }
 
 Result<Link> LoopCloser::propose(const LiveKeyScan& scan, Pose guess, const LiveMap& map) {
-    // Heights may have drifted: that of the storey counts which is nearest.
+    // Heights may have drifted: the height of the nearest storey counts.
     const std::map<std::uint64_t, double> near = sameAge(scan.id);
     const double height = guess.translation().z();
     double least = std::numeric_limits<double>::infinity();

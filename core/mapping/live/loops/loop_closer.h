@@ -19,105 +19,106 @@
 
 namespace leitstand {
 
-/// Finds where the way of robots meets itself: what lies side by side in the map and is far from each other
-/// over the graph is registered against each other; two such places that agree are a loop.
+/// Finds where the path of robots meets itself. Scans that lie side by side in the map, but far from each
+/// other over the graph, are registered against each other. Two such places that agree are a loop.
 class LoopCloser {
 public:
     LoopCloser(const LoopSettings& settings, const MatchSettings& match, const FitSettings& fit);
 
-    /// The links of a scan that entered the map, which are taken into the graph.
+    /// Adds the links of a scan that entered the map to the graph, and returns them.
     std::vector<Link> add(const Entry& entry);
-    /// The same for a scan that was registered again: its older links are not active any more. All that
+    /// The same for a scan that was registered again: deactivates its older links. Returns all links that
     /// changed.
     std::vector<Link> replace(const Entry& entry);
-    /// Links of the log, or another station's.
+    /// Adds links of the log, or of another station.
     void restore(std::span<const Link> links);
-    /// Links of loops as they are now. Where one is not active, none closes by itself again. Whether
-    /// something changed that poses follow.
+    /// Sets links of loops as they are now. Where one is not active, none closes by itself again. Returns
+    /// whether links that poses follow changed.
     bool follow(std::span<const Link> loops);
-    /// Loops that others speak against, likewise; as they are now.
+    /// Deactivates loops that others contradict; none closes there by itself again. Returns them as they are
+    /// now.
     std::vector<Link> contradict(std::span<const std::uint64_t> links);
     void moved() { m_pending.clear(); }  ///< scans stand elsewhere now
-    /// Which of its links nothing follows: unheldLoops().
+    /// Sets its links that no pose follows: unheldLoops().
     void setUnheld(std::set<std::uint64_t> links) { m_graph.setUnheld(std::move(links)); }
     void forget(std::uint64_t scan);
     void beginBlock();
 
-    /// Scans that are nearly certain to lie right to @p id, with the way to them over the graph [m].
+    /// Returns scans whose poses relative to @p id are nearly certain, with the distance over the graph [m].
     [[nodiscard]] std::map<std::uint64_t, double> sameAge(std::uint64_t id) const;
-    /// Looks for a loop at the scan @p entered, which counts; its links where there is one, which are taken
-    /// into the graph: not active where the map would have erred so much that the operator is to be asked.
+    /// Looks for a loop at the scan @p entered, which counts. Adds its links to the graph and returns them;
+    /// empty: none. They are not active if the map would have erred so much that the operator must be asked.
     [[nodiscard]] std::vector<Link> close(const LiveKeyScan& entered, const LiveMap& map);
-    /// Whether the scan @p entered, where nothing closed, is to be looked for in the whole map: so much way
-    /// after the one before, and where the map may err by more than is looked for anyway.
+    /// Returns whether the scan @p entered, where nothing closed, is to be looked for in the whole map. It is
+    /// after a distance since the one before, where the map may err by more than the usual search covers.
     [[nodiscard]] bool seeks(const LiveKeyScan& entered, const LiveMap& map);
-    /// Whether a scan of the part of @p scan may lie farther from where it is expected than is looked for
-    /// anyway.
+    /// Returns whether a scan of the part of @p scan may lie farther from its expected pose than the usual
+    /// search covers.
     [[nodiscard]] bool mayErrFar(const LiveKeyScan& scan, const LiveMap& map) const;
-    /// The same as close() for a scan that was found at @p scanInMap, far from where it stands. @p verified:
-    /// whether all of its part, moved along, was compared with what is there.
+    /// The same as close() for a scan found at @p scanInMap, far from where it stands. @p verified: whether
+    /// its whole part, moved with it, was compared there.
     [[nodiscard]] std::vector<Link> closeFar(const LiveKeyScan& entered, const Pose& scanInMap,
                                              const LiveMap& map, bool verified = true);
 
-    /// Two parts of the map have come together where some of their scans agree: @p scan is of the one, and
-    /// lies where it does by that. Whether it sees what the other has seen, too, is kept for takeMet().
+    /// Checks a scan after two parts of the map met where some of their scans agree. @p scan is of the one,
+    /// and stands where that puts it. Whether it also sees what the other one saw is kept for takeMet().
     void meetAt(const LiveKeyScan& scan, const LiveMap& map);
-    /// Links of the scans that meetAt() was asked about since: of those that agree with the nearest one
-    /// before or after along the same robot's way, which are taken into the graph.
+    /// Returns links of the scans given to meetAt() since, which are added to the graph. Only those count
+    /// that agree with the nearest one before or after on the same robot's path.
     [[nodiscard]] std::vector<Link> takeMet();
-    /// Forgets these; their scans, for meetAt() anew.
+    /// Forgets these, and returns their scans, for another meetAt().
     std::vector<std::uint64_t> forgetMet();
 
-    /// It is known that scans of one part of the map were taken at about @p scansInMap in another one: the
-    /// links of those that fit there, active, which are taken into the graph. None where fewer than
-    /// LoopSettings::partsAgree do.
+    /// Joins two parts of the map: scans of one were taken at about @p scansInMap in the other. Adds links,
+    /// active, of those that fit there to the graph, and returns them. None if fewer than
+    /// LoopSettings::partsAgree fit.
     [[nodiscard]] std::vector<Link> join(const std::map<std::uint64_t, Pose>& scansInMap, const LiveMap& map);
 
-    /// The operator has moved the scans of @p scansInMap together, to about there: links of those that fit
-    /// what is there of all others but @p left, active, at most LoopSettings::mostByHand of them, from all
-    /// over it. None: none fits.
+    /// Links scans that the operator has moved together to about @p scansInMap. Returns links, active, of
+    /// those that fit all other scans there but @p left. They are at most LoopSettings::mostByHand, from all
+    /// over the moved scans. Empty: none fits.
     [[nodiscard]] std::vector<Link> moveTo(const std::map<std::uint64_t, Pose>& scansInMap,
                                            const std::set<std::uint64_t>& left, const LiveMap& map);
 
-    /// A loop that the operator shows: @p scan was taken at about @p guess. Its link, not active, which is
-    /// taken into the graph as a question. Errors, in words: nothing older is about there, or it does not
-    /// fit.
+    /// Proposes a loop that the operator shows: @p scan was taken at about @p guess. Adds its link to the
+    /// graph as a question, not active, and returns it. Errors, in words: nothing older is near there, or it
+    /// does not fit.
     [[nodiscard]] Result<Link> propose(const LiveKeyScan& scan, Pose guess, const LiveMap& map);
 
     [[nodiscard]] const ScanGraph& graph() const { return m_graph; }
 
 private:
-    /// The nearest scan within reach of @p guess that does not hang together with @p entered, and of its part
-    /// of the map where @p samePart; null: none.
+    /// Returns the nearest scan within reach of @p guess that is not connected with @p entered; null: none.
+    /// With @p samePart it is of the same part of the map.
     [[nodiscard]] const LiveKeyScan* olderAt(const LiveKeyScan& entered, const Pose& guess,
                                              const LiveMap& map, bool samePart) const;
-    /// Likewise, of those scans that @p passed leaves over.
+    /// Returns the nearest scan within reach of @p guess that @p passed does not exclude; null: none.
     template <class Passed>
     [[nodiscard]] const LiveKeyScan* nearestTo(const Pose& guess, const LiveMap& map, Passed passed) const;
-    /// The scans about @p older, without those that @p passed says are not to be matched with.
+    /// Returns the scans around @p older, without those that @p passed excludes from matching.
     template <class Passed>
     [[nodiscard]] LocalMap localAbout(const LiveKeyScan& older, const LiveMap& map, Passed passed) const;
-    /// Whether @p entered, roughly at @p guess, sees what @p older and the scans about it have seen that do
-    /// not hang together with it.
+    /// Returns the place if @p entered, roughly at @p guess, sees what @p older and the scans around it saw
+    /// that are not connected with @p entered.
     [[nodiscard]] std::optional<MatchedPlace> look(const LiveKeyScan& entered, const LiveKeyScan& older,
                                                    const Pose& guess, const LiveMap& map) const;
-    /// The same with olderAt(), unless the operator said no there.
+    /// The same with olderAt(), unless the operator refused a loop there.
     [[nodiscard]] std::optional<MatchedPlace> look(const LiveKeyScan& entered, const Pose& guess,
                                                    const LiveMap& map, bool samePart) const;
-    /// Whether @p entered may as well belong elsewhere, as far off as the map may err there.
+    /// Returns whether @p entered may as well belong elsewhere, as far off as the map may err there.
     [[nodiscard]] bool fitsBeside(const MatchedPlace& found, const LiveKeyScan& entered,
                                   const LiveMap& map) const;
-    /// The links of @p found where others agree with it; else it is kept for those to come. Far ones ask.
+    /// Returns the links of @p found if others agree with it; else keeps it for later ones. Far ones ask.
     [[nodiscard]] std::vector<Link> meet(MatchedPlace found, bool verified);
-    /// Which of @p fits lie about alike by @p off, to put before poses in the map: most of them.
+    /// Returns the largest group of @p fits with about the same @p off, to put before poses in the map.
     [[nodiscard]] std::vector<std::size_t> largestAgreeing(const std::vector<MatchedPlace>& fits,
                                                            const std::vector<Pose>& off) const;
-    /// Whether the map cannot have erred by so much.
+    /// Returns whether the map cannot have erred by so much.
     [[nodiscard]] bool tooFar(const MatchedPlace& found) const;
     [[nodiscard]] bool agree(const MatchedPlace& a, const MatchedPlace& b) const;
-    /// How far the map is expected to err from the one scan to the other [m].
+    /// Returns how far the map is expected to err from the one scan to the other [m].
     [[nodiscard]] double deviation(std::uint64_t from, std::uint64_t to) const;
-    /// Whether a question, or what was taken back, would move the map as @p found does.
+    /// Returns whether a question, or a loop that was taken back, would move the map as @p found does.
     [[nodiscard]] bool wasAsked(const MatchedPlace& found, const LiveMap& map) const;
     [[nodiscard]] bool wasRefused(std::uint64_t from, std::uint64_t to) const;
 
@@ -127,7 +128,7 @@ private:
     ScanGraph m_graph;
     std::vector<MatchedPlace> m_pending;
     std::vector<MatchedPlace> m_met;                ///< of meetAt()
-    std::map<std::string, std::uint64_t> m_sought;  ///< newest scan that seeks() was true of, by robot
+    std::map<std::string, std::uint64_t> m_sought;  ///< newest scan for which seeks() was true, by robot
 };
 
 }  // namespace leitstand

@@ -12,15 +12,15 @@
 
 namespace leitstand {
 
-/// What a map would become by an answer to a question.
+/// What an answer to a question makes of a map.
 struct LoopPreview {
-    std::map<std::uint64_t, Pose> moved;  ///< key scans that would be seen to move, and where to in the map
+    std::map<std::uint64_t, Pose> moved;  ///< key scans that would visibly move, and where to in the map
     double largest = 0.0;                 ///< the farthest of these moves [m]
-    std::size_t parted = 0;  ///< other links of loops that would speak against it, and not count any more
+    std::size_t parted = 0;  ///< other links of loops that would contradict it, and no longer count
 };
 using LoopPreviewPtr = std::shared_ptr<const LoopPreview>;
 
-/// Of @p map, whose LiveMapper::problemWith() has @p solution.
+/// Returns the preview of @p map, whose LiveMapper::problemWith() has @p solution.
 [[nodiscard]] LoopPreview previewOf(const LiveMap& map, const MapSolution& solution,
                                     const LoopSettings& settings);
 

@@ -10,23 +10,23 @@
 
 namespace leitstand {
 
-/// Where links want the key scans of a map: a copy of what that takes, to be solved on any thread.
+/// The key scans of a map and their links: a copy of all that solving needs, for any thread.
 struct MapProblem {
     PoseGraph graph;             ///< of scans that are not set aside
-    std::uint64_t revision = 0;  ///< of the map that it is of
+    std::uint64_t revision = 0;  ///< of the map
 };
 
-/// What came of it.
+/// The solution of a MapProblem.
 struct MapSolution {
     std::vector<GraphNode> nodes;             ///< by rising id
-    std::vector<std::uint64_t> contradicted;  ///< ids of loop links that the others speak against
+    std::vector<std::uint64_t> contradicted;  ///< ids of loop links that the others contradict
     std::uint64_t revision = 0;
 };
 
-/// The poses are a function of @p problem's links alone, bit for bit: not of where the scans stand.
+/// Returns poses that depend on @p problem's links alone, bit for bit, and not on where the scans stand.
 [[nodiscard]] MapSolution solve(const MapProblem& problem, const Progress& progress = {});
 
-/// Whether a scan that was at @p before and is at @p after has moved so far that it is told.
+/// Returns whether a scan that moved from @p before to @p after has moved so far that it is reported.
 [[nodiscard]] bool isNoticed(const Pose& before, const Pose& after, const LoopSettings& settings);
 
 }  // namespace leitstand

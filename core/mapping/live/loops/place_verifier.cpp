@@ -13,10 +13,10 @@
 namespace leitstand {
 namespace {
 
-constexpr double Slack = 0.2;  ///< by so much registration may move a place that was found from above [m]
-constexpr double Apart = 0.4;  ///< places that are registered to the same one are nearer [m]
+constexpr double Slack = 0.2;  ///< registration may move a place that was found from above so far [m]
+constexpr double Apart = 0.4;  ///< places nearer to each other are the same one [m]
 
-/// The walls of @p local about @p middle, seen from above from there.
+/// Returns the walls of @p local around @p middle, seen from above, relative to it.
 WallRaster wallsAbout(const LocalMap& local, const Eigen::Vector3d& middle) {
     PointCloud cloud;
     cloud.normals = local.cloud.normals;
@@ -33,7 +33,7 @@ std::optional<MatchedPlace> PlaceVerifier::verify(const LiveKeyScan& scan, const
                                                   const LocalMap& local, const Pose& guess) const {
     Step step;
     step.measured = true;
-    step.way = m_loops.reach / std::max(m_match.odometry.share, 0.01);  // far off, maybe
+    step.way = m_loops.reach / std::max(m_match.odometry.share, 0.01);  // it may be far off
     step.turn = 1.0;
     const Match match =
         leitstand::match(scan.reduced->unpacked(), local, guess, step, scan.up, m_match, m_fit, m_match.wide);
@@ -70,7 +70,7 @@ bool PlaceVerifier::fitsBeside(const MatchedPlace& place, const LiveKeyScan& sca
     FlatPose best = FlatPose::of(found * level.inverse());
     best.place.setZero();
     const WallRaster walls = wallsAbout(local, middle);
-    constexpr std::size_t Most = 4;  // are tried: each takes what a scan that enters does
+    constexpr std::size_t Most = 4;  // are tried: each takes as long as a scan that enters
     std::vector<RasterPlace> others = walls.beside(view, best, about, within + Slack, m_loops.alikeFromAbove);
     others.resize(std::min(others.size(), Most));
     for (const RasterPlace& other : others) {

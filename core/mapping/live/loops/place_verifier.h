@@ -14,37 +14,38 @@
 
 namespace leitstand {
 
-/// Two scans that see the same place, and by what the map's part about the later one would move.
+/// Two scans that see the same place, and the correction of the map's part around the later one.
 struct MatchedPlace {
     Link link;
     Pose correction = Pose::Identity();            ///< to put before poses, in the map
-    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< where the map has the later one
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< position of the later one in the map
     std::string robot;
-    bool far = false;       ///< it was not looked for where the map has it
+    bool far = false;       ///< it was not looked for at its pose in the map
     std::uint64_t met = 0;  ///< LiveKeyScan::part of the other scan
-    double fit = 0.0;       ///< at most 1: overlap, less what stands where the other one looked through
+    double fit = 0.0;       ///< at most 1: overlap, less points where the other one looked through
 
-    /// By how much the map would move there [m].
+    /// Returns how far the map would move there [m].
     [[nodiscard]] double shift() const { return (correction * at - at).norm(); }
 };
 
 /// Decides whether a scan sees what others saw: by registration from coarse to fine, by what they looked
-/// through, and by what lies beside.
+/// through, and by places beside it.
 class PlaceVerifier {
 public:
     PlaceVerifier(const LoopSettings& loops, const MatchSettings& match, const FitSettings& fit)
         : m_loops(loops), m_match(match), m_fit(fit) {}
 
-    /// Whether @p scan, roughly at @p guess, sees what @p older and the scans about it, @p local, have seen.
+    /// Returns the place if @p scan, roughly at @p guess, sees what @p older and the scans around it, @p
+    /// local, saw.
     [[nodiscard]] std::optional<MatchedPlace> verify(const LiveKeyScan& scan, const LiveKeyScan& older,
                                                      const LocalMap& local, const Pose& guess) const;
-    /// Whether @p scan would fit about as well somewhere else, at most @p within [m] from where it stands:
-    /// among pillars or doors in a row the nearest is not surely the right one. What is the same all along a
-    /// corridor is no other place: nothing holds the scan there.
+    /// Returns whether @p scan would fit about as well elsewhere, at most @p within [m] from where it stands.
+    /// Among pillars or doors in a row the nearest is not surely the right one. A place that is the same all
+    /// along a corridor does not count: nothing holds the scan there.
     [[nodiscard]] bool fitsBeside(const MatchedPlace& place, const LiveKeyScan& scan,
                                   const LiveKeyScan& older, const LocalMap& local, double within) const;
 
-    /// Whether anything lies so near that this could be; else it need not be asked.
+    /// Returns whether another place is near enough for fitsBeside() to be needed.
     [[nodiscard]] static bool mayFitBeside(const MatchedPlace& place, double within);
 
 private:

@@ -7,12 +7,12 @@
 
 namespace leitstand {
 
-/// A key scan that is to be looked for where the map does not expect it: in its earlier part, anywhere.
+/// A key scan to be looked for where the map does not expect it: anywhere in its earlier part.
 struct SoughtPlace {
     std::uint64_t scan = 0;                  ///< id
-    LiveMapPtr map;                          ///< with it
-    std::map<std::uint64_t, double> lately;  ///< scans nearly certain to lie right to it: not looked at
-    bool elsewhere = false;  ///< only parts of the map are looked at that have not met its own yet
+    LiveMapPtr map;                          ///< the map with that scan
+    std::map<std::uint64_t, double> lately;  ///< scans whose relative pose is nearly certain: not searched
+    bool elsewhere = false;                  ///< searches only parts of the map that have not met its own yet
 };
 
 }  // namespace leitstand

@@ -12,11 +12,11 @@
 namespace leitstand {
 namespace {
 
-constexpr double RestEdge = 0.10, SubmapEdge = 0.15;  ///< of the cubes that keep a point [m]
+constexpr double RestEdge = 0.10, SubmapEdge = 0.15;  ///< of the cubes that keep one point [m]
 constexpr std::size_t MostLooked = 6'000;             ///< points of the submap, while it is dragged
 constexpr std::size_t MostSnapped = 40'000;           ///< ... and when it is snapped
 
-/// Of @p cloud about every so-many-th point, at most @p most.
+/// Returns evenly picked points of @p cloud, at most @p most.
 PointCloud thinned(const PointCloud& cloud, std::size_t most) {
     const std::size_t step = (cloud.points.size() + most - 1) / std::max<std::size_t>(1, most);
     if (step <= 1) return cloud;
@@ -29,7 +29,7 @@ PointCloud thinned(const PointCloud& cloud, std::size_t most) {
     return kept;
 }
 
-/// Adds what is matched of @p scan, in the map less @p origin.
+/// Adds the points of @p scan for matching, in the map relative to @p origin.
 void append(PointCloud& cloud, const LiveKeyScan& scan, const Eigen::Vector3d& origin) {
     if (!scan.reduced) return;
     const PointCloud own = scan.reduced->unpacked();
@@ -44,7 +44,7 @@ void append(PointCloud& cloud, const LiveKeyScan& scan, const Eigen::Vector3d& o
     }
 }
 
-/// Points of many scans, thinned on the way: the sum of all would take too much.
+/// Collects points of many scans and thins them on the way: the sum of all would take too much memory.
 class Gathered {
 public:
     explicit Gathered(double edge) : m_edge(edge) {}

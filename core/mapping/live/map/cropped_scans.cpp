@@ -8,7 +8,7 @@
 namespace leitstand {
 namespace {
 
-/// Which of @p points are inside @p crop and not on @p others.
+/// Returns which of @p points are inside @p crop and not on @p others.
 std::vector<std::size_t> pointsInside(const std::vector<Eigen::Vector3f>& points, const MapCrop& crop,
                                       const Pose& scanInMap, std::span<const PlacedBody> others) {
     const std::vector<bool> on = onOthers(points, others, scanInMap);

@@ -8,7 +8,7 @@
 namespace leitstand {
 namespace {
 
-/// What is known of each point of two scans, one of which has the points @p which of both.
+/// Merges the values for each point of two scans. @p which: places of the points of @p out in the whole.
 template <typename T>
 std::vector<T> merged(const std::vector<T>& rest, const std::vector<T>& out,
                       const std::vector<std::uint32_t>& which) {

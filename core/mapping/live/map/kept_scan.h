@@ -10,18 +10,17 @@
 
 namespace leitstand {
 
-/// All points of a key scan, those that are in the map and those that are left out of it, none of them twice.
+/// All points of a key scan, those that are in the map and those that are left out of it, each stored once.
 /// Any thread.
 class KeptScan {
 public:
     explicit KeptScan(ScanPtr scan) : m_inside(std::move(scan)) {}
 
-    [[nodiscard]] ScanPtr whole()
-        const;  ///< as it came, point for point; made anew where points are left out
+    [[nodiscard]] ScanPtr whole() const;  ///< as received, point for point; rebuilt if points are left out
     [[nodiscard]] ScanPtr inside() const;
-    [[nodiscard]] std::size_t leftOut() const;  ///< points
+    [[nodiscard]] std::size_t leftOut() const;  ///< number of points
 
-    /// Leaves all out of @p whole, which is whole(), but its points @p kept, rising: inside() has them,
+    /// Leaves out all points of @p whole, which is whole(), except @p kept, rising: inside() has these,
     /// unorganised.
     void leaveOutAllBut(const std::vector<std::size_t>& kept, const ScanPtr& whole);
     void putAllBack();
@@ -32,7 +31,7 @@ private:
     mutable std::mutex m_mutex;
     ScanPtr m_inside;
     Scan m_leftOut;
-    std::vector<std::uint32_t> m_which;  ///< of the whole scan's points are left out, rising
+    std::vector<std::uint32_t> m_which;  ///< the whole scan's points that are left out, rising
     int m_rows = 0, m_columns = 0;       ///< of the whole scan, where points are left out
 };
 

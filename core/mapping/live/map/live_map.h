@@ -21,24 +21,24 @@ namespace leitstand {
 struct LiveKeyScan {
     std::uint64_t id = 0;  ///< KeyScanSample::id
     ScanPtr scan;          ///< labelled, reduced, without the robot's own body and what is cropped now
-    std::shared_ptr<KeptScan> kept;  ///< also what is cropped now; null: nothing was so far
+    std::shared_ptr<KeptScan> kept;  ///< with what is cropped now; null: nothing was so far
     Pose sensorInBase = Pose::Identity();
-    ScanPose pose;                      ///< and how sure that is
+    ScanPose pose;                      ///< with its trust and doubts
     std::uint64_t matched = 0;          ///< id of the nearest scan that it was registered against; 0: none
     Pose enteredAt = Pose::Identity();  ///< KeyScanSample::scanInMap
-    /// With which scan the part of the map begins that it is of, where that has not met the map's first part
-    /// yet: how the two lie to each other is not known. 0: it is of the first part.
+    /// Id of the scan with which its part of the map begins, if that has not met the map's first part yet.
+    /// The relative pose of the two is then unknown. 0: it is of the first part.
     std::uint64_t part = 0;
-    Time entered{};                     ///< station's clock; another one for each scan
+    Time entered{};                     ///< station's clock; different for each scan
     std::optional<Eigen::Vector3d> up;  ///< against gravity, scan's frame; empty: unknown
     int odometryFrame = -1;             ///< of scan->sensorInOdom; negative: of an earlier run of the station
     MatchedCloudPtr reduced;            ///< for registration, with normals; scan's frame
-    Pose unspun = Pose::Identity();     ///< takes out of its odometry what wheels spun before, this run
+    Pose unspun = Pose::Identity();     ///< takes out of its odometry how far wheels spun before, in this run
 
     [[nodiscard]] bool counts() const { return pose.trust == ScanTrust::Certain; }
-    /// Whether a part of the map begins with it: nothing that was there before led to it.
+    /// Returns whether a part of the map begins with it: nothing before led to it.
     [[nodiscard]] bool begins() const { return beginsPart(matched, pose.doubts); }
-    /// By odometry without what wheels spun: for ways between scans of one odometry frame.
+    /// Returns its pose by odometry without spinning wheels: for motions between scans of one odometry frame.
     [[nodiscard]] Pose sensorByWheels() const { return unspun * scan->sensorInOdom; }
 };
 
@@ -48,7 +48,7 @@ struct LiveMap {
 };
 using LiveMapPtr = std::shared_ptr<const LiveMap>;
 
-/// Whether @p map has scans that count of a part that has not met its first one yet.
+/// Returns whether @p map has scans that count in a part that has not met its first one yet.
 [[nodiscard]] inline bool inParts(const LiveMap& map) {
     return std::any_of(map.scans.begin(), map.scans.end(),
                        [](const LiveKeyScan& scan) { return scan.part != 0 && scan.counts(); });

@@ -14,9 +14,9 @@ using PackedPtr = std::shared_ptr<const PackedCloud>;
 
 /// Where a cloud is: in memory, in the store, or both. Guarded by the shelf's mutex.
 struct MatchedCloud::Place {
-    std::optional<std::size_t> size;    ///< points; empty: it was never made
+    std::optional<std::size_t> size;    ///< number of points; empty: it was never made
     PackedPtr packed;                   ///< null: only in the store, if it was made
-    std::optional<std::uint64_t> page;  ///< in the store; what was put there once stays the same
+    std::optional<std::uint64_t> page;  ///< in the store; its content stays the same
     std::size_t pageBytes = 0;
     std::list<Place*>::iterator used;  ///< only while packed
     std::function<PointCloud()> again;
@@ -38,7 +38,7 @@ private:
     [[nodiscard]] std::optional<PackedCloud> read(const Place& place) const;
 };
 
-/// Puts @p packed in as what was used last. The mutex is held.
+/// Puts @p packed in as the most recently used. The mutex is held.
 void MatchedCloud::Shelf::take(Place& place, PackedPtr packed) {
     place.packed = std::move(packed);
     used.push_front(&place);
@@ -71,7 +71,7 @@ void MatchedCloud::Shelf::forget(Place& place) {
     if (place.page) store->release(*place.page, place.pageBytes);
 }
 
-/// Lets go of what was used longest ago; where the store has no space for it, it stays.
+/// Releases the least recently used clouds; a cloud stays if the store has no space for it.
 void MatchedCloud::Shelf::makeRoom() {
     while (store && used.size() > most) {
         Place& oldest = *used.back();
@@ -130,7 +130,7 @@ std::size_t MatchedCloud::memory() const {
 MatchedClouds::MatchedClouds(std::shared_ptr<PageStore> store, std::size_t inMemory)
     : m_shelf(std::make_shared<MatchedCloud::Shelf>()) {
     m_shelf->store = std::move(store);
-    m_shelf->most = std::max<std::size_t>(1, inMemory);  // one is being used
+    m_shelf->most = std::max<std::size_t>(1, inMemory);  // one is in use
 }
 
 MatchedClouds::~MatchedClouds() = default;

@@ -11,27 +11,28 @@
 
 namespace leitstand {
 
-/// What is matched of a key scan. Any thread.
+/// The cloud of a key scan for matching. Any thread.
 class MatchedCloud {
 public:
-    /// Stays in memory.
+    /// Makes a cloud that stays in memory.
     explicit MatchedCloud(const PointCloud& cloud);
     ~MatchedCloud();
     MatchedCloud(const MatchedCloud&) = delete;
     MatchedCloud& operator=(const MatchedCloud&) = delete;
 
-    /// Points; known without waiting for the disk. Empty: nobody has used it yet, and it is not made before.
+    /// Returns the number of points, without waiting for the disk. Empty: it was not used yet, and so not
+    /// made.
     [[nodiscard]] std::optional<std::size_t> size() const;
-    /// The cloud, bit for bit the same wherever it waited; read again where it is out of memory.
+    /// Returns the cloud, bit for bit the same wherever it was stored; read again if it is not in memory.
     [[nodiscard]] PointCloud unpacked() const;
-    /// Bytes of memory that it takes now.
+    /// Returns the bytes of memory that it takes now.
     [[nodiscard]] std::size_t memory() const;
 
 private:
     friend class MatchedClouds;
     struct Shelf;
     struct Place;
-    /// @p cloud: null: it is made when it is used first.
+    /// @p cloud: null: it is made on first use.
     MatchedCloud(const PointCloud* cloud, std::shared_ptr<Shelf> shelf, std::function<PointCloud()> again);
 
     std::unique_ptr<Place> m_place;
@@ -39,22 +40,24 @@ private:
 };
 using MatchedCloudPtr = std::shared_ptr<const MatchedCloud>;
 
-/// Keeps what is matched of a map's key scans: in memory where it was used lately, which is about the robots,
-/// else in a store. An hour's map has more than a thousand key scans, a scan is matched against a dozen.
+/// Keeps the clouds of a map's key scans for matching. Those used lately, which are around the robots, are in
+/// memory, the others in a store. An hour's map has more than a thousand key scans; a scan is matched against
+/// a dozen.
 class MatchedClouds {
 public:
-    /// A robot's local map, twice, and what it comes to next: a dozen each, and as much for another robot.
+    /// A robot's local map, twice, and the next one that it reaches: a dozen each, and as much for another
+    /// robot.
     static constexpr std::size_t Usual = 48;
 
-    /// @p store: null: all stay in memory. @p inMemory: clouds, the others are in the store.
+    /// @p store: null: all stay in memory. @p inMemory: number of clouds; the others are in the store.
     explicit MatchedClouds(std::shared_ptr<PageStore> store = nullptr, std::size_t inMemory = Usual);
     ~MatchedClouds();
     MatchedClouds(MatchedClouds&&) noexcept;
     MatchedClouds& operator=(MatchedClouds&&) noexcept;
 
-    /// @p again makes one like it where the store does not give it back.
+    /// Keeps @p cloud. @p again makes it again if the store cannot return it.
     [[nodiscard]] MatchedCloudPtr keep(const PointCloud& cloud, std::function<PointCloud()> again) const;
-    /// One that @p make makes when it is used first: of most scans of an earlier map nothing is ever matched.
+    /// Returns a cloud that @p make makes on first use: most scans of an earlier map are never matched.
     [[nodiscard]] MatchedCloudPtr promise(std::function<PointCloud()> make) const;
 
 private:

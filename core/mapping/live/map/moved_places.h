@@ -9,15 +9,15 @@
 
 namespace leitstand {
 
-/// How places of a map move when its scans do: each goes with the scan that stood nearest to it before, since
+/// How places of a map move when its scans do: each moves with the scan that was nearest to it before, since
 /// that one saw it best.
 class MovedPlaces {
 public:
-    /// Scans of @p before that stand elsewhere in @p after; what is set aside moves nothing.
+    /// Finds scans of @p before that stand elsewhere in @p after; scans that are set aside move nothing.
     MovedPlaces(const LiveMap& before, const LiveMap& after);
 
     [[nodiscard]] bool any() const { return m_any; }
-    /// To put before poses at @p place, map's frame as it was [m].
+    /// Returns the correction to put before poses at @p place, map's frame before the move [m].
     [[nodiscard]] Pose at(const Eigen::Vector3d& place) const;
 
 private:

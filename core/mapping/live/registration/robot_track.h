@@ -14,7 +14,7 @@
 
 namespace leitstand {
 
-/// What is known of a robot's way.
+/// What is known of a robot's motion.
 struct RobotTrack {
     RobotBody body;
     bool known = false;  ///< whether the following is
@@ -25,8 +25,8 @@ struct RobotTrack {
     int odometryFrame = -1;                           ///< negative: of an earlier run of the station
     bool odometry = false;                            ///< whether sensorInOdom was measured
     bool lost = false;                                ///< the newest scan did not fit
-    bool contradicted = false;                        ///< nor does what is known about it: odometry erred
-    bool waited = false;                              ///< ... was left out for the next one
+    bool contradicted = false;                        ///< a scan since one fitted contradicts odometry
+    bool waited = false;                              ///< the newest scan was left out for the next one
     double certainty = 0.0;                           ///< RobotFix::certainty
     std::uint8_t doubts = 0;                          ///< of the newest scan
     double way = 0.0, turn = 0.0;                     ///< since a scan was certain [m, rad]
@@ -37,9 +37,9 @@ struct RobotTrack {
     ScannerTrack scanner;
     Pose keyInMap = Pose::Identity();  ///< newest key scan
     std::uint64_t key = 0;             ///< its id; 0: none of this run
-    Pose unspun = Pose::Identity();    ///< LiveKeyScan::unspun, now
+    Pose unspun = Pose::Identity();    ///< LiveKeyScan::unspun at present
     std::optional<Pose> placedInMap;   ///< base_link, by the operator, for the next scan
-    bool beginsPart = false;           ///< with its next scan, unless it is known where it is
+    bool beginsPart = false;           ///< with its next scan, unless its pose is known
 };
 
 }  // namespace leitstand

@@ -11,7 +11,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double SamePlace = 0.1;  ///< so near the local map is the same [m]
+constexpr double SamePlace = 0.1;  ///< the local map is kept while the place is so near [m]
 
 }  // namespace
 
@@ -75,7 +75,7 @@ Match ScanMatcher::matched(const ScanToMatch& scan, const PointCloud& cloud) {
     Match result = leitstand::match(cloud, localAt(scan.guess, robot), scan.guess, scan.step, up,
                                     m_settings.match, m_settings.fit);
     if (result.doubts == 0 || robot.odometryFrame >= 0 || robot.placedInMap) return result;
-    // The odometry may have begun anew while the station was away.
+    // The odometry may have restarted while the station was away.
     Match second = leitstand::match(cloud, localAt(robot.sensorInMap, robot), robot.sensorInMap, {}, up,
                                     m_settings.match, m_settings.fit);
     return second.doubts == 0 ? second : result;
@@ -84,7 +84,7 @@ Match ScanMatcher::matched(const ScanToMatch& scan, const PointCloud& cloud) {
 void ScanMatcher::refine(const ScanToMatch& scan, ReadyScan& ready, Match& match) {
     const LiveScan& live = scan.live;
     const Pose& guess = scan.guess;
-    // Where odometry erred from scan to scan it did within the turn, too.
+    // Where odometry erred from scan to scan, it also erred within the turn.
     const TurnRefinementSettings& refinement = m_settings.refinement;
     const bool erred = scan.step.trusted && live.end != TurnEnd::Sweep &&
                        (distanceBetween(guess, match.scanInMap) > refinement.from ||

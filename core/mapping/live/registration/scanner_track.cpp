@@ -7,10 +7,11 @@
 namespace leitstand {
 namespace {
 
-constexpr double CompareFrom = 0.8, CompareTo = 2.5;  ///< scans that tell of their scanner's ranges [m]
-constexpr int MostAgain = 3;                          ///< comparisons with one scan, one after another
-constexpr std::size_t WellCompared = 32;              ///< comparisons; from then on ...
-constexpr std::size_t ComparedNext = 8;               ///< ... one key scan of so many is compared
+constexpr double CompareFrom = 0.8,
+                 CompareTo = 2.5;         ///< between scans that are compared by their ranges [m]
+constexpr int MostAgain = 3;              ///< consecutive comparisons with one scan
+constexpr std::size_t WellCompared = 32;  ///< comparisons; from then on ...
+constexpr std::size_t ComparedNext = 8;   ///< ... one key scan of so many is compared
 
 }  // namespace
 
@@ -38,7 +39,7 @@ void ScannerTrack::enteredMap(const LiveScan& live, const Match& match) {
 }
 
 void ScannerTrack::addMount(const LiveScan& live, const Pose& scanInMap, const Pose& before, bool fits) {
-    // Scans that moved took the robot along.
+    // Scans that moved took the robot with them.
     if (!fits || !m_mountAt.isApprox(before, 1e-9)) m_mount.breakOff();
     if (fits)
         m_mount.add({scanInMap, live.scan->sensorInOdom, live.sensorInBase, live.velocity, live.yawRate});
@@ -47,11 +48,11 @@ void ScannerTrack::addMount(const LiveScan& live, const Pose& scanInMap, const P
 
 void ScannerTrack::compare(const LiveKeyScan& entered, const PointCloud& cloud, const LiveMap& map) {
     if (has(entered.pose.doubts, ScanDoubt::Guessed)) return;
-    // Some milliseconds each: what is known well enough is looked at now and then.
+    // Each takes some milliseconds: once the bias is known well enough, it is checked now and then.
     const std::size_t before = m_comparisons++;
     if (before >= WellCompared && before % ComparedNext != 0) return;
     const auto compares = [&](const LiveKeyScan& other) {
-        // What an earlier run of the station made of its scans is not known.
+        // How an earlier run of the station prepared its scans is not known.
         if (!other.counts() || other.odometryFrame < 0 || other.id <= m_since ||
             other.scan->robot != entered.scan->robot || has(other.pose.doubts, ScanDoubt::Guessed))
             return false;
@@ -62,7 +63,7 @@ void ScannerTrack::compare(const LiveKeyScan& entered, const PointCloud& cloud, 
     if (other == map.scans.rend()) return;
     m_comparedAgain = m_compared == other->id ? m_comparedAgain + 1 : 0;
     m_compared = other->id;
-    if (m_comparedAgain >= MostAgain) return;  // one that is bent is not to decide alone
+    if (m_comparedAgain >= MostAgain) return;  // a single bent scan must not decide alone
     m_rangeBias.add(cloud, other->reduced->unpacked(),
                     other->pose.scanInMap.inverse() * entered.pose.scanInMap);
 }

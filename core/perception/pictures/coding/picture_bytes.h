@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <span>
 
-/// What the readers of JPEG and PNG files have in common.
+/// Helpers that the readers of JPEG and PNG files share.
 namespace leitstand::picture_bytes {
 
 inline unsigned at(std::span<const std::byte> bytes, std::size_t i) {
     return std::to_integer<unsigned>(bytes[i]);
 }
 
-/// The big-endian number of @p count bytes at @p first.
+/// Returns the big-endian number of @p count bytes at @p first.
 inline std::int64_t bigEndian(std::span<const std::byte> bytes, std::size_t first, std::size_t count) {
     std::int64_t value = 0;
     for (std::size_t i = 0; i < count; ++i) value = value << 8 | at(bytes, first + i);

@@ -16,13 +16,13 @@ namespace {
 using Bytes = std::span<const std::byte>;
 using namespace picture_bytes;
 
-/// What a JPEG's segments tell.
+/// Facts from the segments of a JPEG.
 struct JpegFacts {
     std::int64_t scans = 0;
     std::int64_t components = 3;
 };
 
-/// Walks over the file as decoders do, up to @p most scans: whatever stands between segments is passed over.
+/// Walks over the file as decoders do, up to @p most scans; whatever is between segments is skipped.
 JpegFacts jpegFacts(Bytes bytes, std::int64_t most) {
     JpegFacts facts;
     for (std::size_t i = 2; i + 1 < bytes.size() && facts.scans <= most;) {
@@ -68,7 +68,7 @@ struct Chunk {
     Bytes all, content;
 };
 
-/// Calls @p take with the chunks of @p file; one that is cut off ends it.
+/// Calls @p take with the chunks of @p file; a truncated one is the last.
 template <class Take>
 void eachChunk(Bytes file, Take take) {
     constexpr std::size_t Signature = 8, Head = 8, Checksum = 4;
@@ -84,7 +84,7 @@ void eachChunk(Bytes file, Take take) {
     }
 }
 
-/// Bits of a pixel by the header's depth and colour type; 0: there is no such kind.
+/// Bits of a pixel by the header's depth and colour type; 0: no such kind.
 std::int64_t bitsOf(unsigned depth, unsigned colour) {
     constexpr std::array<std::int64_t, 7> Channels = {1, 0, 3, 1, 2, 0, 4};
     return depth <= 16 && colour < Channels.size() ? Channels[colour] * depth : 0;
@@ -132,7 +132,7 @@ bool inflatesTo(const std::vector<Bytes>& data, std::int64_t most) {
     return sum <= most;
 }
 
-/// Keeps what the pixels need: texts, profiles and the like cost as much as their sender likes.
+/// Keeps what the pixels need: the cost of texts, profiles and the like is up to their sender.
 Result<void> checkPng(AffordableFile& file, const PictureLimits& limits) {
     constexpr std::size_t Signature = 8, Header = 13;
     const Bytes whole = file.bytes;

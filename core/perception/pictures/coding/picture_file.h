@@ -10,15 +10,15 @@ namespace leitstand {
 
 enum class PictureFileKind : std::uint8_t { Unknown, Jpeg, Png };
 
-/// What kind of file begins with @p bytes.
+/// Returns the kind of the file that begins with @p bytes.
 [[nodiscard]] PictureFileKind pictureFileKind(std::span<const std::byte> bytes);
 
-/// Size as a picture file's header tells it [px].
+/// Size in the header of a picture file [px].
 struct PictureFileSize {
     std::int64_t width = 0, height = 0;
 };
 
-/// Reads the header of a JPEG or PNG file, nothing else. An error when it is neither or has no size.
+/// Reads only the header of a JPEG or PNG file. Error when it is neither or has no size.
 [[nodiscard]] Result<PictureFileSize> pictureFileSize(std::span<const std::byte> bytes);
 
 }  // namespace leitstand

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t HeaderEnd = 8 + 25;  ///< signature and IHDR, which comes first
 constexpr std::size_t LongestKeyword = 79;
 
-/// CRC-32 of ISO 3309, as PNG wants it (annex D).
+/// CRC-32 of ISO 3309, as PNG requires it (annex D).
 std::uint32_t crc(std::string_view bytes) {
     std::uint32_t value = 0xFFFFFFFFU;
     for (const char byte : bytes) {

@@ -10,11 +10,11 @@
 
 namespace leitstand {
 
-/// Words that go with a picture, by keyword ("Title", 1 to 79 letters of ASCII).
+/// Texts of a picture, by keyword ("Title", 1 to 79 letters of ASCII).
 using PictureTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// @p picture as a PNG file, its values as they are (Grey16 in 16 bits), with @p texts (UTF-8) in chunks that
-/// every reader of PNG knows (iTXt; PNG 1.2, 4.2.3.3). Float32 cannot be written.
+/// Encodes @p picture as a PNG file with its values unchanged (Grey16 in 16 bits). The @p texts (UTF-8) go
+/// into chunks that every reader of PNG knows (iTXt; PNG 1.2, 4.2.3.3). Float32 cannot be written.
 [[nodiscard]] Result<std::vector<std::byte>> encodePng(const Picture& picture,
                                                        const PictureTexts& texts = {});
 

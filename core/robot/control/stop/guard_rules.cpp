@@ -58,7 +58,7 @@ GuardRules::Step GuardRules::step(SteadyTime now) {
     }
     if (now - *m_since >= m_timing.zeros) {
         m_since.reset();
-        m_pulse.driving = false;  // until it speaks again
+        m_pulse.driving = false;  // until it sends again
         return {.over = m_closed};
     }
     const bool due = now - m_sent >= m_timing.period;

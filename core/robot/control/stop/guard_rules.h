@@ -11,44 +11,44 @@
 
 namespace leitstand {
 
-/// What a station tells its guard of a robot, through a pipe, with every drive command that it has sent.
+/// What a station sends to its guard of a robot, through a pipe, after every drive command.
 struct GuardPulse {
     bool driving = false;  ///< commands go on: the next pulse comes within GuardTiming::silence
     std::chrono::nanoseconds clockAhead{0};  ///< robot's clock minus station's, for stamps
     friend bool operator==(const GuardPulse&, const GuardPulse&) = default;
 };
-/// "drive 1200" or "rest 0", and back. Errors: what was expected.
+/// Converts to and from the text "drive 1200" or "rest 0". Error: what was expected.
 [[nodiscard]] std::string toString(const GuardPulse& pulse);
 [[nodiscard]] Result<GuardPulse> guardPulseFrom(std::string_view text);
 
 struct GuardTiming {
     std::chrono::nanoseconds silence = std::chrono::milliseconds(200);  ///< of a pipe whose station drives
-    std::chrono::nanoseconds zeros = std::chrono::seconds(2);         ///< are sent for so long, then no more
-    std::chrono::nanoseconds period = std::chrono::milliseconds(50);  ///< between them
-    std::chrono::nanoseconds others = std::chrono::seconds(1);  ///< who commanded within that is driving
+    std::chrono::nanoseconds zeros = std::chrono::seconds(2);           ///< sent for this long, then no more
+    std::chrono::nanoseconds period = std::chrono::milliseconds(50);    ///< between zeros
+    std::chrono::nanoseconds others = std::chrono::seconds(1);  ///< others drive this long after a command
 };
 
-/// When the guard of a robot without a watchdog sends zeros: for two seconds, once the station that drives
-/// the robot says nothing more through its pipe for 0.2 s, or its end of the pipe is closed. Never beside
-/// somebody else who drives: neither while another station holds the grant, nor where others' commands are
-/// heard; and no more once the station speaks again. Pure: no clock, no thread.
+/// Decides when the guard of a robot without a watchdog sends zeros. It sends them for two seconds, once the
+/// station that drives the robot sends nothing through its pipe for 0.2 s, or closes its end. It never sends
+/// beside somebody else who drives: neither while another station holds the grant, nor where others' commands
+/// are heard. It stops when the station sends again. Pure: no clock, no thread.
 class GuardRules {
 public:
-    /// @p station: identity of the station that is guarded.
+    /// @p station: identity of the guarded station.
     GuardRules(const std::string& robot, std::string station, const GuardTiming& timing = {});
 
     void pulse(const GuardPulse& pulse, SteadyTime now);
-    void closed() { m_closed = true; }                  ///< the pipe: the station is gone
-    void commanded(SteadyTime now) { m_others = now; }  ///< a drive command of somebody else was heard
+    void closed() { m_closed = true; }                  ///< the pipe is closed: the station is gone
+    void commanded(SteadyTime now) { m_others = now; }  ///< a drive command of another sender was heard
     void hear(const GrantSample& grant, const Sender& from, SteadyTime now);
 
     struct Step {
         bool zero = false;                    ///< send one now
-        bool over = false;                    ///< there is nothing more to do, ever
-        std::optional<SteadyTime> next = {};  ///< look again then; empty: when something is heard
+        bool over = false;                    ///< nothing more is ever to be done
+        std::optional<SteadyTime> next = {};  ///< when to call step() again; empty: when something is heard
     };
     [[nodiscard]] Step step(SteadyTime now);
-    /// Zeros are being sent, or would be but for somebody else who drives.
+    /// Whether zeros are being sent, or would be if nobody else drove.
     [[nodiscard]] bool isStopping() const { return m_since.has_value(); }
     [[nodiscard]] std::chrono::nanoseconds clockAhead() const { return m_pulse.clockAhead; }
 
@@ -62,7 +62,7 @@ private:
     SteadyTime m_heard = {}, m_sent = {};
     bool m_closed = false;
     std::optional<SteadyTime> m_others;
-    std::optional<SteadyTime> m_since;  ///< of the zeros
+    std::optional<SteadyTime> m_since;  ///< when the zeros began
 };
 
 }  // namespace leitstand

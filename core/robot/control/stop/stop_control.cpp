@@ -55,10 +55,10 @@ void StopControl::hear(const StopStateSample& state) {
     m_state = state;
     if (m_pending && state.station == m_station && state.number == m_pending->number) return answered(state);
     if (m_pending && !m_pending->stop && state.stopped && state.stops != m_pending->releases) {
-        m_pending.reset();  // the robot will refuse it, should it still arrive
+        m_pending.reset();  // the robot will refuse it if it still arrives
         m_refused = "the robot was stopped again since";
     }
-    // What stands unacknowledged, stands: the robot speaks of an older one.
+    // A stop without acknowledgement stays in force: the robot reports an older one.
     if (m_wanted && m_acknowledged && !state.stopped) m_wanted = m_acknowledged = false;
 }
 
@@ -89,7 +89,7 @@ StopStatus StopControl::status(SteadyTime now) const {
         status.stopped = m_state->stopped;
         status.stoppedBy = m_state->station;
     }
-    // Odometry decides where it comes: it is newer than what the robot said on change.
+    // Odometry decides where it is available: it is newer than the robot's report on change.
     const bool odometry = m_motion.isKnown(now);
     status.standingKnown = odometry || m_state.has_value();
     status.standing = odometry ? m_motion.isStanding(now) : m_state && m_state->standing;

@@ -13,22 +13,22 @@
 
 namespace leitstand {
 
-/// Below which a robot stands.
+/// Limits below which a robot stands.
 struct StandingRules {
     double speed = 0.01;                                              ///< [m/s]
     double turnRate = 0.02;                                           ///< [rad/s]
-    std::chrono::nanoseconds after = std::chrono::milliseconds(200);  ///< of rest without a break
-    std::chrono::nanoseconds fresh = std::chrono::seconds(1);         ///< older odometry tells nothing
+    std::chrono::nanoseconds after = std::chrono::milliseconds(200);  ///< of uninterrupted rest
+    std::chrono::nanoseconds fresh = std::chrono::seconds(1);         ///< older odometry does not count
 };
 
-/// Whether a robot stands, by its odometry. Pure.
+/// Judges whether a robot stands, by its odometry. Pure.
 class StandingJudge {
 public:
     explicit StandingJudge(const StandingRules& rules = {});
-    /// @p speed [m/s], @p turnRate [rad/s]; what is no number counts as motion.
+    /// Takes @p speed [m/s] and @p turnRate [rad/s]; what is no number counts as motion.
     void moved(double speed, double turnRate, SteadyTime now);
     [[nodiscard]] bool isStanding(SteadyTime now) const;
-    [[nodiscard]] bool isKnown(SteadyTime now) const;  ///< odometry came lately
+    [[nodiscard]] bool isKnown(SteadyTime now) const;  ///< whether odometry came recently
 
 private:
     StandingRules m_rules;
@@ -37,17 +37,17 @@ private:
 
 /// The stop of a robot: stays until it is released (design, section 4). Pure: no clock, no thread.
 ///
-/// - Any stop is obeyed, of whomever, whatever its number: a station that started anew with smaller numbers
-///   stops as well. Only the very last command of a process, said again, does not count twice, or a repeated
-///   stop would undo a release.
+/// - Any stop is obeyed, from any station and with any number: a restarted station with smaller numbers stops
+///   as well. Only a repeat of the very last command of a process does not count twice, or a repeated stop
+///   would undo a release.
 /// - A release counts when it comes from the holder of the drive grant, its number is the highest of its
-///   process, and it names the newest stop (StopStateSample::stops): one that was given before another stop
-///   was, or is replayed, releases nothing.
-/// - Every command is answered, also a repeated one, by its own number. Stamps are never looked at.
+///   process, and it names the newest stop (StopStateSample::stops). A replayed release, or one given before
+///   another stop, releases nothing.
+/// - Every command is answered by its own number, also a repeated one. Stamps are never read.
 class StopLatch {
 public:
-    /// @p stops: where the count of stops begins; anything that no earlier run of the robot has used, as the
-    /// nanoseconds of its clock.
+    /// @p stops: first count of stops. No earlier run of the robot may have used it: the nanoseconds of its
+    /// clock will do.
     explicit StopLatch(std::uint64_t stops = 0);
 
     /// Takes or refuses @p command and returns the answer; its header and standing are left to the caller.
@@ -55,7 +55,7 @@ public:
     void press();  ///< the robot's own button
 
     [[nodiscard]] bool isStopped() const { return m_state.stopped; }
-    /// The newest answer, with whether it is stopped now.
+    /// The newest answer, with the current state of the stop.
     [[nodiscard]] const StopStateSample& state() const { return m_state; }
 
 private:

@@ -11,7 +11,7 @@
 namespace leitstand::simulation::building {
 namespace {
 
-/// The corridors of a storey as frames in their middle, x along them, with their lengths.
+/// Returns the corridors of a storey: frames in their middle, x along them, with their lengths.
 std::vector<Strip> corridors(const Plan& plan, int storey) {
     const double base = Plan::rounded(storey * StoreyHeight);
     const Eigen::Vector2d middle = plan.ways.ring.center(), size = plan.ways.ring.sizes();
@@ -23,7 +23,7 @@ std::vector<Strip> corridors(const Plan& plan, int storey) {
             {{{plan.ways.cross, middle.y()}, 1, base}, size.y(), Corridor}};
 }
 
-/// Whether @p at, on a corridor's wall, is where the wall is bare: no door, no way to a ramp, no pier.
+/// Returns whether a corridor's wall is bare at @p at: no door, no sign, no pier, no way to a ramp.
 bool isBare(const Plan& plan, const Eigen::Vector3d& at) {
     constexpr double Around = 0.3, WayToRamp = 2.0;
     for (const auto& ramp : plan.ways.ramps) {
@@ -52,7 +52,7 @@ void addSign(Plan& plan, const Strip& corridor, int number) {
     const double y = Corridor / 2 - Thickness / 2 - 0.006;
     for (int tries = 0; tries < 50; ++tries) {
         const double x = plan.random.between(-0.4, 0.4) * corridor.length;
-        // On the wall to the left, or on the one to the right, turned to the corridor.
+        // On the left or on the right wall, facing the corridor.
         const bool left = plan.random.chance(0.5);
         const Eigen::Vector2d at = corridor.frame.inArena(x, left ? y : -y);
         if (!isBare(plan, {at.x(), at.y(), corridor.frame.base})) continue;
@@ -61,7 +61,7 @@ void addSign(Plan& plan, const Strip& corridor, int number) {
     }
 }
 
-/// Whether nothing stands within @p around of @p at, seen from above; only what is on the same floor counts.
+/// Returns whether nothing on the same floor stands within @p around of @p at, seen from above [m].
 bool isFree(const Arena& arena, const Eigen::Vector3d& at, double around) {
     return std::none_of(arena.elements.begin(), arena.elements.end(), [&](const Element& other) {
         if (other.kind == ElementKind::Floor || other.kind == ElementKind::Ceiling ||
@@ -119,13 +119,14 @@ void makeTrouble(Plan& plan, int storey) {
 
 namespace {
 
-/// Where a victim lies, got at from -y of its frame.
+/// Where a victim lies; robots reach it from -y of its frame.
 struct Bed {
     Spot frame;
-    std::size_t place = 0;  ///< one of those that it is chosen from
+    std::size_t place = 0;  ///< index of its room or corner
 };
 
-/// Somewhere in a room, beside the way through its door, with room around and before it.
+/// Draws a bed in a room: beside the way through its door, with space around and in front of it. Empty when
+/// the draw does not fit.
 std::optional<Bed> bedInRoom(Plan& plan) {
     constexpr double Around = 0.75, Before = 0.3, OffTheWay = 1.0, FromStart = 4.0;
     const auto& rooms = plan.ways.rooms;
@@ -142,7 +143,7 @@ std::optional<Bed> bedInRoom(Plan& plan) {
     return bed;
 }
 
-/// In a corner of a bare ring, at its outer wall.
+/// Returns a bed in a corner of a bare ring, at its outer wall.
 Bed bedInCorner(const Plan& plan, std::size_t number) {
     const Eigen::Vector2d low = plan.ways.ring.min(), high = plan.ways.ring.max();
     const double base = Plan::rounded(static_cast<double>(number / 3) * StoreyHeight);

@@ -34,9 +34,9 @@ Plan::Plan(const BuildingSettings& given, std::uint64_t seed)
     arena.seed = seed;
     arena.to = {given.width, given.depth};
     arena.light = length(random, 0.55, 0.9);
-    // Where rooms are not alike, nor are buildings.
+    // Except for twins, the depth of rooms differs from building to building.
     roomDepth = given.twins ? 4.0 : length(random, 3.7, 4.3);
-    // Files hold so many elements: large buildings have larger rooms.
+    // A file holds a limited number of elements, so large buildings have larger rooms.
     roomLength = 5.4 * std::max(1.0, (given.width + given.depth) * given.storeys / 200.0);
     const double inset = roomDepth + Corridor / 2;
     ways.ring = Eigen::AlignedBox2d(Eigen::Vector2d(inset, inset),

@@ -6,11 +6,11 @@
 namespace leitstand::simulation::building {
 namespace {
 
-constexpr double LeastRoom = 2.8;  ///< length of a room [m]
-constexpr double DoorPiece = 1.5;  ///< of a wall, with the door in it [m]
-constexpr double Seat = 1.4;       ///< along the back wall, for each thing that stands there [m]
+constexpr double LeastRoom = 2.8;  ///< least length of a room [m]
+constexpr double DoorPiece = 1.5;  ///< length of the piece of wall with the door in it [m]
+constexpr double Seat = 1.4;       ///< length of the back wall for each thing that stands there [m]
 
-/// What a wall is of: some swallow or scatter the laser.
+/// Draws the material of a wall; some materials swallow or scatter the laser.
 Material wallMaterial(const Plan& plan, Random& dice) {
     const double roll = dice.uniform();
     if (!plan.troubled() || plan.settings.twins || roll > 0.16) return Material::Plaster;
@@ -20,7 +20,7 @@ Material wallMaterial(const Plan& plan, Random& dice) {
 double front(Plan& plan, const Room& room, Random& dice) {
     const double half = room.length / 2;
     const double share = dice.uniform(), width = Plan::length(dice, 0.95, 1.05);
-    // The leaf, opened a little more than square, stays off the room's side walls.
+    // The leaf, opened to little more than a right angle, stays clear of the room's side walls.
     const double first = -half + 1.3, last = half - 0.9;
     const double at = plan.settings.twins || last < first ? Plan::rounded((first + last) / 2)
                                                           : Plan::rounded(std::lerp(first, last, share));
@@ -42,7 +42,7 @@ Element cupboard(Random& dice) {
     return box;
 }
 
-/// Something that stands with its back to a wall.
+/// Draws a piece of furniture that stands with its back to a wall.
 Element furniture(Random& dice) {
     switch (dice.below(4)) {
         case 0: {
@@ -90,7 +90,7 @@ void addPillars(Plan& plan, const Room& room) {
     }
 }
 
-/// Between rooms, the corridor's wall has a pillar or a cupboard.
+/// Adds a pillar or a cupboard to the corridor's wall between two rooms.
 void addPier(Plan& plan, const Strip& strip, double x, Random& dice) {
     Element pier = elementOf(ElementKind::Wall);
     pier.material = Material::Concrete;

@@ -7,8 +7,8 @@ namespace leitstand::simulation::building {
 namespace {
 
 constexpr double RampWidth = 1.8;  ///< [m]
-constexpr double Opening = 1.4;    ///< of the ways into a shaft [m]
-constexpr double Railing = 1.0;    ///< of the wall beside a ramp, above the upper floor [m]
+constexpr double Opening = 1.4;    ///< width of the ways into a shaft [m]
+constexpr double Railing = 1.0;    ///< height of the wall beside a ramp, above the upper floor [m]
 constexpr double Riser = 0.1;      ///< of the stairs: what the Crawler climbs [m]
 constexpr double Tread = 0.25;     ///< [m]
 
@@ -19,7 +19,7 @@ void slab(Plan& plan, const Eigen::AlignedBox2d& ground, double top, double thic
     plan.add(floor, {ground.center(), 0, top}, 0.0, 0.0);
 }
 
-/// A floor but for @p hole.
+/// Adds a floor that leaves @p hole open.
 void slabAround(Plan& plan, const Eigen::AlignedBox2d& ground, const Eigen::AlignedBox2d& hole, double top) {
     const Eigen::Vector2d a = ground.min(), b = ground.max(), c = hole.min(), d = hole.max();
     const auto part = [&](double x0, double y0, double x1, double y1) {
@@ -99,7 +99,7 @@ void buildShaft(Plan& plan, int storey) {
 void buildOuterStrips(Plan& plan, int storey) {
     int number = 0;
     for (const Strip& strip : plan.outerStrips(storey)) {
-        // What is taken by ramps from here up, and from below up to here.
+        // Leaves out the space of the ramps from here up and from below up to here.
         double first = -strip.length / 2;
         for (const int shaft : {storey, storey - 1}) {
             if (shaft < 0 || shaft + 1 >= plan.settings.storeys) continue;

@@ -9,11 +9,11 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr double RobotRadius = 0.25;  ///< robots of 0.5 m must get to victims [m]
+constexpr double RobotRadius = 0.25;  ///< robots 0.5 m wide must reach victims [m]
 constexpr std::uint64_t Attempts = 50;
 
-/// Whether robots get to what they are to find: of yellow all victims that are warm and in sight; of others,
-/// which Kurt3D cannot cross, nothing is asked but room to start.
+/// Returns whether robots can reach what they must find. In a yellow arena this is every victim that is not
+/// hidden. Kurt3D cannot cross arenas of other grades; these only need room to start.
 bool good(const Arena& arena) {
     const ReachableFloor floor = reachableFloor(arena, RobotRadius);
     for (const auto& [name, start] : arena.starts) {

@@ -48,7 +48,7 @@ void addFoil(Plan& plan, const Plan::Niche& niche, double distance, double width
 
 void addVictims(Plan& plan, int count) {
     for (int number = 1; number <= count; ++number) {
-        // A dead end first; victims are not where robots start.
+        // Victims do not lie where robots start.
         const auto far = [&](const Cell& cell) {
             const Eigen::Vector3d start = plan.arena.starts["kurt3d"].translation();
             return (plan.middle(cell) - start).norm() > 1.8;
@@ -91,7 +91,7 @@ void addFurniture(Plan& plan, int count) {
 }
 
 void addLamps(Plan& plan) {
-    // On the walls' tops, for light.
+    // Lamps on top of the walls give light.
     for (int i = 0; i < 5; ++i) {
         Element lamp = elementOf(ElementKind::Lamp);
         lamp.temperature = plan.length(50.0, 75.0);
@@ -101,7 +101,7 @@ void addLamps(Plan& plan) {
         lamp.pose = Plan::upright(node, plan.random.chance(0.5) ? 0.0 : 90.0);
         plan.add(lamp);
     }
-    // Low ones distract those who look for heat; one is behind foil.
+    // Low lamps distract from victims in a search for heat; one is behind foil.
     for (int i = 0; i < 2; ++i) {
         const auto niche = plan.niche();
         if (!niche) return;
@@ -143,9 +143,9 @@ void addSoftThings(Plan& plan, int count) {
 }
 
 void addSigns(Plan& plan, int count) {
-    std::set<std::tuple<int, int, Side>> hung;  // one a side, so that none hides another
+    std::set<std::tuple<int, int, Side>> hung;  // one per side, so that none hides another
     for (int i = 0, tries = 0; i < count && tries < 500; ++tries) {
-        // Signs hang above what stands before a wall.
+        // Signs hang above what stands in front of a wall.
         const Cell cell{plan.random.below(MazeEdge), plan.random.below(MazeEdge)};
         const Side side = static_cast<Side>(plan.random.below(SideCount));
         if (plan.maze.border(cell, side) != Border::Wall) continue;

@@ -15,9 +15,9 @@ void finish(Plan& plan, int lamps, int heaters) {
     addHeaters(plan, heaters);
 }
 
-/// Two rows of cells in the north lie higher; stairs and a ramp lead there.
+/// Raises two rows of cells in the north; stairs and a ramp lead there.
 void raiseNorth(Plan& plan) {
-    constexpr int First = MazeEdge - 2;  ///< row of the upper level
+    constexpr int First = MazeEdge - 2;  ///< first row of the upper level
     const double riser = Plan::rounded(std::round(plan.random.between(0.08, 0.1) * 200.0) / 200.0);
     const double height = Plan::rounded(4 * riser);
     const int stairs = plan.random.below(MazeEdge / 2);
@@ -65,7 +65,7 @@ void raiseNorth(Plan& plan) {
     plan.add(slope);
 }
 
-/// Columns of wood as the rescue leagues have them: hills, ridges and diagonals of steps.
+/// Returns a field of wooden columns as in the rescue leagues: hills, ridges and diagonals of steps.
 Element stepFieldFor(Plan& plan) {
     constexpr int Edge = 12;
     constexpr double Step = 0.05;

@@ -14,7 +14,7 @@ struct Cell {
     friend bool operator==(const Cell&, const Cell&) = default;
 };
 
-/// Sides of a cell; the frame of a side has its y axis towards it.
+/// Sides of a cell; the y axis of a side's frame points to the side.
 enum class Side : std::uint8_t { North, West, South, East };
 inline constexpr int SideCount = 4;
 [[nodiscard]] Cell beyond(const Cell& cell, Side side);
@@ -23,7 +23,7 @@ inline constexpr int SideCount = 4;
 /// What stands between two cells.
 enum class Border : std::uint8_t { Wall, Open, Door, Curtain };
 
-/// Cells with walls between them; all closed at first.
+/// A grid of cells with walls between them; all are closed at first.
 class Maze {
 public:
     Maze(int columns, int rows);
@@ -34,19 +34,18 @@ public:
     [[nodiscard]] Border border(const Cell& cell, Side side) const;
     void setBorder(const Cell& cell, Side side, Border border);
 
-    /// Opens walls between cells that @p among says yes to, until each can be reached from @p first by one
-    /// way.
+    /// Opens walls between cells that @p among accepts, until exactly one way leads from @p first to each.
     void carve(Random& random, const Cell& first, const std::function<bool(const Cell&)>& among);
-    /// Opens each of the remaining walls between such cells with @p probability: ways become loops.
+    /// Opens each remaining wall between such cells with @p probability; this makes loops.
     void loosen(Random& random, double probability, const std::function<bool(const Cell&)>& among);
-    /// Whether all cells are still connected when @p cell has a wall at @p side.
+    /// Returns whether all cells are still connected when @p cell has a wall at @p side.
     [[nodiscard]] bool connectedWithout(const Cell& cell, Side side) const;
 
 private:
     [[nodiscard]] std::size_t place(const Cell& cell, Side side) const;
 
     int m_columns, m_rows;
-    std::vector<Border> m_south, m_west;  ///< of each cell, and of one row and column more
+    std::vector<Border> m_south, m_west;  ///< of each cell, with one more row and column
 };
 
 }  // namespace leitstand::simulation

@@ -16,7 +16,7 @@ inline constexpr double WallThickness = 0.05;  ///< [m]
 inline constexpr double WallHeight = 1.2;      ///< [m]
 inline constexpr int MazeEdge = 6;             ///< cells
 
-/// An arena in the making: its maze, what is where in it, and dice.
+/// An arena under construction: its maze, which cells are taken, and its dice.
 class Plan {
 public:
     Plan(Grade grade, std::uint64_t seed, std::uint64_t attempt);
@@ -25,24 +25,25 @@ public:
     Maze maze;
     Arena arena;
 
-    /// Numbers in files are short: millimetres and tenths of a degree.
+    /// Rounds a length to millimetres [m]. Numbers in files are short: millimetres and tenths of a degree.
     [[nodiscard]] static double rounded(double value);
     double length(double least, double most) { return rounded(random.between(least, most)); }
 
-    /// Height of a cell's floor [m].
+    /// Returns the height of a cell's floor [m].
     [[nodiscard]] double& level(const Cell& cell) { return m_level[index(cell)]; }
-    /// Whether something big stands in a cell, or nothing may.
+    /// Returns whether a cell holds something big or must stay free.
     [[nodiscard]] bool taken(const Cell& cell) const { return m_taken[index(cell)] != 0; }
     void take(const Cell& cell) { m_taken[index(cell)] = 1; }
 
-    /// Middle of a cell's floor.
+    /// Returns the middle of a cell's floor [m].
     [[nodiscard]] Eigen::Vector3d middle(const Cell& cell);
-    /// A frame @p distance before a cell's side and @p along it, y towards the wall, @p up above the floor.
+    /// Returns a frame @p distance in front of a cell's side, shifted by @p along it and @p up above the
+    /// floor [m]. Its y axis points to the wall.
     [[nodiscard]] Pose before(const Cell& cell, Side side, double distance, double along = 0.0,
                               double up = 0.0);
     [[nodiscard]] static Pose upright(const Eigen::Vector3d& position, double inDegrees);
 
-    /// A cell that is not taken and of which a side is a wall, with that side.
+    /// A cell that is not taken, with one of its sides that is a wall.
     struct Niche {
         Cell cell;
         Side side = Side::North;
@@ -50,7 +51,7 @@ public:
     [[nodiscard]] std::optional<Niche> niche(const std::function<bool(const Cell&)>& among = {});
     [[nodiscard]] std::optional<Cell> freeCell();
 
-    /// Adds @p element with a name of its own: "wall 12".
+    /// Adds @p element under a unique name: "wall 12".
     Element& add(Element element);
 
 private:
@@ -62,9 +63,9 @@ private:
     std::array<int, ElementKindCount> m_count{};
 };
 
-// Steps of making an arena.
+// Steps of generating an arena.
 void placeStarts(Plan& plan);  ///< two cells at the corner stay free for the robots
-void raiseWalls(Plan& plan);   ///< floor and walls; doors and curtains where borders are such
+void raiseWalls(Plan& plan);   ///< floor, walls, doors and curtains, as the borders are
 void hangDoors(Plan& plan, int doors, int curtains);
 void addCeilings(Plan& plan, double share);
 void addRidges(Plan& plan, int count, double steepest);  ///< ramps up and down across corridors
@@ -76,7 +77,7 @@ void addSoftThings(Plan& plan, int count);
 void addSigns(Plan& plan, int count);
 void addSpectators(Plan& plan, int count);
 
-/// Mazes, filled.
+/// Generates an arena of the grade: a maze with contents. Each @p attempt gives another one.
 [[nodiscard]] Arena yellowArena(std::uint64_t seed, std::uint64_t attempt);
 [[nodiscard]] Arena orangeArena(std::uint64_t seed, std::uint64_t attempt);
 [[nodiscard]] Arena redArena(std::uint64_t seed, std::uint64_t attempt);

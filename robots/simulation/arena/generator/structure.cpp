@@ -6,7 +6,7 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr double Surroundings = 3.0;  ///< of ground around the arena [m]
+constexpr double Surroundings = 3.0;  ///< width of the ground around the arena [m]
 
 Border lineBorder(const Plan& plan, bool level, int line, int i) {
     // Line 0 is the arena's south or west edge, MazeEdge its other edge.
@@ -17,7 +17,7 @@ Border lineBorder(const Plan& plan, bool level, int line, int i) {
                            : plan.maze.border({line - 1, i}, Side::East);
 }
 
-/// Height up to which the walls between two cells go: above the higher floor.
+/// Returns the top of the walls between two cells, WallHeight above the higher floor [m].
 double topOf(Plan& plan, bool level, int line, int i) {
     double top = 0.0;
     for (const int side : {line - 1, line}) {
@@ -34,7 +34,7 @@ void addWall(Plan& plan, bool level, int line, int first, int last, double top) 
     const double along = (first + last) / 2.0 * CellEdge;
     const double across = line * CellEdge;
     const bool outer = line == 0 || line == MazeEdge;
-    // The seen face of an outer wall is turned inwards; others lie either way.
+    // The face of an outer wall points inwards; other walls may face either way.
     wall.pose =
         Plan::upright(level ? Eigen::Vector3d(along, across, 0.0) : Eigen::Vector3d(across, along, 0.0),
                       (level ? 0.0 : 90.0) + (outer && line > 0 ? 180.0 : 0.0));
@@ -85,7 +85,7 @@ void placeStarts(Plan& plan) {
     plan.take(first);
     plan.take(second);
     const Eigen::Vector3d between = (plan.middle(first) + plan.middle(second)) / 2;
-    // North where a way leads out, so that nobody starts with its nose to a wall.
+    // Robots face north when a way leads out there, so that none starts right in front of a wall.
     const bool north = plan.maze.border(first, Side::North) != Border::Wall ||
                        plan.maze.border(second, Side::North) != Border::Wall;
     const double heading = north ? 90.0 : (east ? 180.0 : 0.0);
@@ -117,7 +117,7 @@ void hangDoors(Plan& plan, int doors, int curtains) {
             plan.maze.setBorder(cell, side, Border::Door);
             --doors;
         } else {
-            // What looks like an obstacle is never the only way.
+            // A curtain looks like an obstacle, so it never hangs in the only way.
             if (!plan.maze.connectedWithout(cell, side)) continue;
             plan.maze.setBorder(cell, side, Border::Curtain);
             --curtains;
@@ -142,7 +142,7 @@ void addCeilings(Plan& plan, double share) {
 
 void addRidges(Plan& plan, int count, double steepest) {
     constexpr double Slope = 0.45;  ///< length of each of the two ramps [m]
-    constexpr double Top = 0.3;     ///< between them [m]
+    constexpr double Top = 0.3;     ///< length between the ramps [m]
     for (int row = 0; row < MazeEdge && count > 0; ++row) {
         for (int column = 0; column < MazeEdge && count > 0; ++column) {
             const Cell cell{column, row};

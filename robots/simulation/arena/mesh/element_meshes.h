@@ -7,19 +7,19 @@
 
 namespace leitstand::simulation {
 
-/// An element and what surrounds it.
+/// An element and its arena.
 struct ElementPlace {
     const Arena& arena;
     const Element& element;
-    int index = 0;  ///< of the element in the arena
+    int index = 0;  ///< index of the element in the arena
 };
 
-/// Look of an element's main part: its material's colour and texture, its temperature.
+/// Returns the look of an element's main part: its material's colour and texture, its temperature.
 [[nodiscard]] Look lookOf(const ElementPlace& place, MeshBuilder& builder);
-/// Look of a part of an element that is of another @p material, at the arena's temperature.
+/// Returns the look of an element's part of another @p material, at the arena's temperature.
 [[nodiscard]] Look lookOf(const ElementPlace& place, Material material, MeshBuilder& builder);
 
-// Each builds in the frame of the builder, which is the element's, with its look.
+// Each adds its shapes in the builder's frame, which is the element's, and with the builder's look.
 void addFloor(MeshBuilder& builder, const Element& element);
 void addWall(MeshBuilder& builder, const Element& element);
 void addDoor(MeshBuilder& builder, const Element& element);
@@ -36,9 +36,9 @@ void addFoil(MeshBuilder& builder, const Element& element);
 void addRubble(MeshBuilder& builder, const ElementPlace& place);
 void addSign(MeshBuilder& builder, const ElementPlace& place);
 
-/// A manikin and what hides it; a waving arm becomes one of @p moving.
+/// Adds a manikin and what hides it; a waving arm becomes one of @p moving.
 void addVictim(MeshBuilder& builder, const ElementPlace& place, std::vector<MovingPart>& moving);
-/// A person, all of it one of @p moving.
+/// Adds a person, who becomes one of @p moving.
 void addSpectator(const ElementPlace& place, std::vector<MovingPart>& moving);
 
 }  // namespace leitstand::simulation

@@ -6,7 +6,7 @@
 namespace leitstand::simulation {
 namespace {
 
-/// Four legs of section @p thick, @p inset from the edges of @p size.
+/// Adds four legs of section @p thick, @p inset from the edges of @p size [m].
 void legs(MeshBuilder& builder, const Eigen::Vector2d& size, double height, double thick, double inset) {
     const double x = std::max(thick, size.x() / 2 - inset - thick / 2);
     const double y = std::max(thick, size.y() / 2 - inset - thick / 2);

@@ -9,14 +9,14 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr float Level = 0.7071F;  ///< cosine of the steepest floor: 45 degrees, as LabelSettings has it
+constexpr float Level = 0.7071F;  ///< cosine of the steepest floor: 45 degrees, as in LabelSettings
 
 Label labelOf(const Eigen::Vector3f& normal) {
     if (normal.z() > Level) return Label::Floor;
     return normal.z() < -Level ? Label::Ceiling : Label::Wall;
 }
 
-/// Right and up of a face's picture.
+/// Returns the right and up axes of a face's texture.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> axesOf(const Eigen::Vector3d& normal) {
     const bool level = std::abs(normal.z()) > 0.99;
     const Eigen::Vector3d right = level ? Eigen::Vector3d(Eigen::Vector3d::UnitX())

@@ -10,12 +10,12 @@
 
 namespace leitstand::simulation {
 
-/// How what is built next looks.
+/// Look of the shapes that are built next.
 struct Look {
     Surface surface;
     bool structural = false;    ///< labelled by its slope: floor, wall, ceiling
     double textureSize = 0.0;   ///< edge of what the texture shows [m]; 0: the texture fills each face
-    double textureShift = 0.0;  ///< part of the texture that is taken, 0 to 1
+    double textureShift = 0.0;  ///< where a face's part of the texture begins, 0 to 1
 };
 
 /// Builds closed shapes, each face counter-clockwise from outside.
@@ -23,45 +23,45 @@ class MeshBuilder {
 public:
     explicit MeshBuilder(Mesh& mesh) : m_mesh(&mesh) {}
 
-    /// The frame of what follows.
+    /// Sets the frame of the shapes that follow.
     void setFrame(const Pose& frame) { m_frame = frame; }
     [[nodiscard]] const Pose& frame() const { return m_frame; }
     void setLook(const Look& look);
     [[nodiscard]] const Look& look() const { return m_look; }
-    /// Number of the texture called @p name, made when nobody needed it yet.
+    /// Returns the index of the texture called @p name; calls @p make when it does not exist yet.
     int texture(const std::string& name, const std::function<Texture()>& make);
 
-    /// A flat convex face [m].
+    /// Adds a flat convex face [m].
     void face(std::span<const Eigen::Vector3d> corners);
     void face(std::initializer_list<Eigen::Vector3d> corners) {
         face(std::span(corners.begin(), corners.size()));
     }
-    /// A box from corner to corner [m].
+    /// Adds a box from corner @p from to corner @p to [m].
     void box(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
-    /// The same box, placed in the frame by @p boxInFrame.
+    /// Adds the same box, placed in the frame by @p boxInFrame.
     void box(const Pose& boxInFrame, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
-    /// The polygon @p profile in x and z, counter-clockwise seen from -y, convex, drawn out in y.
+    /// Extrudes the convex polygon @p profile (x and z, counter-clockwise seen from -y) along y [m].
     void prism(std::span<const Eigen::Vector2d> profile, double fromY, double toY);
     void ellipsoid(const Eigen::Vector3d& centre, const Eigen::Vector3d& radii, int sectors = 14);
-    /// A limb: two balls and the cone between them.
+    /// Adds a limb: two balls and the cone between them [m].
     void limb(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radiusFrom, double radiusTo,
               int sectors = 10);
-    /// A cylinder with flat ends.
+    /// Adds a cylinder with flat ends [m].
     void cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, int sectors = 14);
-    /// A curved sheet through point(u, v), u and v from 0 to 1; its texture fills it.
+    /// Adds a curved sheet through point(u, v), u and v from 0 to 1. The texture fills the sheet.
     void sheet(int columns, int rows, const std::function<Eigen::Vector3d(double u, double v)>& point);
 
 private:
     std::uint32_t corner(const Eigen::Vector3d& inFrame, const Eigen::Vector2f& uv);
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-    /// Rings of corners, joined; the first and the last are points.
+    /// Joins rings of corners; the first and the last ring are points.
     void lathe(int rings, int sectors, const std::function<Eigen::Vector3d(int ring, double angle)>& point);
     std::uint16_t surfaceFor(const Eigen::Vector3f& normal);
 
     Mesh* m_mesh;
     Pose m_frame = Pose::Identity();
     Look m_look;
-    std::array<int, LabelCount> m_surfaces = {-1, -1, -1, -1};  ///< of the look, for each label
+    std::array<int, LabelCount> m_surfaces = {-1, -1, -1, -1};  ///< of the look, by label; -1: not made yet
     std::map<std::string, int> m_textures;
 };
 

@@ -43,7 +43,7 @@ void addElement(MeshBuilder& builder, const ElementPlace& place, std::vector<Mov
         case ElementKind::Spectator:
             return addSpectator(place, moving);
         case ElementKind::Smoke:
-            return;  // nothing to meet: Scene shortens what lasers see in it
+            return;  // no surface: Scene limits how far lasers see in it
     }
 }
 

@@ -10,8 +10,8 @@ struct PersonLooks {
     Look skin, shirt, trousers, hair, shoes;
 };
 
-/// Where a person's joints are, lying on its back along x with the head at +x, the middle of its back at the
-/// origin; for a person of length 1, to be scaled.
+/// Joints of a person of length 1, to be scaled. The person lies on its back along x, head at +x, with the
+/// middle of its back at the origin.
 struct Joints {
     Eigen::Vector3d head{0.445, 0.0, 0.07};
     Eigen::Vector3d mouth{0.425, 0.0, 0.128};
@@ -22,9 +22,9 @@ struct Joints {
     Eigen::Vector3d ankle{-0.46, 0.075, 0.035};
 };
 
-/// Trunk, head and legs, in the builder's frame, for a person of @p length [m].
+/// Adds trunk, head and legs of a person of @p length [m], in the builder's frame.
 void addTrunk(MeshBuilder& builder, const PersonLooks& looks, double length);
-/// An arm from its shoulder (the origin) along @p upper and then along @p lower (each a unit vector).
+/// Adds an arm from its shoulder (the origin) along @p upper and then along @p lower (unit vectors).
 void addArm(MeshBuilder& builder, const PersonLooks& looks, const Eigen::Vector3d& upper,
             const Eigen::Vector3d& lower, double length);
 

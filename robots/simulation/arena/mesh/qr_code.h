@@ -19,8 +19,8 @@ struct QrCode {
 
 inline constexpr std::size_t LongestQrText = 62;  ///< [B]
 
-/// @p text as a QR code by libqrencode (ISO/IEC 18004: model 2, versions 1 to 4, byte mode, error correction
-/// M); nothing is written as a blank. The error tells when the text is longer than LongestQrText.
+/// Encodes @p text as a QR code by libqrencode (ISO/IEC 18004: model 2, versions 1 to 4, byte mode, error
+/// correction M). An empty text becomes a blank. Error when the text is longer than LongestQrText.
 [[nodiscard]] Result<QrCode> encodeQr(std::string_view text);
 
 }  // namespace leitstand::simulation

@@ -8,10 +8,10 @@
 
 namespace leitstand::simulation {
 
-/// What a sign shows: "qr:TEXT" a QR code, "hazard:NAME" a diamond with the pictogram of NAME. Anything else:
-/// a white plate.
+/// Returns the picture of a sign: a QR code for "qr:TEXT", a diamond with the pictogram of NAME for
+/// "hazard:NAME", a white plate for any other text.
 [[nodiscard]] Texture signPicture(std::string_view text);
-/// The NAMEs: "flammable", "explosive", "poison" ...
+/// Returns the NAMEs of hazards: "flammable", "explosive", "poison" ...
 [[nodiscard]] const std::vector<std::string>& hazardNames();
 
 }  // namespace leitstand::simulation

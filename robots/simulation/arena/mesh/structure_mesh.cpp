@@ -9,7 +9,7 @@ namespace {
 constexpr double LeafHeight = 2.0;  ///< of doors, at most [m]
 constexpr double LeafThickness = 0.03;
 
-/// Into how many pieces a length is cut so that none is longer than what the texture shows.
+/// Returns the number of pieces of @p length so that none is longer than what the texture shows.
 int tilesFor(const MeshBuilder& builder, double length) {
     const double most = builder.look().textureSize;
     return most > 0.0 ? std::clamp(static_cast<int>(std::ceil(length / most - 0.05)), 1, 40) : 1;
@@ -21,7 +21,7 @@ void addFloor(MeshBuilder& builder, const Element& element) {
     const Eigen::Vector3d half = element.size / 2;
     const double low = -element.size.z();
     const auto at = [&](double x, double y, double z) { return Eigen::Vector3d(x, y, z); };
-    // The top in tiles that its texture fills; the rest in one piece each.
+    // The top is cut into tiles that the texture fills; the other faces are whole.
     const int columns = tilesFor(builder, element.size.x());
     const int rows = tilesFor(builder, element.size.y());
     for (int row = 0; row < rows; ++row) {
@@ -44,7 +44,7 @@ void addFloor(MeshBuilder& builder, const Element& element) {
 
 void addWall(MeshBuilder& builder, const Element& element) {
     const Eigen::Vector3d half = element.size / 2;
-    // In sheets as they are sold, side by side.
+    // A wall is a row of sheets of the size they are sold in.
     const int sheets = tilesFor(builder, element.size.x());
     const double width = element.size.x() / sheets;
     for (int i = 0; i < sheets; ++i) {
@@ -112,7 +112,7 @@ void addStepField(MeshBuilder& builder, const Element& element) {
     const auto at = [&](int column, int row, double z) {
         return Eigen::Vector3d(-element.size.x() / 2 + column * cell, -element.size.y() / 2 + row * cell, z);
     };
-    // Only what is not hidden by a neighbour; where the height is 0 there is the floor.
+    // Only faces that no neighbour hides; where the height is 0, the floor shows.
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
             const double h = height(column, row);

@@ -12,14 +12,14 @@ namespace {
 
 constexpr int Edge = 384;  ///< [px]
 
-/// A value from 0 to 1 for a place on a grid.
+/// Returns a pseudo-random value from 0 to 1 for a place on a grid.
 double hashAt(int x, int y, int layer) {
     const auto key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32U) ^
                      static_cast<std::uint32_t>(y) ^ (static_cast<std::uint64_t>(layer) << 60U);
     return Random(key).uniform();
 }
 
-/// Smooth noise from 0 to 1.
+/// Returns smooth noise from 0 to 1.
 double noise(double x, double y, int layer) {
     const double left = std::floor(x);
     const double low = std::floor(y);
@@ -32,7 +32,7 @@ double noise(double x, double y, int layer) {
            v * ((1 - u) * hashAt(i, j + 1, layer) + u * hashAt(i + 1, j + 1, layer));
 }
 
-/// Noise of several sizes, from 0 to 1.
+/// Returns noise of four octaves, from 0 to 1.
 double cloudy(double x, double y, int layer) {
     double sum = 0.0;
     double weight = 0.5;
@@ -45,7 +45,7 @@ double cloudy(double x, double y, int layer) {
     return sum / 0.9375;
 }
 
-/// Colour at u and v, both from 0 to 1, v upwards.
+/// Paints a texture with @p colour at u and v, both from 0 to 1, v upwards.
 Texture painted(int width, int height, const std::function<Eigen::Vector3d(double u, double v)>& colour) {
     Texture texture;
     texture.width = width;
@@ -63,7 +63,7 @@ Texture painted(int width, int height, const std::function<Eigen::Vector3d(doubl
     return texture;
 }
 
-/// How far a crack that wanders is from here.
+/// Returns the distance of (u, v) from a crack that wanders.
 double crack(double u, double v, double start, int layer) {
     return std::abs(v - start - 0.3 * (cloudy(3.0 * u, start * 17.0, layer) - 0.5) -
                     0.05 * noise(40.0 * u, 0, layer));

@@ -4,7 +4,7 @@
 
 namespace leitstand::simulation {
 
-// Pictures of materials, made by rule; each the same every time.
+// Procedural textures of materials; each is always the same.
 [[nodiscard]] const Texture& plywoodTexture();    ///< grain along u, knots, joints of the veneer
 [[nodiscard]] const Texture& concreteTexture();   ///< blotches, pores, fine cracks
 [[nodiscard]] const Texture& plasterTexture();    ///< smudges and scratches

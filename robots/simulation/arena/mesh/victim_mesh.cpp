@@ -10,11 +10,11 @@ namespace leitstand::simulation {
 namespace {
 
 constexpr double AbsoluteZero = -273.15;
-constexpr double WarmthOfClothes = 0.4;  ///< between the air's and the skin's temperature
+constexpr double WarmthOfClothes = 0.4;  ///< share of the way from the air's to the skin's temperature
 constexpr double TagEdge = 0.12;         ///< [m]
 constexpr double BoardThickness = 0.02;  ///< [m]
-constexpr double BoxMargin = 0.06;       ///< between a manikin and its box [m]
-constexpr double HoleEdge = 0.2;         ///< of an entombed victim's box [m]
+constexpr double BoxMargin = 0.06;       ///< gap between a manikin and its box [m]
+constexpr double HoleEdge = 0.2;         ///< of the hole in an entombed victim's box [m]
 
 PersonLooks looksOf(const ElementPlace& place, MeshBuilder& builder) {
     const VictimTraits traits = place.element.victim.value_or(VictimTraits{});
@@ -51,7 +51,8 @@ double lengthOf(const Element& victim) {
     return victim.size.x();
 }
 
-/// A plate with the QR code, on the side robots come to: it stands before the arm, so that nothing hides it.
+/// Adds a plate with the QR code on the side that robots reach. It stands in front of the arm, so that
+/// nothing hides it.
 void addTag(MeshBuilder& builder, const ElementPlace& place, double length) {
     const std::string& tag = place.element.victim->tag;
     if (tag.empty()) return;
@@ -73,7 +74,7 @@ void addTag(MeshBuilder& builder, const ElementPlace& place, double length) {
     builder.setFrame(frame);
 }
 
-/// Boards and bricks on legs and trunk; head and one arm stay free.
+/// Adds boards and bricks on legs and trunk; head and one arm stay free.
 void addBoards(MeshBuilder& builder, const ElementPlace& place, double length) {
     Random random(place.element.seed ^ 0xB0A2D5ULL);
     builder.setLook(lookOf(place, Material::Plywood, builder));
@@ -93,7 +94,8 @@ void addBoards(MeshBuilder& builder, const ElementPlace& place, double length) {
     }
 }
 
-/// A box around the victim; @p hole: only a hole near the head, else the half at the head is open.
+/// Adds a box around the victim. With @p hole it has only a hole near the head; otherwise the half at the
+/// head is open.
 void addBox(MeshBuilder& builder, const ElementPlace& place, double length, bool hole) {
     builder.setLook(lookOf(place, Material::Plywood, builder));
     const double x = length / 2 + BoxMargin;
@@ -118,7 +120,7 @@ void addBox(MeshBuilder& builder, const ElementPlace& place, double length, bool
     builder.box({from, -y, high}, {to, -y + t, z - t});
 }
 
-/// Arm of a side: -1 the right one, where robots come.
+/// Returns the shoulder of a side [m]. @p side: 1 left; -1 right, where robots come.
 Eigen::Vector3d shoulderOf(double side, double length) {
     const Joints joints;
     return length * Eigen::Vector3d(joints.shoulder.x(), side * joints.shoulder.y(), joints.shoulder.z());

@@ -11,10 +11,10 @@
 
 namespace leitstand::simulation {
 
-/// Where a sensor that can be turned sits in base_link at a time of the near past.
+/// Returns the pose in base_link of a sensor that can be turned, at a time of the recent past.
 using MountAt = std::function<Pose(Time)>;
 
-/// Light of a world, measured when the first camera needs it.
+/// Light of a world, computed when the first camera needs it.
 class SharedLight {
 public:
     [[nodiscard]] const LightField& of(const Scene& scene) {
@@ -26,16 +26,16 @@ private:
     std::unique_ptr<LightField> m_field;
 };
 
-/// What a camera is and how it sends.
+/// Settings of a camera and of its stream.
 struct CameraSettings {
     CameraModel model;
     ExposureSettings exposure;
-    double rate = 10.0, mostRate = 15.0;  ///< own, and the highest that can be asked for [Hz]
+    double rate = 10.0, mostRate = 15.0;  ///< default, and the highest that can be requested [Hz]
     int quality = 70;                     ///< of JPEG
     bool seesRobot = false;               ///< whether its own robot is in the picture
     std::string sensor, frame;
     MountAt cameraInBase;                                       ///< optical frame
-    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; none: always
+    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; empty: always
 };
 
 /// A camera that sends JPEG pictures and its calibration.

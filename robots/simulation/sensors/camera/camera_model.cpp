@@ -10,7 +10,7 @@ namespace {
 
 constexpr int UndistortSteps = 20;
 
-/// @p plane, distorted (Brown).
+/// Returns @p plane, distorted (Brown).
 Eigen::Vector2d distorted(const CameraModel& camera, const Eigen::Vector2d& plane) {
     const double x = plane.x(), y = plane.y(), r2 = plane.squaredNorm();
     const double radial = 1.0 + r2 * (camera.k1 + r2 * camera.k2);

@@ -18,15 +18,16 @@ struct CameraModel {
     double k1 = 0.0, k2 = 0.0;              ///< radial distortion
     double p1 = 0.0, p2 = 0.0;              ///< tangential distortion
     double xi = 0.0;                        ///< of the mirror; 0: none
-    bool mirror = false;                    ///< tells "mei" instead of "plumb_bob"
-    double fromAngle = 0.0, toAngle = 3.2;  ///< off the axis, between which it sees [rad]
+    bool mirror = false;                    ///< reports "mei" instead of "plumb_bob"
+    double fromAngle = 0.0, toAngle = 3.2;  ///< limits of its view, off the axis [rad]
 
-    /// Pixel of a point or direction in the camera's frame; empty for what cannot be seen, but pixels may be
-    /// off the picture.
+    /// Returns the pixel of a point or direction in the camera's frame; empty when the camera cannot see it.
+    /// The pixel may be outside the picture.
     [[nodiscard]] std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point) const;
-    /// Direction of a pixel in the camera's frame, unit length; empty where the camera sees nothing.
+    /// Returns the direction of a pixel in the camera's frame, unit length; empty where the camera sees
+    /// nothing.
     [[nodiscard]] std::optional<Eigen::Vector3d> direction(const Eigen::Vector2d& pixel) const;
-    /// The same camera with pictures of at most @p maxWidth pixels a row; 0: as it is.
+    /// Returns the same camera with pictures at most @p maxWidth wide [px]; 0: unchanged.
     [[nodiscard]] CameraModel scaledTo(int maxWidth) const;
     [[nodiscard]] CameraInfoSample info(const SampleHeader& header) const;
 };
@@ -35,8 +36,8 @@ struct CameraModel {
 [[nodiscard]] CameraModel pinholeCamera();
 /// Infrared camera of Kurt3D: 160 x 120, 40 degrees across.
 [[nodiscard]] CameraModel infraredOptics();
-/// Camera below a mirror on the Crawler: sees all around from 12 degrees off its axis (itself) to 15 above
-/// the horizon; its z axis points down.
+/// Camera below a mirror on the Crawler; its z axis points down. It sees all around, from 12 degrees off its
+/// axis (itself) to 15 degrees above the horizon.
 [[nodiscard]] CameraModel omnidirectionalCamera();
 
 }  // namespace leitstand::simulation

@@ -10,24 +10,25 @@
 
 namespace leitstand::simulation {
 
-/// What an infrared camera is and how it sends.
+/// Settings of an infrared camera and of its stream.
 struct InfraredSettings {
     CameraModel model;
-    double rate = 9.0;    ///< own and highest [Hz]
+    double rate = 9.0;    ///< default and highest [Hz]
     double noise = 0.1;   ///< deviation of a pixel [K]
     double step = 0.04;   ///< of its converter; keeps pictures small [K]
-    double scale = 0.01;  ///< of the numbers it sends [K]
+    double scale = 0.01;  ///< of its pixel values [K]
     double offset = 0.0;  ///< [K]
     std::string sensor, frame;
     MountAt cameraInBase;                                       ///< optical frame
-    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; none: always
+    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; empty: always
 };
 
-/// Temperature that a camera (which takes everything for black) shows for what @p hit is of, with foil that
-/// lets through what is @p behind it [K]. @p ambient: of what is mirrored [K].
+/// Returns the temperature that an infrared camera shows for @p hit [K]; the camera takes everything for a
+/// black body. Foil lets through what is @p behind it; null: nothing. Mirrored surroundings, and no hit, have
+/// temperature @p ambient [K].
 [[nodiscard]] double apparentTemperature(const Hit& hit, const Hit* behind, double ambient);
 
-/// A camera that measures heat, and sends it as 16-bit PNG, centikelvin by default.
+/// A camera that measures temperature and publishes it as 16-bit PNG, in centikelvin by default.
 class InfraredCamera final : public Sensor {
 public:
     InfraredCamera(InfraredSettings settings, const Noise& noise, Time start);
@@ -48,7 +49,7 @@ private:
     std::vector<Eigen::Vector3f> m_directions;
     std::vector<Ray> m_rays, m_behindRays;
     std::vector<Hit> m_hits, m_behindHits;
-    std::vector<int> m_behindOf;  ///< of each ray: one of m_behindHits; -1: no foil
+    std::vector<int> m_behindOf;  ///< index into m_behindHits, by ray; -1: no foil
     std::vector<std::uint16_t> m_pixels;
 };
 

@@ -11,14 +11,14 @@ constexpr float LeastCell = 0.4F;    ///< [m]
 constexpr float Margin = 1.0F;       ///< around the arena's ground [m]
 constexpr float Height = 2.8F;       ///< [m]
 constexpr float MostCells = 40.0F;   ///< along x and y: wider arenas have wider cells
-constexpr float LampPower = 0.9F;    ///< light a metre from a lamp
+constexpr float LampPower = 0.9F;    ///< light at 1 m from a lamp
 constexpr float LampReach = 8.0F;    ///< [m]
-constexpr float LampSize2 = 0.15F;   ///< keeps what is very near to a lamp from being white only [m2]
-constexpr float DirectShare = 0.4F;  ///< of the hall's light, what comes from one side
-constexpr float Bounce = 0.30F;      ///< of the hall's light, what a wall gives back
+constexpr float LampSize2 = 0.15F;   ///< keeps what is very near a lamp from turning all white [m2]
+constexpr float DirectShare = 0.4F;  ///< share of the hall's light that comes from one side
+constexpr float Bounce = 0.30F;      ///< share of the hall's light that a wall reflects
 constexpr float NearBounce = 0.8F;   ///< walls nearer than this are darker [m]
 
-/// Faces, corners and edges of a cube: where the light of the hall is looked for.
+/// Returns the directions in which the light of the hall is looked for: faces, corners and edges of a cube.
 const std::vector<Eigen::Vector3f>& lookouts() {
     static const std::vector<Eigen::Vector3f> all = [] {
         std::vector<Eigen::Vector3f> directions;
@@ -35,7 +35,7 @@ const std::vector<Eigen::Vector3f>& lookouts() {
     return all;
 }
 
-/// How much of light from @p direction falls on each face of a cube.
+/// Adds @p light from @p direction to the faces of a cube on which it falls.
 template <class Cube>
 void addLight(Cube& cube, const Eigen::Vector3f& direction, float light) {
     for (int axis = 0; axis < 3; ++axis) {

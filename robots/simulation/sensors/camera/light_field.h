@@ -10,20 +10,21 @@
 
 namespace leitstand::simulation {
 
-/// How bright it is everywhere in an arena: light of the hall, as far as walls and ceilings let it in, and of
-/// the lamps, with their shadows. Kept on a grid, for six directions each (ambient cubes after McTaggart,
-/// Half-Life 2, 2004), once for what stands still, so that a pixel costs no more rays.
+/// Brightness everywhere in an arena: light of the hall, as far as walls and ceilings let it in, and of the
+/// lamps, with their shadows. A grid holds it for six directions per cell (ambient cubes after McTaggart,
+/// Half-Life 2, 2004). It is computed once, for what stands still, so that a pixel costs no more rays.
 class LightField {
 public:
     explicit LightField(const Scene& scene);
 
-    /// Where the part of the hall's light comes from that throws shadows; unit length.
+    /// Returns the direction to the part of the hall's light that casts shadows; unit length.
     [[nodiscard]] static const Eigen::Vector3f& towardsHall();
-    /// How much of that falls on a surface which nothing shades.
+    /// Returns how much of that light falls on a surface that nothing shades.
     [[nodiscard]] float direct(const Eigen::Vector3f& normal) const;
-    /// Other light that falls on a surface there; with direct(), 1 is a white wall in a bright hall.
+    /// Returns the other light that falls on a surface at @p point. Together with direct(), 1 is a white wall
+    /// in a bright hall.
     [[nodiscard]] float at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const;
-    /// What is seen along a ray that leaves the arena: red, green, blue.
+    /// Returns what is seen along a ray that leaves the arena: red, green, blue.
     [[nodiscard]] Eigen::Vector3f outside(const Eigen::Vector3f& direction) const;
 
 private:

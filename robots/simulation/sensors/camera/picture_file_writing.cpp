@@ -8,7 +8,7 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr int PngEffort = 3;  ///< of 9: as small as need be, quick
+constexpr int PngEffort = 3;  ///< of 9: small enough, and fast
 
 SharedBytes file(const char* ending, const cv::Mat& picture, const std::vector<int>& settings) {
     auto bytes = std::make_shared<std::vector<std::uint8_t>>();
@@ -18,7 +18,7 @@ SharedBytes file(const char* ending, const cv::Mat& picture, const std::vector<i
     return {bytes, std::as_bytes(std::span(*bytes))};
 }
 
-/// Only looked at: OpenCV has no matrix of constant pixels.
+/// Returns a view that is only read: OpenCV has no matrix of constant pixels.
 template <class Pixel>
 cv::Mat view(const std::vector<Pixel>& pixels, int width, int height, int type) {
     return {height, width, type, const_cast<Pixel*>(pixels.data())};

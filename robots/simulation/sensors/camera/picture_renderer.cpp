@@ -13,7 +13,7 @@ constexpr std::size_t ShadowStep = 2;  ///< one ray for so many pixels of a row
 constexpr float ShadowGap = 0.004F;    ///< above what is shaded [m]
 constexpr float ShadowReach = 6.0F;    ///< [m]
 
-/// Light of colours as they are written down, 0 to 255.
+/// Returns the linear light of encoded colours, 0 to 255.
 const std::array<float, 256>& linearOf() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> values{};
@@ -25,7 +25,7 @@ const std::array<float, 256>& linearOf() {
     return table;
 }
 
-/// Pixel values of light from 0 to 1.
+/// Returns the pixel value of linear light from 0 to 1.
 std::uint8_t encoded(float light) {
     static const std::array<std::uint8_t, 4097> table = [] {
         std::array<std::uint8_t, 4097> values{};
@@ -46,7 +46,7 @@ Eigen::Vector3f linear(const Eigen::Vector3f& colour) {
     return light;
 }
 
-/// Light that a texture gives back at @p uv, between its four nearest pixels.
+/// Returns the light that a texture reflects at @p uv, interpolated between its four nearest pixels.
 Eigen::Vector3f sampled(const Texture& texture, const Eigen::Vector2f& uv) {
     const float x = uv.x() * static_cast<float>(texture.width) - 0.5F;
     const float y = (1.0F - uv.y()) * static_cast<float>(texture.height) - 0.5F;
@@ -66,7 +66,7 @@ Eigen::Vector3f pointOf(const Hit& hit, const Ray& ray) {
     return ray.origin + hit.distance * ray.direction;
 }
 
-/// @p sunny: share of the hall's direct light that arrives.
+/// Returns the light that a ray brings. @p sunny: share of the hall's direct light that arrives.
 Eigen::Vector3f lightOf(const Hit& hit, const Ray& ray, const LightField& light, float sunny) {
     if (!hit.there()) return light.outside(ray.direction);
     const bool painted = hit.texture != nullptr && hit.texture->width > 0 && hit.texture->height > 0;

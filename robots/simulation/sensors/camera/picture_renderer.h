@@ -12,43 +12,43 @@
 
 namespace leitstand::simulation {
 
-/// Directions of all pixels of a camera, row-major, in its frame; zero where it sees nothing.
+/// Returns the directions of all pixels of a camera, row-major, in its frame; zero where it sees nothing.
 [[nodiscard]] std::vector<Eigen::Vector3f> pixelDirections(const CameraModel& camera);
 
-/// How a camera takes pictures.
+/// Exposure, vignetting and noise of a camera.
 struct ExposureSettings {
-    float brightness = 0.42F;  ///< that the mean of its pictures is brought to, 0 to 1
+    float brightness = 0.42F;  ///< mean that its pictures are brought to, 0 to 1
     float leastGain = 0.6F, mostGain = 5.0F;
-    float adaption = 0.15F;    ///< share of the way to the right gain, a picture
+    float adaption = 0.15F;    ///< share of the way to the right gain per picture
     float vignetting = 0.30F;  ///< how much darker corners are, 0 to 1
-    float noise = 0.006F;      ///< deviation of a pixel at gain 1, of 1
+    float noise = 0.006F;      ///< deviation of a pixel (0 to 1) at gain 1
 };
 
-/// Draws what a camera sees: one ray a pixel, and one for the shadow of two; textures, light of the hall and
-/// of lamps, gain control, darker corners and noise.
+/// Draws what a camera sees, with one ray per pixel and one shadow ray per two pixels. Pictures have
+/// textures, light of the hall and of lamps, gain control, darker corners and noise.
 class PictureRenderer {
 public:
     PictureRenderer(const CameraModel& camera, const Noise& noise, const ExposureSettings& settings = {});
 
-    /// Another picture size or calibration; the exposure goes on.
+    /// Sets another picture size or calibration; the exposure goes on.
     void setCamera(const CameraModel& camera);
     [[nodiscard]] const CameraModel& camera() const { return m_camera; }
 
-    /// Pixels, bgr8, row-major, of what is seen from @p cameraInArena (optical frame). They stay until the
-    /// next call.
+    /// Returns the pixels (bgr8, row-major) of what is seen from @p cameraInArena (optical frame). They stay
+    /// valid until the next call.
     [[nodiscard]] const std::vector<std::uint8_t>& render(const Pose& cameraInArena, const CastRays& cast,
                                                           const LightField& light);
 
 private:
     void castRow(const Pose& cameraInArena, int row, const CastRays& cast);
     void castShadows(const CastRays& cast);
-    [[nodiscard]] float sunnyAt(std::size_t column) const;  ///< of the row that was cast
+    [[nodiscard]] float sunnyAt(std::size_t column) const;  ///< in the row that was cast
     void develop();
 
     CameraModel m_camera;
     Noise m_noise;
     ExposureSettings m_settings;
-    float m_gain = 0.0F;  ///< 0: no picture was taken
+    float m_gain = 0.0F;  ///< 0: no picture taken yet
     std::vector<Eigen::Vector3f> m_directions;
     std::vector<float> m_vignette;
     std::vector<Eigen::Vector3f> m_light;  ///< of each pixel: red, green, blue, linear

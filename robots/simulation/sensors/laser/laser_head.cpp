@@ -21,7 +21,7 @@ bool differ(float a, float b) {
     return std::abs(a - b) > std::max(LeastJump, JumpOfRange * std::min(a, b));
 }
 
-/// Whether two rays ended on one plane: a floor that is met at a flat angle has no edge.
+/// Returns whether two rays end on one plane. A floor that is met at a flat angle has no edge.
 bool onOnePlane(const Hit& a, const Ray& rayOfA, const Hit& b, const Ray& rayOfB) {
     if (!a.there() || !b.there() || a.normal.dot(b.normal) < SameNormal) return false;
     const Eigen::Vector3f apart =
@@ -33,7 +33,7 @@ float cosineOf(const Hit& hit, const Ray& ray) {
     return std::abs(hit.normal.dot(ray.direction));
 }
 
-/// @p direction turned by a small @p angle towards @p neighbour.
+/// Returns @p direction, turned by a small @p angle [rad] towards @p neighbour.
 Eigen::Vector3f turnedTowards(const Eigen::Vector3f& direction, const Eigen::Vector3f& neighbour,
                               double angle) {
     const Eigen::Vector3f across = neighbour - direction * direction.dot(neighbour);
@@ -83,7 +83,8 @@ LaserEcho LaserHead::echoOf(const Ray& ray, const Hit& hit, const Hit* edge, con
     double range = chosen.distance;
     if (first && second && differ(hit.distance, edge->distance) && !onOnePlane(hit, ray, *edge, *edgeRay)) {
         echo.mixed = true;
-        // Near surfaces melt into one echo between them; of far ones the receiver takes the stronger.
+        // Surfaces near each other melt into one echo between them; of others the receiver takes the
+        // stronger.
         const double share = 0.5 * m_noise.uniform();
         const double apart = double{edge->distance} - double{hit.distance};
         if (std::abs(apart) < m_settings.blendLength) range += share * apart;

@@ -9,7 +9,7 @@
 
 namespace leitstand::simulation {
 
-/// What a plane laser scanner is and where it sits.
+/// Settings and mounting of a plane laser scanner.
 struct PlaneLaserSettings {
     LaserSettings laser;
     int points = 667;
@@ -37,7 +37,7 @@ private:
 
     PlaneLaserSettings m_settings;
     LaserHead m_head;
-    Schedule m_schedule, m_sent;  ///< turns of the mirror, and those of them that are sent
+    Schedule m_schedule, m_sent;  ///< turns of the mirror, and those that are sent
     bool m_enabled = true;
     std::vector<Ray> m_rays;
 };

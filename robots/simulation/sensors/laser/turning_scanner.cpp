@@ -9,7 +9,7 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr std::chrono::seconds LongestLag(3);  ///< the world keeps poses not much longer
+constexpr std::chrono::seconds LongestLag(3);  ///< the world keeps poses for little longer
 
 }  // namespace
 
@@ -112,7 +112,7 @@ void TurningScanner::run(const World& world, int robot, std::vector<HardwareSamp
         aim(world, robot);
         const std::span<const LaserEcho> echoes = m_head.measure(m_rays, cast);
         if (ranges) tellFan(echoes, samples);
-        // What begins a turn has closed the one before: its last slice waits for it.
+        // The raw scan that begins a turn also closes the one before, whose last slice waits for it.
         for (CloudSample* slice : {&m_slice, &m_sent}) {
             if (begins && slice->rows > 0) append(echoes, pattern.rawScans, *slice);
         }
@@ -120,7 +120,7 @@ void TurningScanner::run(const World& world, int robot, std::vector<HardwareSamp
         append(echoes, pattern.row(m_rawScan), m_slice);
         if (isThinned() && pattern.row(m_rawScan) % m_every == 0)
             append(echoes, pattern.row(m_rawScan), m_sent);
-        if (pattern.row(m_rawScan + 1) == 0) continue;  // the turn ends with the next
+        if (pattern.row(m_rawScan + 1) == 0) continue;  // the next raw scan ends the turn
         const auto slice = pattern.sliceOf(m_rawScan), next = pattern.sliceOf(m_rawScan + 1);
         if (next != slice) emitSlice(m_slice, whole, samples);
         if (next / m_every != slice / m_every) emitSlice(m_sent, Reach::Sent, samples);
@@ -130,7 +130,7 @@ void TurningScanner::run(const World& world, int robot, std::vector<HardwareSamp
 bool TurningScanner::configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) {
     if (role == StreamRole::Points && sensor == m_settings.sensor) {
         m_enabled = settings.enabled;
-        // It turns as it turns. At a lower rate slices are longer, and raw scans are left out of them, so
+        // The scanner turns at a fixed speed. At a lower rate, slices are longer and leave out raw scans, so
         // that turns stay whole and have fewer columns.
         const double usual = 1.0 / toSeconds(m_settings.pattern.slice);
         m_every =

@@ -9,25 +9,27 @@
 
 namespace leitstand::simulation {
 
-/// What a turning scanner is and where it sits.
+/// Settings and mounting of a turning scanner.
 struct TurningScannerSettings {
     TurningPattern pattern;
     LaserSettings laser;
-    std::string sensor;  ///< key of the description, of its points
+    std::string sensor;  ///< key of its points in the description
     std::string frame;   ///< of the mount, which does not turn
     Pose mountInBase = Pose::Identity();
-    std::string rangesSensor;  ///< of its raw scans as RangesSample
-    std::string fanFrame;      ///< that turns, of raw scans; empty: they are not told
+    std::string rangesSensor;  ///< key of its raw scans as RangesSample
+    std::string fanFrame;      ///< turning frame of raw scans; empty: they are not sent
 };
 
-/// RTS/ScanDrive of Kurt3D: 161 points of 1 degree from -70 to 90 degrees, a turn of 2 degrees each in 2.3 s.
+/// RTS/ScanDrive of Kurt3D: raw scans of 161 points from -70 to 90 degrees in steps of 1 degree. A turn takes
+/// 2.3 s, 2 degrees per raw scan.
 [[nodiscard]] TurningScannerSettings scanDrive();
-/// Hokuyo URG upright on a unit that turns: 445 points of 0.36 degrees, a turn of 6 degrees each in 6 s.
+/// Hokuyo URG upright on a turning unit: raw scans of 445 points in steps of 0.36 degrees. A turn takes 6 s,
+/// 6 degrees per raw scan.
 [[nodiscard]] TurningScannerSettings turningUrg();
 
-/// A plane laser that turns about the vertical axis without end, and sends slices of its turn in the frame of
-/// its mount, in which each shot is measured from where the robot is at that moment. The raw scan with which
-/// a turn begins closes the turn before as well: one measurement that is sent in both.
+/// A plane laser that turns about the vertical axis without end. It sends slices of its turn in the frame of
+/// its mount; each shot is measured from where the robot is at that moment. The raw scan that begins a turn
+/// also closes the turn before: one measurement, sent in both.
 class TurningScanner final : public Sensor {
 public:
     TurningScanner(const TurningScannerSettings& settings, const Noise& noise, Time start);
@@ -50,9 +52,9 @@ private:
     Time m_start;
     std::int64_t m_rawScan = 0;  ///< next one
     bool m_enabled = true, m_rangesEnabled = true;
-    int m_every = 1;      ///< of so many raw scans one is sent, and so many slices as one
-    CloudSample m_slice;  ///< being filled, of all raw scans
-    CloudSample m_sent;   ///< likewise, of those that are sent where not all are
+    int m_every = 1;      ///< sends one of so many raw scans, and so many slices as one
+    CloudSample m_slice;  ///< slice being filled, with all raw scans
+    CloudSample m_sent;   ///< slice being filled, with those raw scans that are sent when thinned
     std::vector<Ray> m_rays;
 };
 

@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::array<const char*, 4> Names = {robot_says::Front, robot_says::Left, robot_says::Rear,
                                               robot_says::Right};
-constexpr std::chrono::milliseconds Pressed(300);  ///< at least
+constexpr std::chrono::milliseconds Pressed(300);  ///< shortest time that a side stays pressed
 
-/// Which side faces @p where, for a robot longer than it is wide.
+/// Returns the side that faces @p where, for a robot longer than it is wide.
 std::size_t sideOf(const Eigen::Vector2d& where) {
     const double angle = std::atan2(where.y(), where.x());
     return static_cast<std::size_t>(std::lround(angle / degrees(90)) + 4) % 4;

@@ -9,7 +9,7 @@
 
 namespace leitstand::simulation {
 
-/// Bumpers around a robot: front, left, rear, right. Told at the beginning and on every change.
+/// Bumpers around a robot: front, left, rear, right. Published at the beginning and on every change.
 class Bumpers final : public Sensor {
 public:
     explicit Bumpers(std::string frame);
@@ -19,13 +19,13 @@ public:
 
 private:
     struct Side {
-        Time hit{};  ///< last time
+        Time hit{};  ///< time of the last hit
         std::uint32_t hits = 0;
         bool pressed = false;
     };
     std::string m_frame;
     bool m_enabled = true, m_told = false;
-    std::size_t m_seen = 0;  ///< of the world's bumps
+    std::size_t m_seen = 0;  ///< number of the world's bumps seen so far
     std::array<Side, 4> m_sides;
 };
 

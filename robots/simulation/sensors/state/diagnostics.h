@@ -7,7 +7,7 @@
 
 namespace leitstand::simulation {
 
-/// What the robot's parts say about themselves, once a second: drive and attitude.
+/// Reports the state of the robot's drive and attitude once a second.
 class Diagnostics final : public Sensor {
 public:
     /// @p hardware: hardware_id of all statuses.
@@ -20,7 +20,7 @@ private:
     std::string m_hardware;
     Schedule m_schedule;
     bool m_enabled = true;
-    Time m_notStalled;  ///< when the motors last were not
+    Time m_notStalled;  ///< when the motors last did not stall
 };
 
 }  // namespace leitstand::simulation

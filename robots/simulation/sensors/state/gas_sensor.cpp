@@ -7,7 +7,7 @@ namespace leitstand::simulation {
 namespace {
 
 constexpr double TickRate = 2.0;  ///< how often the air is sampled [Hz]
-constexpr double OwnBody = 0.35;  ///< a victim's body about its mouth hides nothing [m]
+constexpr double OwnBody = 0.35;  ///< so near its mouth, a victim's own body hides nothing [m]
 
 }  // namespace
 

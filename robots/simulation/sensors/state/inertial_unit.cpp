@@ -12,7 +12,7 @@ namespace leitstand::simulation {
 namespace {
 
 constexpr double TickRate = 100.0;   ///< [Hz]
-constexpr double LevelChange = 2.0;  ///< time in which the error of the level becomes another [s]
+constexpr double LevelChange = 2.0;  ///< time constant of the errors of roll and pitch [s]
 constexpr double Gravity = 9.81;     ///< [m/s2]
 
 Eigen::Matrix3d rotationOf(double roll, double pitch, double yaw) {

@@ -9,11 +9,11 @@
 
 namespace leitstand::simulation {
 
-/// How well an inertial unit measures.
+/// Rates and errors of an inertial unit.
 struct InertialSettings {
-    double rate = 20.0, mostRate = 100.0;  ///< own, and the highest that can be asked for [Hz]
+    double rate = 20.0, mostRate = 100.0;  ///< default, and the highest that can be requested [Hz]
     double bias = degrees(0.02);           ///< deviation of the gyro's error at the beginning [rad/s]
-    double biasWalk = degrees(0.002);      ///< of its change in a second [rad/s]
+    double biasWalk = degrees(0.002);      ///< deviation of its change in a second [rad/s]
     double scaleError = 0.004;             ///< deviation of the gyro's gain
     double rateNoise = degrees(0.2);       ///< of the angular velocity [rad/s]
     double levelError = degrees(0.25);     ///< of roll and pitch, slowly changing [rad]
@@ -22,14 +22,15 @@ struct InertialSettings {
     Pose unitInBase = Pose::Identity();
 };
 
-/// Attitude as the unit believes: level by gravity, heading by the gyro alone, from 0 at the beginning.
+/// Attitude as the unit estimates it: roll and pitch by gravity, heading by the gyro alone, from 0 at the
+/// beginning.
 struct MeasuredAttitude {
     Time stamp{};
     double roll = 0.0, pitch = 0.0, heading = 0.0;      ///< of base_link [rad]
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< in base_link [rad/s]
 };
 
-/// Three gyros and accelerometers: roll and pitch hold, the heading drifts.
+/// Three gyros and accelerometers: the heading drifts, roll and pitch do not.
 class InertialUnit final : public Sensor {
 public:
     InertialUnit(const InertialSettings& settings, const Noise& noise, Time start);
@@ -37,7 +38,7 @@ public:
     void run(const World& world, int robot, std::vector<HardwareSample>& samples) override;
     bool configure(StreamRole role, const std::string& sensor, const StreamSettings& settings) override;
 
-    /// What it measured in the last run(), 100 times a second.
+    /// Returns the attitudes of the last run(), measured 100 times a second.
     [[nodiscard]] const std::vector<MeasuredAttitude>& attitudes() const { return m_attitudes; }
 
 private:

@@ -66,7 +66,7 @@ void Joints::run(const World& world, int robot, std::vector<HardwareSample>& sam
 
 bool Joints::configure(StreamRole role, const std::string&, const StreamSettings& settings) {
     if (role == StreamRole::StaticTransforms) {
-        if (settings.enabled) m_fixedTold = false;  // said once more
+        if (settings.enabled) m_fixedTold = false;  // published again
         return true;
     }
     if (role == StreamRole::Transforms) {

@@ -20,7 +20,8 @@ struct MountedPanTilt {
 };
 using PanTiltUnits = std::map<std::string, std::shared_ptr<MountedPanTilt>>;
 
-/// Angles of wheels and pan-tilt units, as joint states and as transforms, and once what never moves.
+/// Publishes the angles of wheels and pan-tilt units as joint states, the transforms of the units, and once
+/// the static transforms.
 class Joints final : public Sensor {
 public:
     Joints(std::string baseFrame, double wheelRadius, PanTiltUnits units, std::vector<FrameTransform> fixed,

@@ -11,7 +11,7 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr double StandingStep = 1e-7;          ///< of an encoder in a step [m]
+constexpr double StandingStep = 1e-7;          ///< a wheel that moves less in a step stands still [m]
 constexpr double DistanceError = 0.05;         ///< share of the way that slip may take
 constexpr double HeadingError = degrees(0.5);  ///< for each metre [rad]
 

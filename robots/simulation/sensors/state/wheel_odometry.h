@@ -9,30 +9,30 @@
 
 namespace leitstand::simulation {
 
-/// Adds up what wheels or chains turned, along the attitude that an inertial unit tells. Slip is not seen:
-/// what is told is too far by it. While the wheels stand, the heading holds.
+/// Adds up the turning of wheels or chains along the attitude of an inertial unit. It does not see slip and
+/// overestimates the way by it. While the wheels stand, the heading holds.
 class DeadReckoning {
 public:
-    /// One step: how far the sides turned since the last [m].
+    /// Adds one step: how far each side has turned since the last one [m].
     void step(double left, double right, const MeasuredAttitude& attitude);
     [[nodiscard]] const Pose& pose() const { return m_pose; }
-    [[nodiscard]] double distance() const { return m_distance; }  ///< all ways, on either side [m]
+    [[nodiscard]] double distance() const { return m_distance; }  ///< whole way, mean of both sides [m]
 
 private:
     Pose m_pose = Pose::Identity();
-    double m_heading = 0.0, m_lastHeading = 0.0;  ///< own, and that of the unit [rad]
+    double m_heading = 0.0, m_lastHeading = 0.0;  ///< own, and the last one of the unit [rad]
     double m_distance = 0.0;
 };
 
 struct OdometrySettings {
-    double rate = 20.0, mostRate = 50.0;  ///< own, and the highest that can be asked for [Hz]
+    double rate = 20.0, mostRate = 50.0;  ///< default, and the highest that can be requested [Hz]
     std::string odomFrame, baseFrame;
 };
 
 /// Odometry of wheels and gyro, as message and as transform of base_link in odom.
 class WheelOdometry final : public Sensor {
 public:
-    /// @p unit is run before, and outlives this.
+    /// @p unit runs before this and must outlive it.
     WheelOdometry(const OdometrySettings& settings, const InertialUnit& unit, Time start);
 
     void run(const World& world, int robot, std::vector<HardwareSample>& samples) override;

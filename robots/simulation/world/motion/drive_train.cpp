@@ -10,12 +10,12 @@ constexpr double Gravity = 9.81;  ///< [m/s2]
 constexpr int Sweeps = 24;
 constexpr double WallFriction = 0.3;
 constexpr double BellyFriction = 0.4;
-constexpr double AllowedDepth = 0.001;  ///< stays inside, so that a contact stays one [m]
-constexpr double PushOut = 0.1;         ///< at most, out of an obstacle [m/s]
+constexpr double AllowedDepth = 0.001;  ///< depth that stays, so that a contact lasts [m]
+constexpr double PushOut = 0.1;         ///< highest speed out of an obstacle [m/s]
 
 using Speeds = Eigen::Matrix<double, 5, 1>;  ///< along x, along y, turn, left wheels, right wheels
 
-/// A combination of speeds that an impulse between limits takes to a wanted value.
+/// A combination of speeds that an impulse within limits brings to a wanted value.
 struct Constraint {
     Speeds row = Speeds::Zero();
     double wanted = 0.0;
@@ -50,7 +50,7 @@ DriveTrain::DriveTrain(const BodySpec& spec)
       m_grip(spec.grip),
       m_skidTorque(spec.skidTorque),
       m_reach(reachOf(spec)) {
-    m_inertia = m_mass * m_reach * m_reach / 3.0;  // of a box with these corners
+    m_inertia = m_mass * m_reach * m_reach / 3.0;  // as a box with these corners
 }
 
 double DriveTrain::current(double voltage, double speed) const {
@@ -62,7 +62,7 @@ void DriveTrain::step(DriveState& state, const DriveInput& input, const std::vec
     const double weight = input.leftLoad + input.rightLoad + input.bellyLoad;
     Speeds inverseMass;
     inverseMass << 1.0 / m_mass, 1.0 / m_mass, 1.0 / m_inertia, 1.0 / m_motor.inertia, 1.0 / m_motor.inertia;
-    // The motor's force falls with its speed: taken at the end of the step, which is stable for any step.
+    // The motor's force falls with its speed. Taken at the end of the step, it is stable for any step.
     const double push = m_motor.stallForce * seconds / m_motor.inertia;
     const auto driven = [&](double speed, double voltage) {
         return (speed + push * voltage) / (1.0 + push / m_motor.fullSpeed);
@@ -123,7 +123,7 @@ void DriveTrain::step(DriveState& state, const DriveInput& input, const std::vec
     for (std::size_t i = 0; i < rows.size(); ++i) m_impulses[i] = rows[i].impulse;
     m_held = false;
     for (std::size_t i = 0; i < pushes.size(); ++i) m_held = m_held || walls[2 * i].impulse > 1e-9;
-    // What the sweeps leave of a standstill would creep on for ever.
+    // Speeds that the sweeps leave at a standstill would creep on for ever.
     constexpr double Standstill = 1e-7;
     speeds = speeds.unaryExpr([](double speed) { return std::abs(speed) < Standstill ? 0.0 : speed; });
     state.linear = speeds.head<2>();

@@ -9,7 +9,7 @@
 
 namespace leitstand::simulation {
 
-/// What a robot runs against, in base_link's plane.
+/// A contact with an obstacle, in base_link's plane.
 struct Push {
     Eigen::Vector2d at = Eigen::Vector2d::Zero();       ///< [m]
     Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  ///< out of the obstacle, unit length
@@ -21,27 +21,27 @@ struct DriveInput {
     double leftVoltage = 0.0, rightVoltage = 0.0;  ///< -1 to 1
     bool brake = false;
     Eigen::Vector2d gravity = Eigen::Vector2d::Zero();        ///< along base_link's x and y [m/s2]
-    double leftLoad = 0.0, rightLoad = 0.0, bellyLoad = 0.0;  ///< across the ground [N]
+    double leftLoad = 0.0, rightLoad = 0.0, bellyLoad = 0.0;  ///< normal to the ground [N]
     double leftSlip = 0.0, rightSlip = 0.0;                   ///< share of the wheels' speed
 };
 
-/// Speeds in base_link and of the wheels.
+/// Speeds of a robot in base_link, and of its wheels.
 struct DriveState {
     Eigen::Vector2d linear = Eigen::Vector2d::Zero();  ///< [m/s]
     double turn = 0.0;                                 ///< [rad/s]
     double left = 0.0, right = 0.0;                    ///< of the wheels [m/s]
 };
 
-/// How motors, ground and obstacles change a robot's speeds: an impulse for each constraint within its limit
-/// of friction, found by projected Gauss-Seidel (Catto 2005), so that what holds, holds without creeping.
+/// Changes a robot's speeds by its motors, the ground and obstacles. Each constraint gets an impulse within
+/// its limit of friction, found by projected Gauss-Seidel (Catto 2005). A held robot does not creep.
 class DriveTrain {
 public:
     explicit DriveTrain(const BodySpec& spec);
 
     void step(DriveState& state, const DriveInput& input, const std::vector<Push>& pushes, double seconds);
-    /// Of a motor that turns at @p speed [A].
+    /// Returns a motor's current [A] at @p voltage (-1 to 1) and @p speed [m/s].
     [[nodiscard]] double current(double voltage, double speed) const;
-    /// Whether an obstacle held the robot in the last step.
+    /// Returns whether an obstacle held the robot in the last step.
     [[nodiscard]] bool held() const { return m_held; }
 
 private:
@@ -49,7 +49,7 @@ private:
 
     MotorSpec m_motor;
     double m_mass, m_inertia, m_track, m_grip, m_skidTorque, m_reach;
-    std::array<double, RowCount> m_impulses = {};  ///< of the last step: where the next one starts
+    std::array<double, RowCount> m_impulses = {};  ///< of the last step; the next step starts from them
     bool m_held = false;
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double Spacing = 0.03;    ///< of samples on the outline [m]
 constexpr double Walkable = 0.6;    ///< normals that point up so much belong to ramps, not to walls
-constexpr double OverSteps = 0.01;  ///< above what is climbed [m]
+constexpr double OverSteps = 0.01;  ///< above the highest step that is climbed [m]
 constexpr std::size_t MostObstacles = 8;
 
 struct Sample {
@@ -129,9 +129,9 @@ void Feelers::feelAround(const Scene& scene, int self, const Pose& pose) {
 void Feelers::feelUpwards(const Scene& scene, int self, const Pose& pose) {
     cast(scene, self, pose, m_upwards, 0.0);
     for (std::size_t i = 0; i < m_upwards.size(); ++i) {
-        // Inside of something that is found already: what the feeler met is its far side.
+        // The sample is inside something already found; the feeler met its far side.
         if (!m_hits[i].there() || m_inside[m_upwards[i].sample]) continue;
-        // Its edge, just above its underside.
+        // Looks for the edge of what the feeler met, just above its underside.
         Feeler edge = m_upwards[i];
         edge.from.z() += static_cast<double>(m_hits[i].distance) + 0.004;
         edge.to = edge.from;

@@ -20,21 +20,22 @@ struct Obstacle {
     bool victim = false;                                      ///< a person, not the box around it
 };
 
-/// Whether @p surface is a victim's skin or clothes: boards on it and the box around it are not.
+/// Returns whether @p surface is a victim's skin or clothes. Boards on it and its box are not.
 [[nodiscard]] bool isOfVictim(const Arena& arena, const Surface& surface);
 
-/// Rays from a robot's middle to its outline, at some heights, and upwards along the outline: they find what
-/// it runs against.
+/// Rays that find what a robot runs against: from its middle to its outline at some heights, and upwards
+/// along the outline.
 class Feelers {
 public:
-    /// How far beyond the outline is looked [m].
+    /// How far the rays look beyond the outline [m].
     static constexpr double Beyond = 0.1;
 
     explicit Feelers(const BodySpec& spec);
 
-    /// What is inside the outline now, the deepest first, a handful at most. @p self: passed through.
+    /// Returns the obstacles inside the outline now, deepest first, at most 8. @p self: body that rays pass
+    /// through.
     [[nodiscard]] const std::vector<Obstacle>& feel(const Scene& scene, int self, const Pose& pose);
-    /// From the outline to the nearest of what was not inside, at most Beyond [m].
+    /// Returns the distance from the outline to the nearest thing outside it, at most Beyond [m].
     [[nodiscard]] double clearance() const { return m_clearance; }
 
 private:

@@ -10,15 +10,15 @@
 namespace leitstand::simulation {
 namespace {
 
-constexpr double Touches = 1e-7;       ///< a point so little above the plane is not above it [m]
-constexpr double SmallestArea = 1e-7;  ///< of a triangle of feet, twice [m2]
+constexpr double Touches = 1e-7;       ///< a point this little above the plane counts as on it [m]
+constexpr double SmallestArea = 1e-7;  ///< of a triangle of feet, doubled [m2]
 constexpr int MaxExchanges = 200;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Shares of a weight on three points; nothing when it is not between them.
+/// Returns the shares of a weight on three points; empty when it is not between them.
 std::optional<std::array<double, 3>> sharesOf(std::span<const Eigen::Vector3d> points,
                                               const std::array<int, 3>& feet, const Eigen::Vector2d& weight) {
     const auto foot = [&](std::size_t i) -> Eigen::Vector2d {
@@ -33,7 +33,7 @@ std::optional<std::array<double, 3>> sharesOf(std::span<const Eigen::Vector3d> p
     return std::array<double, 3>{1.0 - b - c, b, c};
 }
 
-/// Corners of the points' outline, counter-clockwise (Andrew 1979).
+/// Returns the corners of the points' outline, counter-clockwise (Andrew 1979).
 std::vector<int> hullOf(std::span<const Eigen::Vector3d> points) {
     std::vector<int> order(points.size());
     std::iota(order.begin(), order.end(), 0);
@@ -94,8 +94,8 @@ std::optional<RestingPlane> restingPlane(std::span<const Eigen::Vector3d> points
     }
     plane.shares = *shares;
     fit(plane, points);
-    // Of the three triangles that a point above the plane makes with two feet, one has the weight in it, and
-    // its plane is higher under the weight: exchange until no point is above.
+    // A point above the plane makes three triangles with two of the feet. One of them has the weight in it,
+    // and its plane is higher under the weight. Feet are exchanged until no point is above.
     for (int exchange = 0; exchange < MaxExchanges; ++exchange) {
         int highest = -1;
         double above = Touches;

@@ -18,9 +18,10 @@ struct RestingPlane {
     [[nodiscard]] double at(const Eigen::Vector2d& place) const { return height + slope.dot(place); }
 };
 
-/// How a stiff body rests on @p points: the lowest plane under @p weight (x, y of its centre of mass) with no
-/// point above it, that is the facet of the upper convex hull over the weight. Nothing when the weight is not
-/// above the points' hull: the body falls over. @p guess: feet to start from, those of the last time.
+/// Returns the plane on which a stiff body rests on @p points: the lowest one under @p weight (x, y of its
+/// centre of mass) with no point above it. It is the facet of the upper convex hull over the weight. Empty
+/// when the weight is not above the points' hull and the body falls over. @p guess: feet to start from, those
+/// of the last call.
 [[nodiscard]] std::optional<RestingPlane> restingPlane(std::span<const Eigen::Vector3d> points,
                                                        const Eigen::Vector2d& weight,
                                                        const std::array<int, 3>& guess = {0, 1, 2});

@@ -18,9 +18,9 @@ constexpr double Lifting = 0.025;   ///< time constant of wheels that climb [s]
 constexpr double Yielding = 0.008;  ///< time constant of wheels that follow falling ground [s]
 constexpr double Touching = 0.01;   ///< a gap that counts as none [m]
 constexpr double Depth = 3.0;       ///< how far down ground is looked for [m]
-constexpr double Around = 0.2;      ///< distance of the places whose fall is followed [m]
+constexpr double Around = 0.2;      ///< distance of the three places() from base_link's origin [m]
 
-/// Three places around base_link's origin, which tell how a plane moves.
+/// Returns three places around base_link's origin, whose heights define a plane's motion [m].
 const Eigen::Matrix<double, 3, 2>& places() {
     static const Eigen::Matrix<double, 3, 2> all = [] {
         Eigen::Matrix<double, 3, 2> matrix;

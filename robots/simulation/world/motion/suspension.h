@@ -14,21 +14,21 @@ namespace leitstand::simulation {
 /// How a robot stands.
 struct Footing {
     bool supported = false;                                   ///< false: falls
-    double leftLoad = 0.0, rightLoad = 0.0, bellyLoad = 0.0;  ///< across the ground [N]
+    double leftLoad = 0.0, rightLoad = 0.0, bellyLoad = 0.0;  ///< normal to the ground [N]
     bool tips = false;                                        ///< nothing holds it upright any more
     std::vector<int> victims;                                 ///< elements of the arena that carry it
 };
 
-/// Lets a robot down onto the ground: where wheels and chains touch gives height, roll and pitch.
+/// Lets a robot rest on the ground: the contacts of wheels and chains give height, roll and pitch.
 class Suspension {
 public:
     explicit Suspension(const BodySpec& spec);
 
-    /// Moves @p pose on: lifted quickly (25 ms) where the ground lifts it, falling with gravity otherwise.
+    /// Moves @p pose by one step: the ground lifts it quickly (25 ms), otherwise it falls with gravity.
     Footing step(const Scene& scene, Pose& pose, double seconds);
-    /// Lets it down at once.
+    /// Lets @p pose down onto the ground at once.
     Footing settle(const Scene& scene, Pose& pose);
-    /// Whether the last step moved nothing: it need not be repeated where the robot stands still.
+    /// Returns whether the last step moved nothing. A robot that stands still then needs no further step.
     [[nodiscard]] bool resting() const { return m_resting; }
 
 private:
@@ -37,7 +37,7 @@ private:
 
     const BodySpec& m_spec;
     std::vector<Eigen::Vector3d> m_under;   ///< points of the underside, contacts first [m]
-    std::vector<Eigen::Vector3d> m_ground;  ///< under each, from base_link's origin, less the point's height
+    std::vector<Eigen::Vector3d> m_ground;  ///< under each, from base_link's origin, less its height [m]
     std::vector<int> m_victims;             ///< elements of the arena, under each; -1: none
     std::vector<Ray> m_rays;
     std::vector<Hit> m_hits;
@@ -46,7 +46,7 @@ private:
     bool m_resting = false;
 };
 
-/// A pose at @p position that heads for @p yaw on a plane with upward @p normal.
+/// Returns a pose at @p position with heading @p yaw [rad] on a plane with upward @p normal.
 [[nodiscard]] Pose poseOnPlane(const Eigen::Vector3d& position, double yaw, const Eigen::Vector3d& normal);
 
 }  // namespace leitstand::simulation

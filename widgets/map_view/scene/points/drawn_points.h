@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// Points as they go to OpenGL, in the order in which they are drawn.
+/// Points as passed to OpenGL, in drawing order.
 struct DrawnPoints {
     std::vector<Eigen::Vector3f> points;  ///< [m]
     std::vector<Rgba> colours;            ///< one per point
@@ -19,15 +19,15 @@ struct DrawnPoints {
 };
 using DrawnPointsPtr = std::shared_ptr<const DrawnPoints>;
 
-/// Goes through the points of a scan that are drawn, in their random order.
+/// Iterates over the drawn points of a scan, in their random order.
 class ShownPoints {
 public:
-    /// @p scan, which outlives it, is made ready (isShown()).
+    /// @p scan must be made ready (isShown()) and outlive this object.
     explicit ShownPoints(const SceneScan& scan) : m_scan(&scan) {}
 
-    /// Passes by the next @p count of them.
+    /// Skips the next @p count points.
     void skip(std::size_t count);
-    /// Adds the next @p count of them to @p drawn, moved by @p scanInDrawn.
+    /// Adds the next @p count points to @p drawn, transformed by @p scanInDrawn.
     void append(std::size_t count, const Pose& scanInDrawn, DrawnPoints& drawn);
 
 private:
@@ -35,13 +35,13 @@ private:
     void next(std::size_t count, Take take);
 
     const SceneScan* m_scan;
-    std::size_t m_at = 0;  ///< in the scan's order
+    std::size_t m_at = 0;  ///< position in ScanPoints::order
 };
 
-/// Whether points of @p scan are to be seen.
+/// Whether @p scan is visible, made ready, and has points to draw.
 [[nodiscard]] bool isShown(const SceneScan& scan);
 
-/// All points of @p scan that are drawn, in its frame. It is made ready.
+/// Returns all drawn points of @p scan, in its frame. The scan must be made ready.
 [[nodiscard]] DrawnPointsPtr drawnPoints(const SceneScan& scan);
 
 }  // namespace leitstand

@@ -3,7 +3,7 @@
 namespace leitstand {
 namespace {
 
-/// One of so many points of an uncertain scan is drawn: what is behind shines through.
+/// One in this many points of an uncertain scan is drawn, so that points behind stay visible.
 constexpr std::size_t UncertainOneOf = 3;
 
 }  // namespace

@@ -11,31 +11,32 @@
 
 namespace leitstand {
 
-/// The numbers at the ends of a colour ramp: [m] of height and range, shades of intensity, SceneAges.
+/// The values at the ends of a colour ramp: height or range [m], shade of intensity, or age in the unit of
+/// SceneAges.
 struct ColourRamp {
     double low = 0.0, high = 1.0;
 
     bool operator==(const ColourRamp&) const = default;
 };
 
-/// The colour of @p value on @p ramp.
+/// Returns the colour of @p value on @p ramp.
 [[nodiscard]] Rgba onRamp(double value, const ColourRamp& ramp);
 
-/// How the points of a scan are coloured. The colour of each is worked out where it is drawn: an hour's map
-/// has 20 million points, and their colours would take four bytes each.
+/// The colouring of a scan's points. Colours are computed when drawn: an hour's map has 20 million points,
+/// and stored colours would take four bytes each.
 struct PointPaint {
     MapColouring colouring = MapColouring::Label;
     Theme theme = Theme::Dark;
-    bool paleFloor = false;  ///< as the paper's top view has it
-    ColourRamp ramp;         ///< where a number decides
-    Rgba one;                ///< of all points, where the scan decides
-    bool alike = false;      ///< all points have that one, whatever decides otherwise
-    bool dim = false;        ///< another scan is in question
+    bool paleFloor = false;  ///< as in the paper's top view
+    ColourRamp ramp;         ///< used when a value decides the colour
+    Rgba one;                ///< colour of all points, when the scan decides it
+    bool alike = false;      ///< all points have that colour, whatever the colouring
+    bool dim = false;        ///< another scan is in question, or changes are shown
     Eigen::RowVector3d up =
-        Eigen::RowVector3d::Zero();  ///< the map's, in the scan's frame; where height decides
-    double height = 0.0;             ///< of the scan's origin [m], likewise
+        Eigen::RowVector3d::Zero();  ///< map's z axis in the scan's frame; used when height decides
+    double height = 0.0;  ///< of the scan's origin in the map's frame [m]; used when height decides
 
-    /// Of the @p point -th of @p points.
+    /// Returns the colour of the @p point -th of @p points.
     [[nodiscard]] Rgba colourOf(const ScanPoints& points, std::size_t point) const;
     bool operator==(const PointPaint&) const = default;
 
@@ -43,17 +44,17 @@ private:
     [[nodiscard]] Rgba plainColourOf(const ScanPoints& points, std::size_t point) const;
 };
 
-/// How the points of a scan are drawn, and which.
+/// Which points of a scan are drawn, and how.
 struct PointCloudLook {
     PointPaint paint;
     bool withCeiling = true;
-    std::size_t among = 0;  ///< those drawn are among the first so many of the scan's order ...
-    std::size_t shown = 0;  ///< ... and are so many
+    std::size_t among = 0;  ///< the drawn points are among this many first ones of ScanPoints::order ...
+    std::size_t shown = 0;  ///< ... and this is their number
 
     bool operator==(const PointCloudLook&) const = default;
 };
 
-/// Of all points of a scan, or where @p thinned of some of them.
+/// Returns the look of all points of a scan, or of a part of them when @p thinned.
 [[nodiscard]] PointCloudLook lookOf(const ScanPoints& points, const PointPaint& paint, bool withCeiling,
                                     bool thinned);
 

@@ -27,7 +27,7 @@ std::uint64_t cellKey(const Eigen::Vector3f& point) {
     return key;
 }
 
-/// Points of one cell that follow each other.
+/// Consecutive points in one cell.
 struct KeyedRun {
     std::uint64_t cell = 0;
     PointRun run;
@@ -66,7 +66,7 @@ void addCells(ScanPoints& points) {
     points.cells.shrink_to_fit();
 }
 
-/// The points @p kept of @p scan and their labels, nothing else of it.
+/// Returns a copy of @p scan with only the points @p kept and their labels.
 ScanPtr copyOf(const Scan& scan, const std::vector<std::uint32_t>& kept, bool labelled) {
     auto copy = std::make_shared<Scan>();
     copy->points.reserve(kept.size());
@@ -78,7 +78,7 @@ ScanPtr copyOf(const Scan& scan, const std::vector<std::uint32_t>& kept, bool la
     return copy;
 }
 
-/// Of the points @p kept of @p scan, of which @p owner has the points; null: nobody told them.
+/// Returns the shades of the points @p kept of @p scan, whose points @p owner holds; null: no intensities.
 std::shared_ptr<const std::vector<std::uint8_t>> drawnShades(const ScanPtr& scan, const ScanPtr& owner,
                                                              const std::vector<std::uint32_t>& kept) {
     const std::size_t count = scan->points.size();

@@ -24,7 +24,7 @@ struct DriveTexts {
 const QString Dash(QChar(0x2013));
 const QString Degree(QChar(0xb0));
 
-/// What has to be known before the robot moves, the most pressing first.
+/// Returns the most pressing thing that must be known before the robot moves.
 std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, const StopLine& stop) {
     if (mode.kind == ModeKind::Lost || robot.link.state == LinkState::NeverSeen) {
         const QString said = stop.stage == StopStage::None
@@ -43,7 +43,7 @@ std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, c
     const DriveView& drive = robot.drive;
     if (!drive.drivable) return {DriveTexts::tr("takes no drive commands"), Tone::Muted};
     if (!robot.grant.mine) return {mode.reason, Tone::Muted};
-    // Nothing is sent without the sticks, and nobody listens to it.
+    // Without the sticks nothing is sent, so it is enough that the robot is reachable.
     const bool hears = drive.listening || (!drive.focus && drive.reachable);
     if (!hears) return {DriveTexts::tr("does not hear drive commands"), Tone::Attention};
     if (!drive.focus) {
@@ -74,7 +74,7 @@ void fillMotion(DriveState& state, const RobotDescription& description, const Ro
     const auto ring = proximityRing(*robot.around, boxAround(description.footprint), robot.drive.velocity);
     const Proximity* nearest = nearestOf(ring);
     if (nearest == nullptr) return;
-    // The part that is loudest, not only the one that is nearest.
+    // The tone is that of the loudest part, which need not be the nearest.
     const bool touching =
         std::ranges::any_of(ring, [](const Proximity& part) { return part.nearness == Nearness::Touching; });
     const bool near =
@@ -85,7 +85,7 @@ void fillMotion(DriveState& state, const RobotDescription& description, const Ro
                               : Tone::Normal};
 }
 
-/// A joint's speed; NaN when it is not told.
+/// Returns a joint's speed; NaN when it is unknown.
 double speedOf(const JointSample& joints, const std::string& name) {
     for (std::size_t i = 0; i < std::min(joints.names.size(), joints.velocities.size()); ++i) {
         if (joints.names[i] == name) return joints.velocities[i];
@@ -99,7 +99,7 @@ TrackFigures tracksOf(const RobotDescription& description, const RobotView& robo
     const double left = speedOf(*robot.joints, "left_track"), right = speedOf(*robot.joints, "right_track");
     if (!std::isfinite(left) || !std::isfinite(right)) return figures;
     const auto [askedLeft, askedRight] = tracksOf(robot.drive.velocity, trackDistance(description));
-    // The strip is a glance: less than a fifth of what was asked is standing.
+    // The strip is read at a glance: less than a fifth of the commanded speed counts as standing.
     const auto stuck = [](double asked, double is) { return std::abs(asked) > 0.08 && is / asked < 0.2; };
     const auto pair = [](double is, double asked) {
         return DriveTexts::tr("%1 of %2").arg(numberText(is, 2), numberText(asked, 2));
@@ -146,7 +146,7 @@ AttitudeFigures attitudeOf(const RobotDescription& description, const RobotState
     return figures;
 }
 
-/// How loud it is that @p value is below @p look or @p act.
+/// Returns the tone of @p value, which should stay above @p look and @p act.
 Tone toneBelow(double value, double look, double act) {
     return value <= act ? Tone::Act : value <= look ? Tone::Attention : Tone::Normal;
 }

@@ -19,9 +19,9 @@
 
 namespace leitstand {
 
-/// A number as a gauge has it.
+/// A number as a gauge shows it.
 struct Figure {
-    QString value;  ///< "0.42"; an en dash where it is not known
+    QString value;  ///< "0.42"; an en dash when it is unknown
     QString unit;   ///< "m/s"
     Tone tone = Tone::Normal;
 
@@ -29,7 +29,7 @@ struct Figure {
 };
 
 struct AttitudeFigures {
-    bool known = false;                    ///< measured, and lately
+    bool known = false;                    ///< measured recently
     double roll = 0.0, pitch = 0.0;        ///< right side down, nose down [rad]
     double maxRoll = 0.0, maxPitch = 0.0;  ///< where the robot tips over; 0: unknown [rad]
     QString text;                          ///< "roll 6° · pitch -3°", in signs
@@ -51,7 +51,7 @@ struct GasFigures {
     Figure value;
     QString arrow;                                   ///< rising, falling; may be empty
     QString caption;                                 ///< "last 2 min · alarm at 2,000"
-    std::vector<std::pair<double, double>> samples;  ///< as of GasTrend
+    std::vector<std::pair<double, double>> samples;  ///< as in GasTrend
 };
 
 /// Speeds of the chains of a tracked robot, as measured and as commanded.
@@ -79,20 +79,20 @@ struct GrantFigures {
 struct DriveState {
     RobotFace face;
     ModeLabel mode;
-    QString hint;  ///< what has to be known or done before it moves
+    QString hint;  ///< what must be known or done before it moves
     Tone hintTone = Tone::Muted;
     Figure speed, turn, nearest;
     TrackFigures tracks;
     AttitudeFigures attitude;
     BatteryFigures battery;
-    QStringList link;  ///< its state, or its figures, what is wanted most first
+    QStringList link;  ///< its state, or its figures, the most important first
     QString linkReason;
     Tone linkTone = Tone::Normal;
     GasFigures gas;
     GrantFigures grant;
 };
 
-/// Puts together what the strip shows. @p now: station's clock; @p limits: from where on figures are loud.
+/// Returns what the strip shows. @p now: station's clock; @p limits: from which figures are loud.
 [[nodiscard]] DriveState driveStateOf(const RobotFace& face, const RobotDescription& description,
                                       const RobotView& robot, const RobotState& said, const GasTrend& gas,
                                       Time now, const AlarmLimits& limits = {});

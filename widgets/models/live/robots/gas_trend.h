@@ -8,18 +8,19 @@
 
 namespace leitstand {
 
-/// How the concentration of a gas went over the last two minutes.
+/// The concentration of a gas over the last two minutes.
 class GasTrend {
 public:
     static constexpr double Span = 120.0;  ///< [s]
 
-    /// @p ppm at @p at, of one clock; what goes back in time begins anew, the same moment twice counts once.
+    /// Adds @p ppm at @p at, of one clock. An earlier moment starts the trend again; the same moment counts
+    /// once.
     void add(Time at, double ppm);
     void clear() { m_samples.clear(); }
 
-    /// Age [s] and value [ppm], oldest first.
+    /// Returns age [s] and value [ppm], oldest first.
     [[nodiscard]] std::vector<std::pair<double, double>> samples(Time now) const;
-    /// Rise over the last 20 s of samples [ppm/min]; 0 while that is not known.
+    /// Returns the rise over the last 20 s of samples [ppm/min]; 0 while it is unknown.
     [[nodiscard]] double risePerMinute() const;
 
 private:

@@ -10,7 +10,7 @@ namespace {
 constexpr int Parts = 8;
 constexpr double Width = 2.0 * std::numbers::pi / Parts;
 
-/// How fast the robot comes nearer to what is at @p where [m/s].
+/// Returns how fast the robot approaches what is at @p where [m/s].
 double approach(const Eigen::Vector2d& where, const DriveVelocity& velocity) {
     const Eigen::Vector2d motion(velocity.forward, velocity.left);
     return where.norm() > 1e-6 ? std::max(0.0, motion.dot(where.normalized())) : 0.0;
@@ -54,7 +54,7 @@ std::vector<Proximity> proximityRing(const VirtualScanView& view, const BodyBox&
     for (std::size_t i = 0; i < ring.size(); ++i) {
         ring[i].from = (static_cast<double>(i) - 0.5) * Width;
         ring[i].to = ring[i].from + Width;
-        // Nothing is called free that was not looked at; what was seen there counts all the same.
+        // A part that was not looked at is never called free; what was seen there still counts.
         const bool known = ring[i].where || 2 * seen[i] > sectors[i];
         ring[i].nearness = known ? nearnessOf(ring[i], velocity, limits) : Nearness::Unknown;
     }

@@ -18,21 +18,21 @@ struct ChipTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::RobotChip)
 };
 
-/// @p parts that are not empty, with dots between.
+/// Joins those of @p parts that are not empty, with dots between.
 QString joined(const QStringList& parts) {
     QStringList full = parts;
     full.removeAll(QString());
     return full.join(QStringLiteral(" · "));
 }
 
-/// A battery that was told long ago is not known: a dash.
+/// Returns the charge; a dash when the battery's sample is too old.
 QString batteryOf(const RobotState& said, Time now) {
     if (!said.battery || !std::isfinite(said.battery->sample.fraction)) return {};
     return isFresh(said.battery, now, BatteryAge) ? percentText(said.battery->sample.fraction)
                                                   : QStringLiteral("–\u202f%");
 }
 
-/// ... and every word of it.
+/// Returns the charge in full, with its age.
 QString batteryDetails(const RobotState& said, Time now) {
     const QString charge = batteryOf(said, now);
     if (charge.isEmpty()) return charge;
@@ -42,15 +42,15 @@ QString batteryDetails(const RobotState& said, Time now) {
         .arg(percentText(said.battery->sample.fraction), lossText({.arrival = age}));
 }
 
-/// @p label within a line, with @p name as the name of its mode. That is written as the language writes it:
-/// German has capitals.
+/// Returns @p label within a line, with @p name as the name of its mode. The name is written as the language
+/// writes it: German has capitals.
 QString inALine(const ModeLabel& label, const std::optional<Latest<ModeSample>>& said, const QString& name) {
     const QString large = said ? modeName(said->sample.mode).toUpper() : QString();
     if (large.isEmpty() || !label.text.startsWith(large)) return label.text.toLower();
     return name + label.text.sliced(large.size()).toLower();
 }
 
-/// What a robot does that nothing is heard of, where there is little room.
+/// Returns the state of a robot that is not heard, for little room.
 QString briefWithoutWord(LinkState link) {
     return link == LinkState::Lost ? ChipTexts::tr("lost") : ChipTexts::tr("waits", "for the robot");
 }
@@ -76,7 +76,7 @@ RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const Robot
         chip.figures = {joined({trip, loss, battery}), joined({trip, lost, battery}), joined({trip, battery}),
                         battery};
     } else if (chip.link == LinkState::Lost) {
-        // The battery of a robot that says nothing is an old one: it goes before how long that is.
+        // The battery of a silent robot is an old figure: it is left out before the time of silence.
         const QString silence = secondsText(robot.link.silence);
         chip.figures = {joined({silence, battery}), silence};
     }

@@ -15,12 +15,12 @@ struct RobotChip {
     RobotFace face;
     LinkState link = LinkState::NeverSeen;  ///< its mark: circle, square, cross, ring
     ModeKind mode = ModeKind::Stopped;
-    Tone tone = Tone::Muted;  ///< Attention when the link is lost; the mark tells of what is less
-    /// Its link and battery, the longest first; each leaves out something more: that nothing is lost, what is
-    /// lost, how slow it is. The battery is in all, and where nothing is heard for how long.
+    Tone tone = Tone::Muted;  ///< Attention when the link is lost; the mark shows lesser faults
+    /// Its link and battery, the longest first. Each next one leaves out more: that nothing is lost, what is
+    /// lost, how slow it is. All contain the battery; when the robot is not heard, all contain for how long.
     QStringList figures;
     QStringList modes;  ///< what it does, the longest first: "teleoperation", "teleop"
-    QString details;    ///< every word of it, for tooltips and screen readers
+    QString details;    ///< the full text, for tooltips and screen readers
 
     friend bool operator==(const RobotChip&, const RobotChip&) = default;
 };

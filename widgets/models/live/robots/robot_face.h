@@ -8,9 +8,9 @@
 
 namespace leitstand {
 
-/// How a robot is called on screen.
+/// The names of a robot on screen.
 struct RobotFace {
-    QString name;    ///< "kurt3d": what intents name
+    QString name;    ///< "kurt3d": its name in intents
     QString letter;  ///< "K"
     QString title;   ///< "Kurt3D"
     int place = 0;   ///< in the team, from 0: chooses its colour

@@ -12,7 +12,7 @@ struct RowTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::RobotRow)
 };
 
-/// How much a link is to be looked at.
+/// Returns how urgent the state of a link is.
 int urgencyOf(LinkState link) {
     switch (link) {
         case LinkState::Connected:
@@ -27,7 +27,7 @@ int urgencyOf(LinkState link) {
     return 0;
 }
 
-/// How much a stop is to be looked at: by its tone, then one that stands before one that ends.
+/// Returns how urgent a stop is: by its tone, then one that stands before one that ends.
 auto urgencyOf(const StopLine& stop) {
     const bool standing = stop.stage == StopStage::Standing;
     return std::tuple(stop.stage != StopStage::None, static_cast<int>(stop.tone), standing);
@@ -40,7 +40,7 @@ RobotRow robotRowOf(int count, int capacity, int first, int selected) {
     const int room = std::clamp(capacity, 1, std::max(1, count));
     int begin = std::clamp(first, 0, count - std::min(room, count));
     int end = std::min(count, begin + room);
-    // The selected one takes the place of the robot next to it that is scrolled out with it.
+    // The selected one takes the slot of the robot at the end where it was scrolled out.
     const bool out = selected >= 0 && selected < count;
     if (out && selected < begin) ++begin;
     if (out && selected >= end) --end;

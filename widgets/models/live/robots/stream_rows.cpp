@@ -13,7 +13,7 @@ QString shortType(const std::string& type) {
     return othersText(type.substr(type.rfind('/') + 1));
 }
 
-/// Whether a slower or coarser one would still be of use, and the robot can do it.
+/// Whether a slower or coarser stream would still be useful and the robot can provide it.
 bool isSettable(const RobotDescription& robot, StreamRole role) {
     return streamFacts(role).steady && role != StreamRole::Diagnostics &&
            robot.stream(StreamRole::StreamCommand) != nullptr;

@@ -9,12 +9,12 @@
 
 namespace leitstand {
 
-/// What is wished of a stream: by the operator, and with the thin link.
+/// The wishes for a stream: the operator's own, and those in effect with a thin link.
 struct StreamSetting {
     StreamWish own, effective;
 };
 
-/// A row for each stream that @p robot sends, in the order of its file, after those that are in @p rows.
+/// Appends a row to @p rows for each stream that @p robot sends, in the order of its file.
 void appendStreamRows(std::vector<StreamRow>& rows, const RobotFace& face, const RobotDescription& robot,
                       const LinkStatus& link,
                       const std::function<StreamSetting(const std::string& topic)>& settings);

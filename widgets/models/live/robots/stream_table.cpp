@@ -15,7 +15,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Noticeable = 0.02;  ///< loss below is not told loudly
+constexpr double Noticeable = 0.02;  ///< smaller loss is not shown loud
 
 struct StreamTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::StreamTable)
@@ -98,7 +98,7 @@ QString wishText(const StreamWish& wish) {
 QString settingText(const StreamRow& row) {
     QString text = wishText(row.effective);
     if (row.effective != row.own) text = StreamTexts::tr("thin: %1").arg(text);
-    // Rates are judged over some seconds: what was asked for just now is not there yet.
+    // Rates are judged over some seconds, so a new request is not fulfilled yet.
     if (!isFollowed(row.effective, row.stream)) text += StreamTexts::tr(" · not yet");
     return text;
 }

@@ -13,28 +13,28 @@
 
 namespace leitstand {
 
-/// One stream of one robot, and what is wished of it.
+/// One stream of one robot, and the wishes for it.
 struct StreamRow {
     RobotFace face;
     StreamStatus stream;
     QString type;           ///< "PointCloud2"
     StreamWish own;         ///< of the operator
-    StreamWish effective;   ///< with what the thin link makes of it
-    bool settable = false;  ///< the robot takes wishes for it
+    StreamWish effective;   ///< after the limits of a thin link
+    bool settable = false;  ///< the robot accepts wishes for it
 };
 
-/// "left pictures": what a stream is called, after its robot's letter: "K left pictures".
+/// Returns the name of a stream after its robot's letter: "K left pictures".
 [[nodiscard]] QString streamNameText(const StreamRow& row);
-/// "12.0 / 15 Hz": as it comes, and as its sender makes it; "on change" where it has no rate.
+/// Returns the rate as received and as sent: "12.0 / 15 Hz"; "on change" when it has no rate.
 [[nodiscard]] QString streamRateText(const StreamStatus& stream);
-/// "5 Hz, quality 40, 320 px", "off"; empty: as the robot likes.
+/// Returns the wish: "5 Hz, quality 40, 320 px", "off"; empty: as the robot likes.
 [[nodiscard]] QString wishText(const StreamWish& wish);
-/// What stands in the column of the setting: the wish, what a thin link makes of it ("thin: 5 Hz"), and
-/// that the robot does not follow it.
+/// Returns the text of the setting column: the wish, what a thin link makes of it ("thin: 5 Hz"), and that
+/// the robot does not follow it.
 [[nodiscard]] QString settingText(const StreamRow& row);
-/// Loud where a stream is stale or loses samples without having been asked to be slow.
+/// Loud when a stream is stale or loses samples without a request to be slow.
 [[nodiscard]] Tone toneOf(const StreamRow& row);
-/// Of all robots: "5.6 Mbit/s"; with the budget of a thin link: "1.8 of 2.0 Mbit/s".
+/// Returns the total of all robots: "5.6 Mbit/s"; with the budget of a thin link: "1.8 of 2.0 Mbit/s".
 [[nodiscard]] QString linkTotalText(double megabits, bool thin, double budget);
 
 /// Streams of all robots, a row each. Rows that stay the same keep their selection.
@@ -43,8 +43,8 @@ class StreamTable final : public QAbstractTableModel {
 public:
     enum Column { Name, Type, Rate, Age, Load, Loss, Setting, ColumnCount };
     enum class Of : std::uint8_t {
-        Link,  ///< as it comes in now
-        Log,   ///< as it was recorded: no log tells what never arrived, or what it took of the link
+        Link,  ///< as it arrives now
+        Log,   ///< as it was recorded: a log holds neither what never arrived nor the load on the link
     };
 
     explicit StreamTable(Of of = Of::Link, QObject* parent = nullptr)

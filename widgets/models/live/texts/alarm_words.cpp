@@ -56,13 +56,13 @@ bool isOneOf(std::span<const std::string_view> keys, std::string_view key) {
     return std::ranges::find(keys, key) != keys.end();
 }
 
-/// What its words need could not be read out of the log.
+/// Whether what its words need could not be read out of the log.
 bool lacksFigures(const AlarmCause& cause) {
     return (isOneOf(Measured, cause.id.key) && !std::isfinite(cause.value)) ||
            (isOneOf(Noted, cause.id.key) && cause.note.empty());
 }
 
-/// As it was logged, without the title of its robot; the key where nothing was.
+/// Returns the text as logged, without the title of its robot; the key when there is none.
 QString loggedText(const AlarmCause& cause) {
     const QString text = QString::fromStdString(cause.text);
     const auto colon = cause.id.robot.empty() ? -1 : text.indexOf(QLatin1String(": "));
@@ -71,7 +71,7 @@ QString loggedText(const AlarmCause& cause) {
                           : said;
 }
 
-/// What is wrong is what is read first; the message names the file.
+/// Drops the file, so that what is wrong is read first; the message names the file.
 QString withoutFile(const QString& text) {
     const auto colon = text.startsWith(QLatin1Char('/')) ? text.indexOf(QLatin1String(": ")) : -1;
     return colon < 0 ? text : text.mid(colon + 2);
@@ -120,7 +120,7 @@ QString alarmText(const AlarmCause& cause) {
     if (key == alarm_key::WheelsSpin)
         return AlarmTexts::tr("wheels turned for %1 m, the map says it stands")
             .arg(numberText(cause.value, 1));
-    // Parts may have nothing to say.
+    // Parts may have no message.
     if (key == alarm_key::Diagnostics && cause.note.empty())
         return detail.isEmpty() ? loggedText(cause) : robotSaysText(detail.toStdString());
     if (key == alarm_key::Diagnostics)

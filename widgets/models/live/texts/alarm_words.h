@@ -11,11 +11,11 @@
 
 namespace leitstand {
 
-/// What an alarm says, with its numbers: "link lost, silent for 4 s". The robot is not named; in
-/// English, as it was logged, where a log does not tell its numbers.
+/// Returns the text of an alarm, with its numbers: "link lost, silent for 4 s". The robot is not named. It is
+/// in English, as logged, when a log does not hold its numbers.
 [[nodiscard]] QString alarmText(const AlarmCause& cause);
 
-/// How far an alarm is.
+/// The stage of an alarm.
 enum class AlarmStage { Standing, Acknowledged, Over };
 
 /// One alarm as it is shown.

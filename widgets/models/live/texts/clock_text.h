@@ -12,17 +12,17 @@ namespace leitstand {
 struct ClockText {
     QString caption;  ///< "left", "over", "time", "paused"
     QString value;    ///< "12:41"
-    QString details;  ///< for people who ask: "7:19 of 20:00, running"
+    QString details;  ///< in full: "7:19 of 20:00, running"
     Tone tone = Tone::Normal;
 
     friend bool operator==(const ClockText&, const ClockText&) = default;
 };
 
-/// Counts down where the mission has a length: attention for the last two minutes, act when they are over. A
-/// clock that stands says so.
+/// Returns the clock in words. It counts down when the mission has a length: attention for the last two
+/// minutes, act when they are over. The caption of a stopped clock shows that.
 [[nodiscard]] ClockText clockText(const MissionClock& clock);
 
-/// Each ClockText::caption that there is.
+/// Returns every possible ClockText::caption.
 [[nodiscard]] QStringList clockCaptions();
 
 }  // namespace leitstand

@@ -13,7 +13,7 @@ struct FreshnessTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::Freshness)
 };
 
-/// Whether it is the content that is old, while samples come.
+/// Whether the content is old while samples arrive.
 bool repeats(const DataAge& age, const FreshnessLimits& limits) {
     return age.content > age.arrival && age.content >= limits.stale;
 }

@@ -8,23 +8,23 @@
 
 namespace leitstand {
 
-/// How far what a pane shows can be believed to be of now.
+/// How current the data of a pane are.
 enum class Freshness {
     Live,
     Stale,  ///< greyed: too old to act on
-    Lost,   ///< not shown as if it were alive
-    Never,  ///< nothing came yet
+    Lost,   ///< not shown as if they were live
+    Never,  ///< nothing arrived yet
 };
 
-/// From which age data are stale and lost [s].
+/// Ages from which data are stale and lost [s].
 struct FreshnessLimits {
     double stale = 1.0, lost = 3.0;
 };
 
 /// The age of what a pane shows.
 struct DataAge {
-    double arrival = std::numeric_limits<double>::infinity();  ///< since it came [s]; infinite: never
-    /// Since what came was something new: a frozen sender repeats itself under new stamps [s].
+    double arrival = std::numeric_limits<double>::infinity();  ///< since it arrived [s]; infinite: never
+    /// Since its content changed: a frozen sender repeats itself under new stamps [s].
     double content = 0.0;
 
     [[nodiscard]] double seconds() const { return arrival > content ? arrival : content; }
@@ -32,12 +32,12 @@ struct DataAge {
 
 [[nodiscard]] Freshness freshnessOf(const DataAge& age, const FreshnessLimits& limits = {});
 
-/// An age as it stands in the corner of a pane: "64 ms", "1.4 s".
+/// Returns an age for the corner of a pane: "64 ms", "1.4 s".
 [[nodiscard]] QString secondsText(double seconds);
-/// "64 ms"; "same for 2.4 s" where the content repeats itself; "no data" when it is lost or never came.
+/// Returns "64 ms"; "same for 2.4 s" when the content repeats itself; "no data yet" when none ever arrived.
 [[nodiscard]] QString ageText(const DataAge& age, const FreshnessLimits& limits = {});
-/// What stands across a pane: "no data for 4 s", "the same picture for 4 s", "no data yet"; empty while it is
-/// not lost.
+/// Returns the text across a pane: "no data for 4 s", "the same picture for 4 s", "no data yet"; empty while
+/// the data are not lost.
 [[nodiscard]] QString lossText(const DataAge& age, const FreshnessLimits& limits = {});
 [[nodiscard]] Tone toneOf(Freshness freshness);
 

@@ -83,9 +83,9 @@ QString roundTripText(const LinkStatus& link) {
 }
 
 QString lossShareText(const LinkStatus& link) {
-    double worst = -1.0;  // a log does not tell
+    double worst = -1.0;  // unknown in a log
     for (const StreamStatus& stream : link.streams) {
-        // A camera that went silent is no loss of the link: its own row and the alarms tell it.
+        // A camera that went silent is no loss of the link: its own row and the alarms show it.
         if (!stream.stale && stream.lossRatio > worst) worst = stream.lossRatio;
     }
     return worst < 0.0 ? QString() : LinkTexts::tr("%1 loss").arg(percentText(worst));

@@ -7,21 +7,21 @@
 
 namespace leitstand {
 
-/// What a stream carries: "3D scans", "odometry".
+/// Returns what a stream carries: "3D scans", "odometry".
 [[nodiscard]] QString streamRoleText(StreamRole role);
-/// A stream with its sensor, where a robot has several: "left pictures".
+/// Returns a stream with its sensor, when a robot has several: "left pictures".
 [[nodiscard]] QString streamText(StreamRole role, const std::string& sensor);
-/// What a sensor is called: "left"; unknown ones by their own names.
+/// Returns the name of a sensor: "left"; unknown ones by their own names.
 [[nodiscard]] QString sensorText(const std::string& sensor);
 /// "connected", "degraded", "lost", "not heard yet".
 [[nodiscard]] QString linkStateText(LinkState state);
-/// One thing that is wrong: "odometry 1.4 s old", "12 % of points lost".
+/// Returns one fault of a link: "odometry 1.4 s old", "12 % of points lost".
 [[nodiscard]] QString linkReasonText(const LinkReason& reason);
-/// The worst thing that is wrong; empty when nothing is.
+/// Returns the worst fault; empty when there is none.
 [[nodiscard]] QString worstReasonText(const LinkStatus& link);
-/// Round trip, "22 ms"; empty when the robot answers no pings.
+/// Returns the round trip, "22 ms"; empty when the robot answers no pings.
 [[nodiscard]] QString roundTripText(const LinkStatus& link);
-/// Loss of the stream that loses most, "4 % loss"; empty while there are no streams.
+/// Returns the loss of the stream that loses most, "4 % loss"; empty while there are no streams.
 [[nodiscard]] QString lossShareText(const LinkStatus& link);
 [[nodiscard]] Tone toneOf(const LinkStatus& link);
 

@@ -22,7 +22,7 @@ ModeLabel labelOf(const ModeSample& mode) {
     return {kind, modeName(mode.mode).toUpper(), robotSaysText(mode.reason), modeBrief(mode.mode).toUpper()};
 }
 
-/// Of robots that do not tell their mode.
+/// Returns the label of a robot that does not report its mode.
 ModeLabel labelWithoutWord(const RobotView& robot) {
     if (robot.drive.driving)
         return {ModeKind::Teleoperation,
@@ -32,9 +32,9 @@ ModeLabel labelWithoutWord(const RobotView& robot) {
     return {ModeKind::Stopped, ModeTexts::tr("MODE UNKNOWN"), ModeTexts::tr("the robot tells none")};
 }
 
-/// @p value of a robot's words: figures as the window's language writes them, modes by their names.
+/// Returns the value in a robot's words: figures as the window's language writes them, modes by their names.
 QString valueText(const robot_says::Part& part) {
-    // By its letters: equal texts of two files may stand at two places.
+    // Compares the letters: equal texts of two files may have two addresses.
     if (part.words == std::string_view(robot_says::CannotBeAskedFor)) return modeName(part.value);
     return saidFigureText(part.value);
 }

@@ -9,16 +9,16 @@
 
 namespace leitstand {
 
-/// What the background of a mode says.
+/// What the background of a mode shows.
 enum class ModeKind {
     Teleoperation,
     Autonomous,
     Stopped,  ///< stands, nobody drives it
     Stop,     ///< a stop stands
-    Lost,     ///< nothing is heard of it: what it does is not known
+    Lost,     ///< it is not heard: what it does is unknown
 };
 
-/// The mode of a robot, as the largest text of the window has it.
+/// The mode of a robot, as the largest text of the window shows it.
 struct ModeLabel {
     ModeKind kind = ModeKind::Stopped;
     QString text;        ///< "TELEOPERATION"
@@ -28,20 +28,20 @@ struct ModeLabel {
     friend bool operator==(const ModeLabel&, const ModeLabel&) = default;
 };
 
-/// What @p robot does. A lost link comes before a stop, which comes before what the robot said.
+/// Returns what @p robot does. A lost link comes before a stop, which comes before what the robot reported.
 [[nodiscard]] ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSample>>& said);
 
-/// Whether @p robot drives itself as far as anybody knows: so it said last, and no stop stands. One whose
+/// Whether @p robot drives itself, as far as is known: it reported so last, and no stop stands. A robot whose
 /// link is lost goes on by itself.
 [[nodiscard]] bool drivesItself(const RobotView& robot, const std::optional<Latest<ModeSample>>& said);
 
-/// What a robot said about itself, in the window's language as far as the words are known (robot_says.h),
-/// else as it was said.
+/// Returns what a robot reported about itself, in the window's language as far as the words are known
+/// (robot_says.h), otherwise as it was reported.
 [[nodiscard]] QString robotSaysText(const std::string& said);
 
-/// The name of a mode as robots say it, "victim_approach", for people: "victim approach".
+/// Returns the name of a mode of robots, "victim_approach", for people: "victim approach".
 [[nodiscard]] QString modeName(const std::string& mode);
-/// The same where there is little room: "approach".
+/// Returns the same for little room: "approach".
 [[nodiscard]] QString modeBrief(const std::string& mode);
 
 }  // namespace leitstand

@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// Tells the age of a stream of pictures by their arrival and by their content: a driver that hangs and
-/// stamps one picture again and again is found out.
+/// The age of a stream of pictures by their arrival and by their content. It detects a driver that hangs and
+/// stamps one picture again and again.
 class PictureAge {
 public:
     /// A picture with @p content (contentHash()) arrived.

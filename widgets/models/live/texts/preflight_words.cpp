@@ -80,7 +80,7 @@ QString clockText(const PreflightCheck& check) {
                               : Words::tr("clock %1 ahead of ours").arg(by);
 }
 
-/// What a robot that failed does when commands cease.
+/// Returns what a robot that failed does when commands stop.
 QString failureText(const PreflightCheck& check) {
     if (check.brake.watchdog == BrakeResult::Watchdog::Stops) return standing(check);
     return check.number > 0.0

@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// How the mission's log is doing.
+/// The state of the mission's log.
 struct RecordState {
     QString folder = {};          ///< of the mission
     double megabytes = 0.0;       ///< written in this session
@@ -25,10 +25,10 @@ struct RecordText {
     friend bool operator==(const RecordText&, const RecordText&) = default;
 };
 
-/// Calm while all is written; attention when the disk lasts less than 10 minutes, act when something is lost.
+/// Calm while all is written, attention when the disk lasts less than 10 minutes, act when something is lost.
 [[nodiscard]] RecordText recordText(const RecordState& state);
 
-/// Each RecordText::value that there is, figures as wide as they get.
+/// Returns every possible RecordText::value, with figures at their widest.
 [[nodiscard]] QStringList recordValues();
 
 }  // namespace leitstand

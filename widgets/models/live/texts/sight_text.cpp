@@ -49,7 +49,7 @@ SightLine sightLineOf(const DriveView& drive) {
     if (sight.factor >= 1.0) {
         if (sight.reason == SightReason::ScanAlone)
             return {SightTexts::tr("%1: drive by the virtual scan").arg(why), Tone::Attention};
-        return {why, Tone::Muted};  // none, or who drives must see the robot
+        return {why, Tone::Muted};  // none, or the driver must see the robot
     }
     if (sight.factor > 0.0) return {SightTexts::tr("creep speed: %1").arg(why), Tone::Attention};
     return {SightTexts::tr("held: %1 · hold G to drive without eyes").arg(why), Tone::Attention};

@@ -7,13 +7,14 @@
 
 namespace leitstand {
 
-/// What the driver has to know of the cap on the speed.
+/// What the driver must know of the cap on the speed.
 struct SightLine {
     QString text;  ///< "creep speed: the picture is 0.6 s old"; empty when nothing is capped
     Tone tone = Tone::Muted;
 };
 [[nodiscard]] SightLine sightLineOf(const DriveView& drive);
-/// The same beside the age of the driver's picture: "full speed", "creep speed"; empty where nobody drives.
+/// Returns it in short, beside the age of the driver's picture: "full speed", "creep speed"; empty when
+/// nobody drives.
 [[nodiscard]] QString sightNote(const DriveView& drive);
 
 }  // namespace leitstand

@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Unanswered = 0.5;  ///< from then on it is told how long [s]
+constexpr double Unanswered = 0.5;  ///< from then on the time without an answer is shown [s]
 
 struct StopTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::StopLine)
@@ -19,7 +19,7 @@ struct StopTexts {
 StopStage stageOf(const StopStatus& stop) {
     if (!stop.sent && !stop.stopped) return StopStage::None;
     if (stop.releasing) return StopStage::Releasing;
-    // Robots that know no stops answer none: their motion alone tells.
+    // Robots that know no stops answer none: only their motion shows the stop.
     if (stop.supported && stop.sent && !stop.acknowledged) return StopStage::Sent;
     if (stop.standingKnown && stop.standing) return StopStage::Standing;
     return stop.supported ? StopStage::Acknowledged : StopStage::Sent;
@@ -55,7 +55,7 @@ QString briefSeconds(double seconds) {
     return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
-/// "? 4.2 s": how long nobody answered.
+/// "? 4.2 s": the time without an answer.
 QString briefSilence(double seconds) {
     return StopTexts::tr("? %1", "a stop, not answered for 4.2 s").arg(briefSeconds(seconds));
 }

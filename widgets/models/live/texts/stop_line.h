@@ -9,11 +9,11 @@
 
 namespace leitstand {
 
-/// How far the stop of a robot came.
+/// The stage of a robot's stop.
 enum class StopStage {
     None,          ///< no stop stands
     Sent,          ///< not answered yet
-    Acknowledged,  ///< taken; it still moves, or nothing tells whether
+    Acknowledged,  ///< accepted; it still moves, or its motion is unknown
     Standing,
     Releasing,  ///< the release is on its way
 };
@@ -26,14 +26,15 @@ struct StopLine {
     QString brief;    ///< the same where there is little room: "moves", "? 4.2 s"
     QString details;  ///< whose stop it is, why a release was refused; may be empty
     Tone tone = Tone::Normal;
-    bool releasable = false;  ///< this station may let it go now
+    bool releasable = false;  ///< this station may release it now
 
     friend bool operator==(const StopLine&, const StopLine&) = default;
 };
 
 [[nodiscard]] StopLine stopLineOf(const RobotFace& face, const RobotView& robot);
 
-/// Each StopLine::brief that there is, figures as wide as they get: who has room for all never cuts one.
+/// Returns every possible StopLine::brief, with figures at their widest: a place with room for all never cuts
+/// one.
 [[nodiscard]] QStringList stopBriefs();
 
 }  // namespace leitstand
