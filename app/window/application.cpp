@@ -37,7 +37,7 @@ QString languageOf(const Options& options) {
 }
 
 int takeScreenshot(const Options& options) {
-    WindowState state;  // what was remembered would make pictures differ from machine to machine
+    WindowState state;  // remembered settings would make pictures differ between machines
     state.firstSize = windowSizeFor(options.size, qApp->devicePixelRatio());
     applyChoices(options, state.view);
     MainWindow window(state);
@@ -51,7 +51,7 @@ int showWindow(const Options& options) {
     return QApplication::exec();
 }
 
-/// @p options, and what they leave open as it was last.
+/// Returns @p options. What they leave open is taken from @p last.
 Options withLast(Options options, const Options& last) {
     if (options.robots.empty()) options.robots = last.robots;
     if (options.interfaces.empty()) options.interfaces = last.interfaces;

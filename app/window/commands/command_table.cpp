@@ -30,7 +30,7 @@ QAction& CommandTable::add(const Command& command) {
     action->setObjectName(id);
     action->setCheckable(command.checkable);
     if (command.icon != nullptr) action->setIcon(themedIcon(QLatin1String(command.icon)));
-    action->setIconVisibleInMenu(false);  // in menus the tick says what is on
+    action->setIconVisibleInMenu(false);  // in menus the tick shows what is on
     keep(*action, command.hint.isEmpty() ? action->iconText() : command.hint, command.keys);
     menu(command.menu).addAction(action);
     return *action;
@@ -41,7 +41,7 @@ void CommandTable::keep(QAction& action, const QString& hint, const QKeySequence
     setKeys(entry, keys);
     m_entries.emplace(action.objectName(), entry);
     m_actions.push_back(&action);
-    m_window.addAction(&action);  // keys work while no menu bar is to be seen
+    m_window.addAction(&action);  // keys also work while the menu bar is hidden
 }
 
 void CommandTable::adopt(CommandMenu which) {
@@ -98,7 +98,7 @@ CommandTable::Refused CommandTable::bind(const std::map<QString, QString>& keys,
                std::none_of(meant.begin(), meant.end(),
                             [&](const auto& other) { return other.first != id && other.second == wanted; });
     };
-    // What is refused has its own keys again, which may be what another one wants.
+    // A refused command gets its own keys back, which another one may want.
     for (auto one = own.begin(); one != own.end();) {
         if (counts(one->first)) {
             ++one;
@@ -114,7 +114,7 @@ CommandTable::Refused CommandTable::bind(const std::map<QString, QString>& keys,
 }
 
 void CommandTable::setKeys(const Entry& entry, const QKeySequence& keys) {
-    if (entry.action->shortcut() != keys) entry.action->setShortcut(keys);  // it may have others beside them
+    if (entry.action->shortcut() != keys) entry.action->setShortcut(keys);  // it may have further ones
     const QString text = keys.toString(QKeySequence::NativeText);
     entry.action->setToolTip(text.isEmpty() ? entry.hint : QStringLiteral("%1 (%2)").arg(entry.hint, text));
 }

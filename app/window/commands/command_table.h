@@ -17,44 +17,44 @@ namespace leitstand {
 /// The menus of the live window, from left to right.
 enum class CommandMenu { Mission, Robot, Cameras, Map, View, Help };
 
-/// One thing that the operator can ask for.
+/// One command that the operator can request.
 struct Command {
-    QString id;  ///< stable: layouts and pads name it; also the action's object name: "camera.recentre"
+    QString id;  ///< stable, named by layouts and pads; also the action's object name: "camera.recentre"
     CommandMenu menu = CommandMenu::View;
     QString text;            ///< in the menu, with its mnemonic
-    QString hint = {};       ///< what it does, without its keys; empty: the text says it all
-    QKeySequence keys = {};  ///< unless a layout says otherwise
+    QString hint = {};       ///< what it does, without its keys; empty: the text suffices
+    QKeySequence keys = {};  ///< unless a layout binds others
     bool checkable = false;
     const char* icon = nullptr;  ///< of resources/icons
 };
 
-/// Every command of a window once, by its id: menus, keys and pad buttons mean the same action.
+/// Holds every command of a window once, by its id. Menus, keys and pad buttons trigger the same action.
 class CommandTable final : public QObject {
     Q_OBJECT
 public:
-    /// Menus go into @p window's menu bar, keys work in all of it.
+    /// Adds the menus to the menu bar of @p window. Keys work in the whole window.
     explicit CommandTable(QMainWindow& window);
 
-    /// The new command's action; ids are unique.
+    /// Adds a command and returns its action. Ids are unique.
     QAction& add(const Command& command);
-    /// Takes over what others put into @p menu: their object names are the ids.
+    /// Takes over the actions that others added to @p menu. Their object names are the ids.
     void adopt(CommandMenu menu);
     void separate(CommandMenu menu);
-    /// For what is no command of ours, such as submenus and exclusive groups.
+    /// Returns the menu, for entries that are no commands, such as submenus and exclusive groups.
     [[nodiscard]] QMenu& menu(CommandMenu menu) { return *m_menus.at(menu); }
 
     [[nodiscard]] QAction* find(const QString& id) const;  ///< null when there is none
     [[nodiscard]] const std::vector<QAction*>& all() const { return m_actions; }
-    /// As if the operator had chosen it in the menu; nothing when it is unknown or disabled.
+    /// Triggers command @p id as if the operator had chosen it. Does nothing when it is unknown or disabled.
     void trigger(const QString& id);
-    /// What the tooltip of @p id says from now on, before its keys.
+    /// Sets the tooltip of @p id, to which its keys are appended.
     void setHint(const QString& id, const QString& hint);
     struct Refused {
         QStringList unknown;  ///< ids
-        QStringList taken;    ///< "id: keys" that are none, mean another command or are @p reserved
+        QStringList taken;    ///< "id: keys" that are no keys, belong to another command or are @p reserved
     };
-    /// Keys of commands by id, as text ("Ctrl+K"; empty: none); all others, and what is refused, have those
-    /// of their own.
+    /// Binds @p keys by command id, as text ("Ctrl+K"; empty: none). All other commands, and the refused
+    /// ones, get their default keys.
     Refused bind(const std::map<QString, QString>& keys, const std::vector<Qt::Key>& reserved);
 
 private:

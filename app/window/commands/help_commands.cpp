@@ -16,7 +16,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double MostOfWindow = 0.9;  ///< that the list of keys covers
+constexpr double MostOfWindow = 0.9;  ///< part of the window that the list of keys may cover
 
 KeyColumn mapKeys() {
     return {HelpCommands::tr("Map and lists"),
@@ -69,7 +69,7 @@ void HelpCommands::showKeys() {
     auto* dialog = new QDialog(&m_window);
     dialog->setObjectName(QStringLiteral("keysDialog"));
     dialog->setWindowTitle(tr("Keys"));
-    auto* area = new QScrollArea(dialog);  // there may be more lines than a low screen has room for
+    auto* area = new QScrollArea(dialog);  // a low screen may not have room for all lines
     area->setAccessibleName(tr("Keys"));
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);

@@ -13,14 +13,13 @@ class QWidget;
 
 namespace leitstand {
 
-/// What the program is and which keys it knows: the Help menu. Its dialogs are not modal: robots may be
-/// driving.
+/// The Help menu: the keys of the program and its version. Its dialogs are not modal: robots may be driving.
 class HelpCommands final : public QObject {
     Q_OBJECT
 public:
-    /// The keys listed are those of all actions of @p window's menus, and of the map and lists of scans.
+    /// Lists the keys of all actions in @p window's menus, and of the map and the lists of scans.
     explicit HelpCommands(QWidget& window);
-    /// Beside those of the menus are @p others.
+    /// Lists @p others beside the keys of the menus.
     HelpCommands(QWidget& window, KeyColumn others);
 
     /// Puts the commands into @p menu.
@@ -29,7 +28,7 @@ public:
 private:
     void showKeys();
     void showAbout();
-    /// Brings the dialog @p name to the front; false: it is not open.
+    /// Brings the dialog @p name to the front. Returns false when it is not open.
     bool raise(const char* name) const;
     static void open(QDialog& dialog);
 

@@ -12,7 +12,7 @@
 namespace leitstand {
 namespace {
 
-/// A menu's text without its mnemonic: "&Open", or "開く(&O)".
+/// Returns a menu's text without its mnemonic: that of "&Open" or "開く(&O)".
 QString plain(QString text) {
     static const QRegularExpression aside(QStringLiteral("\\(&.\\)"));
     return text.remove(aside).remove(QLatin1Char('&')).trimmed();

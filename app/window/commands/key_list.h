@@ -8,23 +8,23 @@ class QWidget;
 
 namespace leitstand {
 
-/// Keys, or buttons of the mouse, and what they do.
+/// Keys or mouse buttons, and what they do.
 struct KeyLine {
     QString keys, meaning;
     bool operator==(const KeyLine&) const = default;
 };
 
-/// Keys of one kind, below a title.
+/// Keys of one kind, under a title.
 struct KeyColumn {
     QString title;
     std::vector<KeyLine> lines;
 };
 
-/// Keys and meanings of all commands in the menus of @p window that have keys, without repetition. What
-/// follows a tabulator in a command's text is a key that something else listens to.
+/// Returns keys and meanings of all commands with keys in the menus of @p window, without repetition. A key
+/// behind a tab in a command's text is included; something else listens to it.
 [[nodiscard]] std::vector<KeyLine> commandKeys(const QWidget& window);
 
-/// @p columns side by side, for reading.
+/// Returns a table for reading, with @p columns side by side.
 [[nodiscard]] QWidget* makeKeyTable(const std::vector<KeyColumn>& columns);
 
 }  // namespace leitstand

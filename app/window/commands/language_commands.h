@@ -9,9 +9,9 @@ namespace leitstand {
 
 class CommandTable;
 
-/// Adds the languages to the menu View of @p commands; @p choose is told the code of the chosen one.
+/// Adds the languages to the View menu of @p commands. Calls @p choose with the code of the chosen one.
 void addLanguageCommands(CommandTable& commands, const std::function<void(const QString& code)>& choose);
-/// The same for a window without such a table: into @p menu.
+/// Adds the languages to @p menu, for a window without a CommandTable.
 void addLanguages(QMenu& menu, const std::function<void(const QString& code)>& choose);
 
 }  // namespace leitstand

@@ -10,7 +10,7 @@ QAction* makeAction(const ActionLook& look, QObject* parent) {
     action->setShortcut(look.keys);
     action->setCheckable(look.checkable);
     if (look.icon != nullptr) action->setIcon(themedIcon(QLatin1String(look.icon)));
-    // In menus the tick says what is on, which an icon would hide.
+    // In menus the tick shows what is on; an icon would hide it.
     action->setIconVisibleInMenu(false);
     const QString hint = look.hint.isEmpty() ? action->iconText() : look.hint;
     const QString keys = look.keys.toString(QKeySequence::NativeText);

@@ -6,17 +6,17 @@
 
 namespace leitstand {
 
-/// What a command looks like to the operator.
+/// How a command appears to the operator.
 struct ActionLook {
     const char* name;  ///< object name, for tests
     QString text;      ///< with its mnemonic
-    QString hint;      ///< what it does, without its keys; empty: the text says it all
+    QString hint;      ///< what it does, without its keys; empty: the text suffices
     QKeySequence keys = {};
     const char* icon = nullptr;  ///< of resources/icons
     bool checkable = false;
 };
 
-/// An action that lives as long as @p parent; its tool tip ends with its keys.
+/// Returns an action that lives as long as @p parent. Its tooltip ends with its keys.
 [[nodiscard]] QAction* makeAction(const ActionLook& look, QObject* parent);
 
 }  // namespace leitstand

@@ -8,7 +8,7 @@ QLabel* makeCornerBadge(QWidget& parent, const QString& name) {
     auto* badge = new QLabel(&parent);
     badge->setObjectName(name);
     badge->setProperty("badge", true);
-    badge->setTextFormat(Qt::PlainText);  // robots are named in it
+    badge->setTextFormat(Qt::PlainText);  // contains names of robots
     badge->hide();
     return badge;
 }

@@ -7,11 +7,11 @@
 
 namespace leitstand {
 
-/// How a part of a bar gives way where there is not room for all.
+/// How a part of a bar gives way when there is not enough room.
 enum class GivesWay {
     Never,
-    AtOnce,          ///< before others, from the size that it likes to its smallest one
-    LittleByLittle,  ///< after those; also has what is left over, up to its largest size
+    AtOnce,          ///< before others, from its preferred to its smallest size
+    LittleByLittle,  ///< after those; also takes room that is left over, up to its largest size
 };
 
 /// The widths of one part [px].
@@ -20,11 +20,12 @@ struct PartWidths {
     GivesWay gives = GivesWay::Never;
 };
 
-/// The widths of @p parts in @p room, without spaces; more than that when even the least do not fit.
+/// Returns the widths of @p parts in @p room [px], without spaces. They exceed it when even the least widths
+/// do not fit.
 [[nodiscard]] std::vector<int> foldedWidths(const std::vector<PartWidths>& parts, int room);
 
-/// Parts of a bar side by side, some of them at its right end, which give way in a fixed order; what remains
-/// stands between.
+/// Lays out parts of a bar side by side, some of them at its right end. They give way in a fixed order. Room
+/// that is left lies between the two groups.
 class FoldingRow final : public QLayout {
     Q_OBJECT
 public:

@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// What keys and the mouse do that is no command of a menu (docs/operator.md, docs/review.md).
+/// Keys and mouse gestures that are no commands of a menu (docs/operator.md, docs/review.md).
 struct KeyColumns {
     Q_DECLARE_TR_FUNCTIONS(leitstand::KeyColumns)
 public:

@@ -24,8 +24,8 @@ MenuCorner::MenuCorner(QMenuBar& menus)
     m_message->setObjectName(QStringLiteral("word"));
     m_message->setAccessibleName(tr("Newest message"));
     m_message->setProperty("muted", true);
-    m_message->setMostLines(2);               // what is wrong often stands behind the name of a file
-    m_message->setTextFormat(Qt::PlainText);  // robots and files are quoted in it
+    m_message->setMostLines(2);               // an error often stands behind a file name
+    m_message->setTextFormat(Qt::PlainText);  // contains names of robots and files
     menus.installEventFilter(this);
     menus.setCornerWidget(this);
 }
@@ -47,7 +47,7 @@ QSize MenuCorner::sizeHint() const {
 }
 
 bool MenuCorner::eventFilter(QObject* watched, QEvent* event) {
-    // The menus ask for the size of their corner when they learn their own.
+    // The menu bar requests the size of its corner when it is resized.
     if (watched == &m_menus && event->type() == QEvent::Resize) {
         const QSize size = static_cast<const QResizeEvent*>(event)->size();
         m_width = std::max(0, size.width() - m_taken.width());

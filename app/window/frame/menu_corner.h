@@ -10,16 +10,16 @@ namespace leitstand {
 
 class ElidedLabel;
 
-/// Has the room beside the menus to itself, all of it: the newest message, which gives way, and right of it
-/// badges, which do not. Menus stay where they are whatever is told.
+/// Fills the room beside the menus: the newest message, which gives way, and right of it badges, which do
+/// not. No message moves the menus.
 class MenuCorner final : public QWidget {
     Q_OBJECT
 public:
-    /// @p menus has all its menus and no other corner.
+    /// @p menus must have all its menus and no corner widget.
     explicit MenuCorner(QMenuBar& menus);
 
     void setMessage(const QString& text, const QString& toolTip);
-    /// Right of those before it; hidden ones keep their place when @p keepsPlace.
+    /// Adds @p badge right of earlier ones. A hidden badge keeps its place when @p keepsPlace.
     void addBadge(QLabel& badge, bool keepsPlace);
     [[nodiscard]] QSize sizeHint() const override;
 
@@ -28,7 +28,7 @@ protected:
 
 private:
     QMenuBar& m_menus;
-    const QSize m_taken;  ///< by the menus
+    const QSize m_taken;  ///< size of the menus
     QHBoxLayout* m_row;
     ElidedLabel* m_message;
     int m_width = 0;

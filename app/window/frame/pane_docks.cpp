@@ -10,8 +10,8 @@
 namespace leitstand {
 namespace {
 
-/// The first pane of @p split, where possible one whose place is in a row other than @p vertical: its size
-/// along that row is then its place's alone.
+/// Returns the first pane that is a direct part of @p split, else one of its first part. Across the split,
+/// the size of a direct part is that of the whole split.
 QString firstOf(const PaneSplit& split) {
     if (!split.pane.empty()) return QString::fromStdString(split.pane);
     for (const PaneSplit& part : split.parts) {
@@ -20,12 +20,12 @@ QString firstOf(const PaneSplit& split) {
     return firstOf(split.parts.front());
 }
 
-/// The pane that stands for the upper left corner of @p split: the one docks are split from.
+/// Returns the pane at the upper left corner of @p split, from which its docks are split.
 QString cornerOf(const PaneSplit& split) {
     return split.pane.empty() ? cornerOf(split.parts.front()) : QString::fromStdString(split.pane);
 }
 
-/// In place of a dock's title: of no height.
+/// Replaces a dock's title bar and has no height.
 class NoTitle final : public QWidget {
 public:
     using QWidget::QWidget;
@@ -44,7 +44,7 @@ PaneDocks::PaneDocks(QWidget* parent) : QMainWindow(parent, Qt::Widget) {
 
 void PaneDocks::add(const QString& id, const QString& title, QWidget& pane, const QString& formerId) {
     auto* dock = new QDockWidget(title, this);
-    // Saved arrangements name docks by it.
+    // Saved arrangements identify docks by their object name.
     dock->setObjectName(formerId.isEmpty() ? id : formerId);
     if (!formerId.isEmpty()) m_former[formerId] = id;
     dock->setAccessibleName(title);
@@ -58,8 +58,8 @@ void PaneDocks::add(const QString& id, const QString& title, QWidget& pane, cons
     m_toggles[dock] = toggleOf(*dock);
 }
 
-/// As the dock's own, but that a dock without a place has one before it is shown: it would press its
-/// neighbours.
+/// Like the dock's own action, but gives a dock without a place one before showing it. Else it would squeeze
+/// its neighbours.
 QAction* PaneDocks::toggleOf(QDockWidget& dock) {
     const QAction* const own = dock.toggleViewAction();
     auto* toggle = new QAction(own->text(), &dock);
@@ -81,7 +81,7 @@ void PaneDocks::open(const QString& id) {
 
 void PaneDocks::addSheet(const QString& id, const QStringList& hosts) {
     m_sheets[id] = hosts;
-    // Neighbours have their room back when it goes.
+    // Neighbours get their room back when it closes.
     connect(dock(id)->toggleViewAction(), &QAction::toggled, this, &PaneDocks::fit);
 }
 
@@ -105,7 +105,7 @@ void PaneDocks::open(QDockWidget& dock) {
 }
 
 void PaneDocks::settle(QDockWidget& sheet) {
-    constexpr int LeastBeside = 300;  ///< of what a host keeps [px]
+    constexpr int LeastBeside = 300;  ///< least width that a host keeps [px]
     const QString& id = sheet.objectName();
     QDockWidget* const host = sheetHost(sheet, m_sheets.at(id));
     if (host == nullptr) return;
@@ -130,7 +130,7 @@ QDockWidget* PaneDocks::sheetHost(const QDockWidget& sheet, const QStringList& h
         QDockWidget* const host = dock(id);
         if (host != nullptr && inSight(*host)) return host;
     }
-    // Beside the widest, which then keeps a part of its room.
+    // Else the widest, which keeps a part of its room.
     QDockWidget* widest = nullptr;
     for (const auto& [id, other] : m_docks) {
         if (other == &sheet || !inSight(*other)) continue;
@@ -149,9 +149,9 @@ QDockWidget* PaneDocks::guestOf(const std::string& id, bool beside) const {
     return nullptr;
 }
 
-/// The smallest pane in whose room @p dock finds what it needs, or most of it; null: there is none.
+/// Returns the smallest pane with the room that @p dock needs, or most of it. Null when there is none.
 QDockWidget* PaneDocks::hostOf(const QDockWidget& dock) const {
-    constexpr double Enough = 0.8;  // of what is needed; lists scroll
+    constexpr double Enough = 0.8;  // part of the needed room that suffices; lists scroll
     const QSize needed = dock.widget()->sizeHint().expandedTo(dock.widget()->minimumSizeHint());
     const auto share = [](int has, int wants) { return wants > 0 ? std::min(1.0, 1.0 * has / wants) : 1.0; };
     QDockWidget* best = nullptr;
@@ -226,7 +226,7 @@ void PaneDocks::arrange(const WindowLayout& layout) {
         if (restoreState(state)) {
             if (!isVisible()) m_unseen = state;
             for (const auto& [id, dock] : m_docks) {
-                // One that the operator hid where the layout has it comes back there.
+                // A pane that the operator hid comes back where the layout has it.
                 const bool known = std::find(named.begin(), named.end(), id.toStdString()) != named.end();
                 if (!known && dock->isHidden() && tabifiedDockWidgets(dock).isEmpty()) m_strays.insert(dock);
             }
@@ -239,7 +239,7 @@ void PaneDocks::arrange(const WindowLayout& layout) {
     place(tree);
     for (const auto& [id, dock] : m_docks) {
         const bool shown = std::find(named.begin(), named.end(), id.toStdString()) != named.end();
-        // Hidden ones are part of what arrangement() tells.
+        // arrangement() includes hidden docks.
         if (!shown) addDockWidget(Qt::LeftDockWidgetArea, dock), m_strays.insert(dock);
         dock->setVisible(shown);
     }
@@ -268,7 +268,7 @@ QSize PaneDocks::needOf(const PaneSplit& split) const {
     return need;
 }
 
-/// By shares, but that what a sheet needs is taken from the others.
+/// Divides @p room by shares. What a sheet needs is taken from the others.
 QList<int> PaneDocks::sizesIn(const PaneSplit& split, QSize room) const {
     const double length = split.vertical ? room.height() : room.width();
     double shares = 0.0, left = length, open = 0.0;
@@ -299,7 +299,7 @@ void PaneDocks::giveRoom(const PaneSplit& split, QSize room) {
         int size = shares[static_cast<qsizetype>(i)];
         QSize inner = room;
         (split.vertical ? inner.rheight() : inner.rwidth()) = size;
-        giveRoom(part, inner);  // first: what is around goes on to change what is within
+        giveRoom(part, inner);  // first: resizing the docks around it still changes those within
         QDockWidget* const guest = part.pane.empty() ? nullptr : guestOf(part.pane, true);
         const int wide = guest == nullptr ? 0 : guest->widget()->sizeHint().width();
         docks += dock(firstOf(part));
@@ -338,7 +338,7 @@ void PaneDocks::swap(const QString& one, const QString& other) {
     const QString title = here->windowTitle();
     here->setWidget(second);
     there->setWidget(first);
-    // A pane's dock is where the pane is: names go along.
+    // Titles and names of docks move with their panes.
     here->setWindowTitle(there->windowTitle());
     there->setWindowTitle(title);
     const QString name = here->objectName();
@@ -369,7 +369,7 @@ void PaneDocks::dress(QDockWidget& dock, bool withTitle) {
         dock.setTitleBarWidget(new NoTitle(&dock));
     }
     delete before;
-    // One that is not closable could not be shown and hidden in the menu either.
+    // The menu cannot show and hide a dock that is not closable.
     const QDockWidget::DockWidgetFeatures moves =
         QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable;
     dock.setFeatures(withTitle ? QDockWidget::DockWidgetClosable | moves
@@ -379,7 +379,7 @@ void PaneDocks::dress(QDockWidget& dock, bool withTitle) {
 void PaneDocks::setArranging(bool on) {
     if (on == m_arranging) return;
     m_arranging = on;
-    if (on) m_placed = {};  // the operator's hand decides from here on
+    if (on) m_placed = {};  // from now on the operator decides
     for (const auto& [id, dock] : m_docks) dress(*dock, on);
 }
 
@@ -390,7 +390,7 @@ void PaneDocks::resizeEvent(QResizeEvent* event) {
 
 void PaneDocks::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // Qt forgets the sizes in an arrangement when the window changes its own before it is shown.
+    // Qt forgets the sizes of an arrangement when the window is resized before it is shown.
     if (!m_unseen.isEmpty()) restoreState(std::exchange(m_unseen, {}));
     fit();
 }

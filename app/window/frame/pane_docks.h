@@ -18,40 +18,40 @@ class QDockWidget;
 namespace leitstand {
 
 /// The panes of the live window, each in a dock that layouts place by the pane's id. While they are being
-/// arranged they have titles to be dragged by, and may float; otherwise nothing moves by a slip of the mouse.
+/// arranged, docks have titles to drag them by and may float. Otherwise a slip of the mouse moves nothing.
 class PaneDocks final : public QMainWindow {
     Q_OBJECT
 public:
     explicit PaneDocks(QWidget* parent = nullptr);
 
-    /// Takes @p pane over; hidden until a layout names it. @p title: for people. @p formerId: what layouts
-    /// and saved arrangements called it before; empty: the same.
+    /// Takes @p pane over, hidden until a layout names it. @p title: for people. @p formerId: the pane's id
+    /// in older layouts and saved arrangements; empty: the same.
     void add(const QString& id, const QString& title, QWidget& pane, const QString& formerId = {});
-    /// Others are not opened as a tab before pane @p id, while there is another that they may.
+    /// Keeps pane @p id in sight: no pane opens as a tab before it while there is another host.
     void keepInSight(const QString& id) { m_inSight.insert(id); }
-    /// Pane @p id is a sheet, of its sizeHint() at least. Where the layout has no place for it, it opens
-    /// beside the first of @p hosts that is in sight, in that one's room, or as a tab before it where the
-    /// room is too small for both; never before another pane.
+    /// Makes pane @p id a sheet, of its sizeHint() at least. When the layout has no place for it, it opens
+    /// beside the first of @p hosts in sight, in that one's room. It opens as a tab before the host when the
+    /// room is too small for both, and never before another pane.
     void addSheet(const QString& id, const QStringList& hosts);
     [[nodiscard]] QStringList ids() const;
     [[nodiscard]] bool has(const QString& id) const {
         return dock(id) != nullptr;
     }  ///< also by its former id
     [[nodiscard]] bool isPaneVisible(const QString& id) const;
-    /// Shows or hides one pane; while it is checked it is shown. One that the layout has no place for comes
-    /// as a tab before the smallest pane with room for it.
+    /// Returns the action that shows or hides one pane, checked while it is shown. A pane without a place in
+    /// the layout opens as a tab before the smallest pane with room for it.
     [[nodiscard]] QAction* visibility(const QString& id) const;
-    /// Shows a pane, before others that share its room.
+    /// Shows a pane in front of others that share its room.
     void open(const QString& id);
-    /// Hides a pane that the layout has no place for.
+    /// Hides a pane that has no place in the layout.
     void putAway(const QString& id);
 
-    /// Places panes as @p layout says; those that it does not name are hidden, those that it names but are
-    /// not here leave their room to their neighbours.
+    /// Places panes as @p layout describes. Panes that it does not name are hidden. Named panes that do not
+    /// exist leave their room to their neighbours.
     void arrange(const WindowLayout& layout);
-    /// How they are now, for WindowLayout::arrangement.
+    /// Returns the present arrangement, for WindowLayout::arrangement.
     [[nodiscard]] std::string arrangement() const;
-    /// Two panes change places; nothing when one is not here.
+    /// Exchanges the places of two panes. Does nothing when one does not exist.
     void swap(const QString& one, const QString& other);
 
     void setArranging(bool on);
@@ -62,7 +62,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    [[nodiscard]] QString idOf(const QString& name) const;  ///< of today, where @p name is a former one
+    [[nodiscard]] QString idOf(const QString& name) const;  ///< the present id when @p name is a former one
     [[nodiscard]] QDockWidget* dock(const QString& id) const;
     [[nodiscard]] PaneSplit known(const PaneSplit& split) const;
     void place(const PaneSplit& split);
@@ -71,7 +71,8 @@ private:
     void open(QDockWidget& dock);
     void settle(QDockWidget& sheet);
     [[nodiscard]] QDockWidget* sheetHost(const QDockWidget& sheet, const QStringList& hosts) const;
-    /// The sheet that is open at pane @p id, @p beside it or before it; null: none is.
+    /// Returns the sheet that is open at pane @p id: @p beside it, or before it as a tab. Null when there is
+    /// none.
     [[nodiscard]] QDockWidget* guestOf(const std::string& id, bool beside) const;
     [[nodiscard]] QSize needOf(const PaneSplit& split) const;
     [[nodiscard]] QList<int> sizesIn(const PaneSplit& split, QSize room) const;
@@ -81,18 +82,18 @@ private:
 
     std::vector<QString> m_ids;
     std::map<QString, QDockWidget*> m_docks;
-    std::map<QString, QString> m_former;  ///< ids by former ones
+    std::map<QString, QString> m_former;  ///< present ids by former ids
     std::map<const QDockWidget*, QAction*> m_toggles;
     struct Stay {
         QString host;
         bool beside = false;
     };
     std::set<QString> m_inSight;
-    std::map<QString, QStringList> m_sheets;  ///< where each may be
-    std::map<QString, Stay> m_stays;          ///< where each is while it is open
-    std::set<QDockWidget*> m_strays;          ///< that the layout has no place for and nobody gave one
-    PaneSplit m_placed;   ///< shares hold when the window changes its size, until a pane was moved
-    QByteArray m_unseen;  ///< arrangement that was chosen before the window had its size
+    std::map<QString, QStringList> m_sheets;  ///< hosts of each sheet
+    std::map<QString, Stay> m_stays;          ///< place of each sheet while it is open
+    std::set<QDockWidget*> m_strays;          ///< docks that neither layout nor operator gave a place
+    PaneSplit m_placed;   ///< its shares hold when the window is resized, until a pane is moved
+    QByteArray m_unseen;  ///< arrangement chosen before the window had its size
     bool m_arranging = false;
 };
 

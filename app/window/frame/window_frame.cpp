@@ -12,7 +12,7 @@
 namespace leitstand {
 namespace {
 
-constexpr int Recent = 8;  ///< messages that are kept: one that another one covers at once can be read
+constexpr int Recent = 8;  ///< messages that are kept, so that one that is replaced at once can still be read
 
 }  // namespace
 

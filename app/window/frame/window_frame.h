@@ -16,8 +16,8 @@ namespace leitstand {
 
 class MenuCorner;
 
-/// What windows on robots have around their panes, live ones and reviews: a bar above them, and beside the
-/// menus the newest message and badges.
+/// The frame around the panes of live windows and reviews: a bar above them, and the newest message and
+/// badges beside the menus.
 class WindowFrame final : public QObject {
     Q_OBJECT
 public:
@@ -29,14 +29,14 @@ public:
 
     explicit WindowFrame(QMainWindow& window);
 
-    /// Stacks a bar, which has @p left and @p right at its ends, @p panes and @p below. Menus without entries
-    /// are not shown.
+    /// Stacks a bar with @p left and @p right at its ends, then @p panes, then @p below. Menus without
+    /// entries are hidden.
     void build(const std::vector<Part>& left, const std::vector<Part>& right, QWidget& panes,
                QWidget* below = nullptr);
-    /// Once it is built: @p badge stands in the corner beside the menus, right of those before it. A hidden
-    /// one keeps its place when @p keepsPlace, so that none before it moves.
+    /// Places @p badge in the corner beside the menus, right of earlier ones; requires build(). A hidden
+    /// badge keeps its place when @p keepsPlace, so that none before it moves.
     void addBadge(QLabel& badge, bool keepsPlace = false);
-    /// Shows @p text as the newest message; its tooltip has those before it too.
+    /// Shows @p text as the newest message. The tooltip also lists earlier ones.
     void showMessage(const QString& text);
     [[nodiscard]] QString newest() const;
     [[nodiscard]] const QStringList& recent() const { return m_recent; }  ///< the newest first

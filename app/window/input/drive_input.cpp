@@ -31,7 +31,7 @@ std::map<int, DriveKey> usualKeys() {
             {Qt::Key_Shift, DriveKey::Slow}, {Qt::Key_Control, DriveKey::Fast}};
 }
 
-/// Keys that the file of @p robot binds. Escape, Space and G stop, halt and lift the cap, whatever it says.
+/// Returns the keys that the file of @p robot binds. Escape, Space and G always stop, halt and lift the cap.
 std::map<int, DriveKey> ownKeys(const RobotDescription& robot) {
     std::map<int, DriveKey> keys;
     for (const auto& [action, name] : robot.bindings) {
@@ -50,7 +50,7 @@ std::vector<Qt::Key> drivingKeys(const std::vector<RobotDescription>& robots) {
     std::vector<Qt::Key> all = {Qt::Key_Escape, Qt::Key_Space, static_cast<Qt::Key>(OverrideKey)};
     const auto add = [&all](const std::map<int, DriveKey>& keys) {
         for (const auto& [key, meaning] : keys) {
-            // Those two come with others.
+            // Slow and fast are held together with other keys.
             if (meaning != DriveKey::Slow && meaning != DriveKey::Fast)
                 all.push_back(static_cast<Qt::Key>(key));
         }
@@ -95,7 +95,7 @@ void DriveInput::take(bool keys, bool pad) {
 
 void DriveInput::setFocus(bool focus) {
     const bool padHad = m_pad;
-    // A field that is written into lets go of the keyboard: from now on letters drive.
+    // A text field gives up the keyboard: from now on letters drive.
     QWidget* const field = QApplication::focusWidget();
     if (focus && field != nullptr && field->window() == &m_window && isWrittenInto(*field))
         field->clearFocus();
@@ -169,20 +169,22 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
             const auto* widget = qobject_cast<QWidget*>(watched);
             if (widget == nullptr) return false;
             if (isWrittenInto(*widget)) {
-                // What was held before and is let go there is let go; the field has it, too.
+                // A key that was held before and is released there counts as released. The field also gets
+                // the event.
                 if (event->type() == QEvent::KeyRelease) take(static_cast<const QKeyEvent&>(*event), false);
                 return false;
             }
             if (widget->window() != &m_window) {
-                // A menu that was opened meanwhile has the keyboard: what is let go there is let go.
+                // A menu opened meanwhile has the keyboard: a key released there counts as released.
                 if (event->type() == QEvent::KeyRelease) take(static_cast<const QKeyEvent&>(*event), false);
                 return false;
             }
             return take(static_cast<const QKeyEvent&>(*event), event->type() == QEvent::KeyPress);
         }
         case QEvent::ShortcutOverride: {
-            // Letters that drive are no shortcuts meanwhile; nor are, while a key moves the robot, those with
-            // Shift and Ctrl, which are slow and fast: a follow key with "fast" held must not undo anything.
+            // Letters that drive are no shortcuts meanwhile. While a key moves the robot, shortcuts with
+            // Shift and Ctrl, which are slow and fast, are none either. A follow key with "fast" held must
+            // not undo anything.
             const auto* widget = qobject_cast<QWidget*>(watched);
             if (widget != nullptr && isWrittenInto(*widget)) return false;
             const auto& key = static_cast<const QKeyEvent&>(*event);
@@ -193,7 +195,7 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         case QEvent::FocusIn: {
-            // Who writes into a field does not drive: its letters are words, and the gamepad drives on.
+            // Letters typed into a field do not drive. The gamepad continues to drive.
             const auto* widget = qobject_cast<QWidget*>(watched);
             if (widget == nullptr || widget->window() != &m_window || !isWrittenInto(*widget)) return false;
             m_withoutEyes = false;  // its key is a letter now
@@ -202,7 +204,7 @@ bool DriveInput::eventFilter(QObject* watched, QEvent* event) {
         }
         case QEvent::WindowDeactivate:
             if (watched != &m_window) return false;
-            // Keys go to where the keyboard is; a gamepad drives on beside a pane that floats.
+            // Keys follow the keyboard. A gamepad continues to drive beside a floating pane.
             isWorkedIn(m_window) ? take(false, m_pad) : setFocus(false);
             return false;
         case QEvent::ApplicationStateChange:

@@ -11,26 +11,26 @@
 
 namespace leitstand {
 
-/// Which robot the operator looks at and drives: the one place that says so.
+/// Holds which robot the operator looks at and drives. Nothing else does.
 class Selection final : public QObject {
     Q_OBJECT
 public:
-    /// The first of @p robots is selected.
+    /// Selects the first of @p robots.
     explicit Selection(std::vector<RobotDescription> robots, QObject* parent = nullptr);
 
     [[nodiscard]] const std::vector<RobotDescription>& robots() const { return m_robots; }
-    /// The selected one; null when the station has none.
+    /// Returns the selected robot. Null when the station has none.
     [[nodiscard]] const RobotDescription* robot() const { return find(m_name); }
     [[nodiscard]] const QString& name() const { return m_name; }
     [[nodiscard]] RobotFace face() const;  ///< of the selected one
     [[nodiscard]] const RobotDescription* find(const QString& name) const;
     [[nodiscard]] std::vector<RobotFace> faces() const;  ///< of robots(), in their order
-    /// How @p robot, one of robots(), looks.
+    /// Returns the face of @p robot, one of robots().
     [[nodiscard]] RobotFace faceOfRobot(const RobotDescription& robot) const;
 
-    /// Does nothing for a name that is unknown or selected already.
+    /// Selects robot @p name. Does nothing when it is unknown or selected already.
     void select(const QString& name);
-    /// The @p number th, from 1.
+    /// Selects robot @p number of robots(), counted from 1. Does nothing when there is none.
     void selectNumber(int number);
 
 signals:

@@ -15,7 +15,7 @@ bool StopKey::eventFilter(QObject*, QEvent* event) {
     const auto& key = static_cast<const QKeyEvent&>(*event);
     if (key.key() != Qt::Key_Escape) return false;
     event->accept();
-    // One press passes several objects on its way; it stops at the first.
+    // One press passes several objects; the first one handles it.
     if (!asked && !key.isAutoRepeat()) emit pressed();
     return true;
 }

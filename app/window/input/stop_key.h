@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// Esc stops, always and everywhere: whatever has the keyboard, dialogs too.
+/// Esc stops always, whatever has the keyboard, even a dialog.
 class StopKey final : public QObject {
     Q_OBJECT
 public:

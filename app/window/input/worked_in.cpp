@@ -10,7 +10,7 @@ bool isWorkedIn(const QWidget& window) {
     const QWidget* const active = QApplication::activeWindow();
     if (active == &window) return true;
     if (qobject_cast<const QDockWidget*>(active) == nullptr) return false;
-    // A pane that floats is a window of its own: isAncestorOf() does not look beyond.
+    // A floating pane is a window of its own, at which isAncestorOf() stops.
     for (const QWidget* owner = active->parentWidget(); owner != nullptr; owner = owner->parentWidget()) {
         if (owner == &window) return true;
     }
@@ -18,8 +18,7 @@ bool isWorkedIn(const QWidget& window) {
 }
 
 bool isWrittenInto(const QWidget& widget) {
-    // Lists have the attribute until they get the keyboard for the first time; what edits a cell is a field
-    // itself.
+    // Lists have the attribute until they first get the keyboard. The editor of a cell is a field itself.
     return widget.testAttribute(Qt::WA_InputMethodEnabled) &&
            qobject_cast<const QAbstractItemView*>(&widget) == nullptr;
 }

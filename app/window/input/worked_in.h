@@ -4,11 +4,11 @@ class QWidget;
 
 namespace leitstand {
 
-/// Whether the operator works in @p window now: it has the keyboard, or a pane that floats beside it has.
-/// Dialogs are something else.
+/// Returns whether the operator works in @p window now: it or a pane floating beside it has the keyboard.
+/// Dialogs do not count.
 [[nodiscard]] bool isWorkedIn(const QWidget& window);
 
-/// Whether letters that @p widget gets are written into it: it is a field of text.
+/// Returns whether @p widget is a text field, so that letters are typed into it.
 [[nodiscard]] bool isWrittenInto(const QWidget& widget);
 
 }  // namespace leitstand

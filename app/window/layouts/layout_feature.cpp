@@ -28,7 +28,8 @@ QString idOf(const std::string& name) {
     return QStringLiteral("layout.") + QString::fromStdString(name);
 }
 
-/// Titles of layouts that come with the program are in the window's language; those of people are theirs.
+/// Returns the title of @p layout: translated when it comes with the program, unchanged when it is the
+/// operator's own.
 QString shownTitle(const WindowLayout& layout) {
     for (const char* title : {QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Drive"),
                               QT_TRANSLATE_NOOP("leitstand::LayoutFeature", "Explore"),
@@ -42,7 +43,8 @@ QString shownTitle(const WindowLayout& layout) {
     return QString::fromStdString(layout.title);
 }
 
-/// "Second screen" as the name of a file; other letters than a to z by their numbers (Unicode).
+/// Returns @p title as a file name: "second-screen" for "Second screen". Letters beyond ASCII become their
+/// Unicode numbers.
 std::string nameOf(const QString& title) {
     std::string name;
     for (const QChar letter : title.toLower()) {
@@ -192,7 +194,7 @@ MapSight LayoutFeature::ownSight() const {
 }
 
 std::string LayoutFeature::nameFor(const QString& title) const {
-    // Titles that differ by signs alone are layouts of their own all the same.
+    // Layouts whose titles differ only in punctuation are still different layouts.
     const std::string plain = nameOf(title);
     std::string name = plain;
     for (int more = 2; m_book.isOwn(name); ++more) {

@@ -18,8 +18,8 @@ namespace leitstand {
 class LayoutSwitch;
 class MapFeature;
 
-/// How the live window is arranged: layouts by key, menu and the switch in the top bar, the operator's own
-/// ones as files; camera and map changing places. Each has its way to look at the map.
+/// Arranges the live window: layouts by key, menu and the switch in the top bar, the operator's own layouts
+/// as files, and swapping camera and map. Each layout has its own way to look at the map.
 class LayoutFeature final : public QObject {
     Q_OBJECT
 public:
@@ -28,29 +28,30 @@ public:
     /// The switch for the top bar.
     [[nodiscard]] LayoutSwitch* bar() const { return m_bar; }
     [[nodiscard]] const WindowLayout& current() const { return m_used; }
-    /// False, and told, when there is none of that name.
+    /// Switches to layout @p name. Shows a message and returns false when there is none.
     bool use(const QString& name);
-    /// The same, as the first one of a window: no other says how the map is looked at.
+    /// Like use(), for the first layout of a window: no earlier one determines how the map is looked at.
     bool begin(const QString& name);
-    /// How the operator looks at the map where layouts leave it open.
+    /// Returns how the operator looks at the map where layouts leave it open.
     [[nodiscard]] MapSight ownSight() const;
-    /// Keeps arrangement and map as they are under @p title, with the keys of the layout in use; false, and
-    /// told, when it cannot.
+    /// Saves the present arrangement and map under @p title, with the keys of the layout in use. Shows a
+    /// message and returns false when they cannot be saved.
     bool saveAs(const QString& title);
 
 signals:
-    /// What the layout now in use binds, by button of the pad: ids of commands.
+    /// A layout came into use. @p bindings: ids of commands by pad button.
     void padBound(const std::map<std::string, std::string>& bindings);
 
 private:
     void addCommands();
-    void addPanes();  ///< to the View menu, as soon as it is opened
-    void fill();      ///< menu and switch with what the book has
-    /// Whether this window has most of the panes that @p layout is about.
+    void addPanes();  ///< to the View menu, each time it is opened
+    void fill();      ///< fills menu and switch with the layouts of the book
+    /// Returns whether this window has most of the panes that @p layout names.
     [[nodiscard]] bool isOfUse(const WindowLayout& layout) const;
     void addChoice(const WindowLayout& layout, int place);
     void askForTitle();
-    /// A name for the file of a layout with that title; of the one of one's own that has it, where there is.
+    /// Returns a file name for a layout titled @p title. Returns the name of the operator's own layout with
+    /// that title, when there is one.
     [[nodiscard]] std::string nameFor(const QString& title) const;
     void forget();
 

@@ -10,8 +10,8 @@
 namespace leitstand {
 namespace {
 
-constexpr int Around = 34;    ///< what a button with a menu has beside its text [px]
-constexpr int Longest = 120;  ///< names of layouts that people gave end in dots [px]
+constexpr int Around = 34;    ///< width of a button with a menu, without its text [px]
+constexpr int Longest = 120;  ///< longer names, given by people, end in dots [px]
 constexpr int Height = 28;    ///< [px]
 
 }  // namespace
@@ -32,7 +32,7 @@ LayoutSwitch::LayoutSwitch(QWidget* parent)
     m_button->setProperty("folded", true);
     m_button->setMenu(m_menu);
     m_button->setPopupMode(QToolButton::InstantPopup);
-    m_button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to driving
+    m_button->setFocusPolicy(Qt::TabFocus);  // a click does not take the keys from driving
     m_button->hide();
 }
 

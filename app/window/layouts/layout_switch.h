@@ -11,20 +11,20 @@ class QToolButton;
 
 namespace leitstand {
 
-/// Chooses one of several actions, of which one is checked: all of them side by side, or where there is not
-/// room for that one button with a menu. Its sizes depend on the actions alone, not on which is checked.
+/// Chooses one of several actions: all of them side by side, or one button with a menu when there is not room
+/// for that. Its sizes depend on the actions alone, not on which is checked.
 class LayoutSwitch final : public QWidget {
     Q_OBJECT
 public:
     explicit LayoutSwitch(QWidget* parent = nullptr);
 
     void clear();
-    /// @p name: object name of its button.
+    /// Adds @p choice. @p name: object name of its button.
     void add(QAction& choice, const QString& name);
     [[nodiscard]] bool isFolded() const;
 
     [[nodiscard]] QSize sizeHint() const override;         ///< of all side by side
-    [[nodiscard]] QSize minimumSizeHint() const override;  ///< of the one button
+    [[nodiscard]] QSize minimumSizeHint() const override;  ///< of the one button with a menu
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -32,7 +32,7 @@ protected:
 private:
     void fold();
     void showChecked();
-    /// The width of the one button with the name of @p choice.
+    /// Returns the width of the one button when it shows @p choice [px].
     [[nodiscard]] int foldedWidth(const QAction& choice) const;
 
     QWidget* m_row;

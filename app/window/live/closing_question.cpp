@@ -16,13 +16,14 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds StopPatience(4);  ///< for robots to stand
+constexpr std::chrono::seconds StopPatience(4);  ///< time for robots to come to a stand
 
 }  // namespace
 
 ClosingQuestion::ClosingQuestion(const LiveContext& context) : QObject(&context.window), m_context(context) {
     connect(&context.source, &MomentSource::ticked, this, &ClosingQuestion::follow);
-    // The session ends whatever windows answer. Should it go on after all, this window just does not ask.
+    // The session ends whatever windows answer. Should it go on after all, this window closes without a
+    // question.
     connect(qGuiApp, &QGuiApplication::commitDataRequest, this, &ClosingQuestion::allow);
 }
 
@@ -68,7 +69,7 @@ void ClosingQuestion::ask(const QString& why) {
     connect(button(tr("Leave driving and close"), "leaveAndClose", QMessageBox::DestructiveRole),
             &QPushButton::clicked, this, &ClosingQuestion::close);
     QPushButton* const stay = button(tr("Cancel"), "stay", QMessageBox::RejectRole);
-    m_question->setDefaultButton(stay);  // keys that were meant to drive close nothing
+    m_question->setDefaultButton(stay);  // keys meant for driving close nothing
     m_question->show();
 }
 
@@ -88,7 +89,7 @@ void ClosingQuestion::follow(const LiveMoment& moment) {
     const bool late = moment.steady - m_since > StopPatience;
     std::erase_if(m_stopping, [&](const std::string& name) {
         const StopStage stage = stopLineOf({}, moment.view(name)).stage;
-        // Nothing may tell whether it stands; what it has acknowledged it keeps without a station.
+        // Some robots never report that they stand. A stop that a robot acknowledged holds without a station.
         return stage == StopStage::Standing || (late && stage == StopStage::Acknowledged);
     });
     if (m_stopping.empty()) return close();

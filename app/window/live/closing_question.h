@@ -17,17 +17,17 @@ class QMessageBox;
 
 namespace leitstand {
 
-/// What becomes of robots that drive themselves when the window is closed: they go on without a station, so
-/// the operator is asked. Robots that are driven stand in any case, and are no question. Nothing waits for
-/// the answer: STOP, keys and gamepads work on.
+/// Asks what becomes of robots that drive themselves when the window is closed: they go on without a station.
+/// Robots that are driven stop in any case, without a question. The question blocks nothing: STOP, keys and
+/// gamepads work on.
 class ClosingQuestion final : public QObject {
     Q_OBJECT
 public:
     explicit ClosingQuestion(const LiveContext& context);
 
-    /// Whether the window may close now; else the operator is asked, and the window is closed by the answer.
+    /// Returns whether the window may close now. Otherwise asks the operator; the answer closes the window.
     [[nodiscard]] bool mayClose();
-    void allow() { m_allowed = true; }  ///< nobody is asked any more
+    void allow() { m_allowed = true; }  ///< no questions from now on
 
 private:
     [[nodiscard]] std::vector<const RobotDescription*> drivingThemselves() const;
@@ -39,7 +39,7 @@ private:
     LiveContext m_context;
     QPointer<QMessageBox> m_question;
     bool m_allowed = false;
-    std::set<std::string> m_stopping;               ///< robots whose standing is waited for
+    std::set<std::string> m_stopping;               ///< robots that must stand before the window closes
     std::chrono::steady_clock::time_point m_since;  ///< when their stop was sent
 };
 

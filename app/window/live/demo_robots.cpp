@@ -12,9 +12,9 @@ namespace leitstand {
 namespace {
 
 constexpr int Nice = 3;
-constexpr int Patience = 2'000;  ///< for a robot to end when it is asked to [ms]
+constexpr int Patience = 2'000;  ///< time for a robot to end on request [ms]
 
-/// The last line that a program said, as the reason why it ended.
+/// Returns the last line of a program's output, as the reason why it ended.
 QString lastLine(const QByteArray& said) {
     const QList<QByteArray> lines = said.trimmed().split('\n');
     return lines.isEmpty() ? QString() : QString::fromUtf8(lines.last());
@@ -60,7 +60,7 @@ void DemoRobots::start(const QString& kind) {
     robot->setProcessChannelMode(QProcess::MergedChannels);
     robot->setChildProcessModifier([] {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-        // A robot brings computers of its own: this one serves the operator first.
+        // A real robot has computers of its own: this one serves the operator first.
         (void)::setpriority(PRIO_PROCESS, 0, Nice);
     });
     connect(robot, &QProcess::errorOccurred, this, [this, robot](QProcess::ProcessError error) {

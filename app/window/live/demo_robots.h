@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// Where simulated robots are to be.
+/// Settings of simulated robots.
 struct DemoSettings {
     QString program;  ///< leitstand-robot; empty: the one beside this program
     QString arena = QStringLiteral("yellow");
@@ -18,18 +18,18 @@ struct DemoSettings {
     QString interface = {};  ///< network card; empty: all
 };
 
-/// Simulated Kurt3D and Crawler as processes of their own, as long as this object lives; they end with this
-/// program, whatever becomes of it.
+/// Runs a simulated Kurt3D and Crawler as separate processes while this object lives. They end with this
+/// program, even when it crashes.
 class DemoRobots final : public QObject {
     Q_OBJECT
 public:
     explicit DemoRobots(const DemoSettings& settings, QObject* parent = nullptr);
     ~DemoRobots() override;
 
-    void start();  ///< once; nothing when they run
+    void start();  ///< starts them; does nothing when they were started
 
 signals:
-    /// A robot could not be started, or ended by itself. In the user's language.
+    /// A robot could not be started, or ended by itself. @p why is in the user's language.
     void failed(const QString& why);
 
 private:

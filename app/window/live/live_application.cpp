@@ -46,10 +46,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::seconds Patience(60);  ///< for everything to be seen on a screenshot
-constexpr std::chrono::seconds WholeMap(5);   ///< for a map on it that is drawn to its end
-constexpr std::chrono::minutes Recent(30);    ///< a mission that ended since may be meant
-constexpr auto Explores = "explore";          ///< mode of a robot that looks around by itself
+constexpr std::chrono::seconds Patience(60);  ///< time for a screenshot to show everything
+constexpr std::chrono::seconds WholeMap(5);   ///< further time for its map to be drawn completely
+constexpr std::chrono::minutes Recent(30);    ///< a mission that ended within it may be the one meant
+constexpr auto Explores = "explore";          ///< mode of a robot that explores by itself
 
 void complain(const std::string& text) {
     tellTerminal(text);
@@ -63,13 +63,13 @@ fs::path missions() {
     return under(QStandardPaths::GenericDataLocation, QStringLiteral("missions"));
 }
 
-/// A new mission's folder, named by the time.
+/// Returns the folder of a new mission, named by the time.
 fs::path newMission() {
     return missions() /
            QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss")).toStdString();
 }
 
-/// The folder of the mission that began last on this computer; empty: there is none.
+/// Returns the folder of the mission that began last on this computer. Empty when there is none.
 fs::path newestMission() {
     fs::path newest;
     std::error_code none;
@@ -79,7 +79,7 @@ fs::path newestMission() {
     return newest;
 }
 
-/// @p before, where it was recorded until a moment ago and is not what @p settings go on with; else empty.
+/// Returns @p before when it was recorded until a moment ago and @p settings do not continue it. Else empty.
 fs::path interrupted(const fs::path& before, const StationSettings& settings) {
     std::error_code none;
     fs::file_time_type last = fs::file_time_type::min();
@@ -89,7 +89,7 @@ fs::path interrupted(const fs::path& before, const StationSettings& settings) {
     return before.empty() || before == settings.mission.folder || ago > Recent ? fs::path() : before;
 }
 
-/// What to say of a mission that may be meant; empty: nothing.
+/// Returns the message on a mission that may be meant. Empty when there is none.
 QString hintAt(const fs::path& earlier) {
     if (earlier.empty()) return {};
     return QCoreApplication::translate("leitstand::Application",
@@ -98,7 +98,7 @@ QString hintAt(const fs::path& earlier) {
         .arg(QString::fromStdString(earlier.filename().string()));
 }
 
-/// Lets the window go on until it @p holds; false after @p patience is over.
+/// Runs the event loop until @p holds. Returns false when that does not happen within @p patience.
 bool waitUntil(const std::function<bool()>& holds, std::chrono::seconds patience) {
     QEventLoop loop;
     QTimer look;
@@ -111,7 +111,7 @@ bool waitUntil(const std::function<bool()>& holds, std::chrono::seconds patience
     return holds();
 }
 
-/// Lets the window go on for @p time; @p explore: its robots look around by themselves meanwhile.
+/// Runs the event loop for @p time. @p explore: its robots explore by themselves meanwhile.
 void goOn(Station& station, std::chrono::seconds time, bool explore) {
     QEventLoop loop;
     QTimer again;
@@ -138,7 +138,7 @@ int takePicture(LiveWindow& window, Station& station, const Options& options) {
         return 1;
     }
     if (options.after > 0) goOn(station, std::chrono::seconds(options.after), options.demo);
-    // A map that grows while this computer is busy is never drawn whole: the picture is then of what is
+    // A map that grows while this computer is busy is never drawn completely. The picture then shows what is
     // there.
     (void)waitUntil([&] { return window.mapView().settled(); }, WholeMap);
     QApplication::processEvents();
@@ -165,7 +165,7 @@ StationSettings settingsOf(const Options& options, const fs::path& passing) {
     StationSettings settings;
     settings.domain.domain = options.domain;
     settings.domain.interfaces = options.interfaces;
-    // Simulated robots are nobody else's: nothing leaves this computer unless it is asked for.
+    // Simulated robots concern nobody else: nothing leaves this computer unless that is requested.
     if (options.demo && options.interfaces.empty()) settings.domain.interfaces = {"lo"};
     settings.domain.keys = options.keys;
     settings.mission.title = QSysInfo::machineHostName().toStdString();
@@ -184,15 +184,15 @@ StationSettings settingsOf(const Options& options, const fs::path& passing) {
 /// How a window on the station ended.
 struct Ended {
     int status = 0;
-    std::string robot = {};  ///< file of a robot that is wanted too; empty: none is
-    QString language = {};   ///< in which the window is wanted; empty: it is over
-    bool earlier = false;    ///< the mission before is to be gone on with
-    fs::path mapOf = {};     ///< in the map of this one a new mission is to begin; empty: none is
+    std::string robot = {};  ///< file of a robot to add; empty: none
+    QString language = {};   ///< of the next window; empty: there is none
+    bool earlier = false;    ///< the mission before is to be continued
+    fs::path mapOf = {};     ///< mission whose map a new mission begins in; empty: none
     QString problem = {};    ///< why there is no station; empty: there was one
 };
 
 /// Shows a window on @p bridge until it is closed, or something else is wanted. @p earlier: the mission that
-/// may be meant; empty: none. @p hint: told at once.
+/// may be meant; empty: none. @p hint: shown at once.
 Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, const fs::path& earlier,
                  const QString& hint) {
     const bool picture = !options.screenshot.empty();
@@ -240,8 +240,8 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
     return ended;
 }
 
-/// Shows windows on the station of @p settings until one is closed, or another robot is wanted. Once it
-/// records, it says into which mission, where that is not @p told.
+/// Shows windows on the station of @p settings until one is closed, or another robot or mission is wanted.
+/// Once the station records, prints the mission's folder, unless it was the last one printed.
 Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo,
                   const fs::path& earlier, QString hint, fs::path& told) {
     auto bridge = LiveBridge::open(settings);
@@ -251,7 +251,7 @@ Ended showStation(const StationSettings& settings, const Options& options, DemoR
     }
     if (options.screenshot.empty() && std::exchange(told, settings.mission.folder) != settings.mission.folder)
         sayOnTerminal("the mission is recorded into " + settings.mission.folder.string());
-    // In another language the window is made anew; robots, mission and driver's grants stay.
+    // For another language the window is created again. Robots, mission and the driver's grants stay.
     while (true) {
         Ended ended = showWindow(**bridge, options, demo, earlier, std::exchange(hint, {}));
         if (ended.language.isEmpty()) return ended;
@@ -259,8 +259,8 @@ Ended showStation(const StationSettings& settings, const Options& options, DemoR
     }
 }
 
-/// Carries the map of the mission @p from into the new one that @p settings are for. An error in words;
-/// empty: none.
+/// Copies the map of the mission @p from into the new one of @p settings. Returns an error in words; empty:
+/// none.
 QString carryInto(const StationSettings& settings, const fs::path& from) {
     QString problem;
     workInFront(
@@ -273,14 +273,15 @@ QString carryInto(const StationSettings& settings, const fs::path& from) {
                     from, {settings.mission.folder, settings.mission.robots, settings.mission.version},
                     progress);
                 if (!carried) problem = QString::fromStdString(carried.error().text);
-            } catch (const std::exception& broken) {  // no memory
+            } catch (const std::exception& broken) {  // out of memory
                 problem = QString::fromUtf8(broken.what());
             }
         });
     return problem;
 }
 
-/// A judges' folder that was kept up to date has what came since it was written last, too.
+/// Adds to the judges' folder of @p mission what came since it was last written. Does nothing when there is
+/// none.
 void handInLast(const fs::path& mission, const std::string& version) {
     const fs::path out = reportFolderOf(mission);
     if (out.empty()) return;
@@ -308,7 +309,7 @@ std::optional<Options> lastOptions() {
 int runLive(const Options& options) {
     std::vector<std::string> files =
         options.robots.empty() ? std::vector<std::string>{"kurt3d", "crawler"} : options.robots;
-    const QTemporaryDir passing;  // a picture's mission is nobody's
+    const QTemporaryDir passing;  // holds the mission of a screenshot, which is not kept
     const fs::path before = newestMission();
     StationSettings settings = settingsOf(options, passing.path().toStdString());
     if (settings.mission.folder.empty())
@@ -323,12 +324,12 @@ int runLive(const Options& options) {
                          [](const QString& why) { complain(why.toStdString()); });
     }
     std::set<fs::path> recorded;
-    fs::path told;  // into which one it was said to be recorded
+    fs::path told;  // folder that was printed last
     fs::path earlier = interrupted(before, settings);
     QString hint = hintAt(earlier);
-    bool switched = false;  // from another mission, which is the earlier one now
+    bool switched = false;  // from another mission, now the earlier one
     fs::path mapOf = options.mapOf, beforeIt;
-    // With each robot that the operator adds the station begins anew, and goes on with its mission.
+    // For each robot that the operator adds, the station opens again and continues its mission.
     while (true) {
         auto robots = chooseRobots(files);
         if (!robots) return complain(robots.error().text), 1;
@@ -349,7 +350,7 @@ int runLive(const Options& options) {
         if (opened) recorded.insert(settings.mission.folder);
         if (ended.earlier || (switched && !opened)) {
             std::swap(settings.mission.folder, earlier);
-            // One that cannot be gone on with leaves the station where it was.
+            // When a mission cannot be continued, the station returns to the one it had.
             if (!opened) earlier.clear();
             hint = ended.problem;
             switched = ended.earlier;

@@ -6,10 +6,10 @@
 
 namespace leitstand {
 
-/// As the station on live robots was opened last; nothing when it never was.
+/// Returns the options of the last station on live robots. Nothing when there was none.
 [[nodiscard]] std::optional<Options> lastOptions();
 
-/// The station on live robots, as @p options ask: on robots that are there, or with simulated ones started
+/// Runs the station on live robots for @p options: on robots that are there, or with simulated ones started
 /// beside it. Needs a QApplication. Returns the exit status.
 [[nodiscard]] int runLive(const Options& options);
 

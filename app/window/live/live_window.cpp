@@ -33,7 +33,7 @@
 namespace leitstand {
 namespace {
 
-// How a gamepad repeats the tones of alarms.
+// How a gamepad rumbles along with the tones of alarms.
 constexpr double WeakRumble = 0.3, StrongRumble = 0.9;
 constexpr int ShortRumble = 200, LongRumble = 600;  ///< [ms]
 
@@ -43,7 +43,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
                        QWidget* parent)
     : QMainWindow(parent), m_bridge(bridge) {
     keepTextsPlain();
-    applyTheme(*qApp, view.theme);  // before there is a widget that would have to be dressed anew
+    applyTheme(*qApp, view.theme);  // before widgets exist, which would have to be styled again
     setWindowTitle(tr("Leitstand"));
     setWindowIcon(QIcon(QStringLiteral(":/leitstand/icons/leitstand.svg")));
     m_selection = new Selection(bridge.station().robots(), this);
@@ -51,7 +51,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_panes = new PaneDocks(this);
     const LiveContext context{{m_bridge, *m_selection, *m_commands, *m_panes, *this, &bridge.station()},
                               bridge.station()};
-    // Each of these adds its commands; the layouts come last, which place the panes and bind the keys.
+    // Each feature adds its commands. The layouts come last: they place the panes and bind the keys.
     m_mission = new MissionFeature(context, QString::fromStdString(bridge.station().folder()));
     m_robots = new RobotsFeature(context);
     m_features = makePanes(context, view);
@@ -70,7 +70,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
 
 LiveWindow::~LiveWindow() {
     setDriving(false);
-    // Nobody receives what features emit while they go.
+    // Signals that features emit during destruction reach nobody.
     m_bridge.disconnect(this);
     for (QObject* part : children()) part->disconnect(this);
 }
@@ -83,7 +83,7 @@ void LiveWindow::build() {
                    {{m_robots->stop()}}, *m_panes);
     m_frame->addBadge(m_preflight->badge());
     m_frame->addBadge(m_features.link->badge(), /*keepsPlace=*/true);
-    m_panes->setFocus();  // and not STOP, which Space would press
+    m_panes->setFocus();  // not STOP, which Space would press
 }
 
 void LiveWindow::connectFeatures() {

@@ -26,8 +26,8 @@ class RobotsFeature;
 class Selection;
 class WindowFrame;
 
-/// The window on live robots (design, section 7): a bar with all robots and STOP, below it the panes of its
-/// features, as the layout in use places them. Puts features together; what they do is theirs.
+/// The window on live robots (design, section 7): a bar with all robots and STOP, and below it the panes of
+/// its features, placed by the layout in use. It only puts features together.
 class LiveWindow final : public QMainWindow, public AsksBeforeClosing {
     Q_OBJECT
 public:
@@ -36,7 +36,8 @@ public:
     ~LiveWindow() override;
 
     [[nodiscard]] MapView& mapView() const;
-    /// How the map is looked at now, but the look is the operator's own, not a layout's: to be remembered.
+    /// Returns how the map is looked at now, to be remembered. The look is the operator's own, not a
+    /// layout's.
     [[nodiscard]] MapViewSettings view() const;
     void setLook(MapLook look);  ///< in the layout in use
     void closeUnasked() override;
@@ -50,17 +51,17 @@ public:
     [[nodiscard]] bool driving() const;
     [[nodiscard]] QString newest() const;      ///< message
     [[nodiscard]] QStringList recent() const;  ///< messages, the newest first
-    /// What is not to be seen yet; empty: each robot speaks, a turn is registered and drawn, and each camera
-    /// pane shows a picture.
+    /// Returns what is not visible yet. Empty when each robot is connected, a turn is registered and drawn,
+    /// and each camera pane shows a picture.
     [[nodiscard]] QString missing() const;
 
 signals:
     void closing();
-    void languageWanted(const QString& code);  ///< for a window made anew
+    void languageWanted(const QString& code);  ///< requests a new window in this language
 
 public slots:
     void setDriving(bool on);
-    void showMessage(const QString& text);  ///< as the newest, and keeps it in the list of messages
+    void showMessage(const QString& text);  ///< as the newest; keeps it in the list of messages
 
 protected:
     void closeEvent(QCloseEvent* event) override;

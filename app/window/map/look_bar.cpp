@@ -90,7 +90,7 @@ void LookBar::showState() {
     fill(*m_edge, CentimetresInMetre * view.voxelSize);
     if (clip) {
         const QSignalBlocker quietLow(m_low), quietHigh(m_high);
-        // Bounds of before would cut what is shown now.
+        // Earlier bounds would clamp the new values.
         for (NumberBox* one : {m_low, m_high}) one->setRange(LowestHeight, HighestHeight);
         m_low->setValue(view.minHeight.value_or(LowestHeight));
         m_high->setValue(view.maxHeight.value_or(HighestHeight));

@@ -7,8 +7,8 @@ namespace leitstand {
 class NumberBox;
 class ViewState;
 
-/// The numbers of the present look: edge of the voxels, the two heights of a clipped map; hidden when there
-/// are none.
+/// Edits the numbers of the present look: edge of the voxels, and the two heights of a clipped map. Hidden
+/// when there are none.
 class LookBar final : public QWidget {
     Q_OBJECT
 public:

@@ -19,7 +19,7 @@ constexpr int ToolGap = 8, ToolSpacing = 6, IconSize = 20, HeadMargin = 10, Head
 
 void setTone(QLabel& label, Tone tone) {
     const QVariant before = label.property("attention");
-    if (before.isValid() && before.toBool() == (tone == Tone::Attention)) return;  // dressing anew is dear
+    if (before.isValid() && before.toBool() == (tone == Tone::Attention)) return;  // styling is expensive
     label.setProperty("attention", tone == Tone::Attention);
     label.setProperty("muted", tone != Tone::Attention);
     label.style()->unpolish(&label);

@@ -15,7 +15,7 @@ namespace leitstand {
 class MapView;
 class ViewState;
 
-/// The map with its title, the tool column, the settings of the present look, and a word of help while it is
+/// The map with its title, the tool column, the settings of the present look, and a help text while it is
 /// empty.
 class MapPane final : public QWidget {
     Q_OBJECT
@@ -28,7 +28,7 @@ public:
     void setTools(const QList<QAction*>& tools);
     /// Puts @p row over the map, at its right edge.
     void setStoreys(QWidget& row);
-    /// Sums the map up in the title; in brief where the pane is narrow.
+    /// Shows @p summary of the map in the title, in brief when the pane is narrow.
     void setSummary(const MapSummary& summary);
     /// Shows what to do while the map is empty.
     void setHelpVisible(bool visible);

@@ -14,8 +14,8 @@ QKeySequence letter(Qt::Key key) {
     return QKeySequence(Qt::CTRL | Qt::SHIFT | key);
 }
 
-/// The slice that height clipping starts with: a man's height above the floor of a scanner half a metre up
-/// [m].
+/// Height clipping starts with this slice [m]: a person's height above the floor, for a scanner half a metre
+/// above it.
 constexpr double FirstMinHeight = -1.0, FirstMaxHeight = 1.5;
 
 template <class T>
@@ -56,7 +56,7 @@ ViewCommands::ViewCommands(ViewState& state, MapView& view, QObject* parent, Key
     showState();
 }
 
-/// The keys that these commands have in every window stay the first.
+/// Adds plain keys. The keys that the commands have in every window stay the first.
 void ViewCommands::addPlainKeys() {
     for (QAction* action : m_looks->actions() + m_cameras + QList<QAction*>{m_before, m_clip, m_measure}) {
         const QKeySequence everywhere = action->shortcut();

@@ -13,14 +13,14 @@ namespace leitstand {
 
 class MapView;
 
-/// How the map is looked at: the View menu and the tool column.
+/// Commands for how the map is looked at: the View menu and the tool column.
 class ViewCommands final : public QObject {
     Q_OBJECT
 public:
-    /// Which keys the commands are on.
+    /// Which keys the commands have.
     enum class Keys {
-        Plain,  ///< 1 to 3 and letters too
-        Aside,  ///< Alt with 1 to 3, Ctrl and Shift with letters alone: plain ones are needed otherwise
+        Plain,  ///< also 1 to 3 and letters alone
+        Aside,  ///< only Alt with 1 to 3, Ctrl and Shift with letters: plain keys are needed otherwise
     };
     /// What Esc is for.
     enum class Escape {
@@ -33,9 +33,9 @@ public:
 
     /// Puts the commands into @p menu.
     void fill(QMenu& menu);
-    /// The tool column's, from top to bottom; a null stands for a gap.
+    /// Returns the commands of the tool column, from top to bottom. Null stands for a gap.
     [[nodiscard]] QList<QAction*> tools() const;
-    /// Poses before registration and measuring make sense only for a map that has scans.
+    /// Enables poses before registration and measuring only for a map that has scans.
     void setScans(int scans);
     /// Shows the poses before registration while checked.
     [[nodiscard]] QAction& before() const { return *m_before; }

@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// How the map is looked at: the one place that commands change and views follow.
+/// Holds how the map is looked at. Commands change it, views follow it.
 class ViewState final : public QObject {
     Q_OBJECT
 public:
@@ -14,13 +14,13 @@ public:
         : QObject(parent), m_settings(settings) {}
 
     [[nodiscard]] const MapViewSettings& settings() const { return m_settings; }
-    /// Takes @p settings over and says so when something is different.
+    /// Takes over @p settings, and notifies when something differs.
     void set(const MapViewSettings& settings) {
         if (settings == m_settings) return;
         m_settings = settings;
         emit changed(m_settings);
     }
-    /// Changes one thing: @p change gets the settings to alter.
+    /// Changes some settings: @p change gets the settings to alter.
     template <class Change>
     void alter(Change change) {
         MapViewSettings settings = m_settings;

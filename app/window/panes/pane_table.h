@@ -24,7 +24,7 @@ class ReportFeature;
 class ScanFeature;
 class VictimsFeature;
 
-/// The features behind a window's panes that others act upon.
+/// The features behind a window's panes that other features use.
 struct PaneFeatures {
     CameraFeature* cameras = nullptr;
     MapFeature* map = nullptr;
@@ -48,36 +48,36 @@ struct PaneMaking {
     const LiveContext* live = nullptr;      ///< null: no live window
     const ReviewContext* review = nullptr;  ///< null: no review
     const MapContext* byHand = nullptr;     ///< null: the map is not corrected by hand
-    PaneFeatures made = {};                 ///< by the rows above
+    PaneFeatures made = {};                 ///< features made by the rows above
 };
 
-/// One pane: how windows name and place it, and what makes it in a live window and in a review.
+/// One pane: its names and its place, and what makes it in each kind of window.
 struct PaneRow {
     using Make = QWidget& (*)(PaneMaking&);
     enum class Kind : std::uint8_t {
         Plain,
-        Kept,   ///< other panes are not opened as a tab before it, while there is another that they may
+        Kept,   ///< no pane opens as a tab before it while there is another host
         Sheet,  ///< opens on demand, in the room of a host
     };
 
-    const char* id;     ///< what layouts and saved arrangements call it, forever
+    const char* id;     ///< its name in layouts and saved arrangements, forever
     const char* title;  ///< in English, translated in the context "Panes"
     Make live;          ///< null: a live window has no such pane
     Make review;        ///< null: a review has no such pane
     Kind kind = Kind::Plain;
-    /// Sheets open in the room of the visible pane that has the lowest rank; 0: never in this one's. Not
-    /// where a driver looks (camera, surroundings, second camera, strip), and not over the alarms.
+    /// Sheets open in the room of the visible pane with the lowest rank. 0: never in this one's. Panes where
+    /// a driver looks (camera, surroundings, second camera, strip) and the alarms have 0.
     int hostRank = 0;
-    const char* formerId = "";  ///< what older layouts and arrangements call it; empty: the same
+    const char* formerId = "";  ///< its id in older layouts and arrangements; empty: the same
     Make byHand = nullptr;      ///< null: the window that corrects a map by hand has no such pane
 };
 
-/// Every pane that a window can have, in the order in which they are made and listed.
+/// Returns every pane that a window can have, in the order in which they are made and listed.
 [[nodiscard]] std::span<const PaneRow> paneTable();
-/// The title of @p row in the language of the program.
+/// Returns the title of @p row in the language of the program.
 [[nodiscard]] QString paneTitle(const PaneRow& row);
-/// Makes every pane of the table that the window has, and hands it to its docks. Features are children of the
-/// window, and keep copies of @p context.
+/// Makes every pane of the table that the window has, and adds it to the window's docks. Features are
+/// children of the window, and keep copies of @p context.
 [[nodiscard]] PaneFeatures makePanes(const LiveContext& context, const MapViewSettings& look);
 [[nodiscard]] PaneFeatures makePanes(const ReviewContext& context, const MapViewSettings& look);
 [[nodiscard]] PaneFeatures makePanes(const MapContext& context, const MapViewSettings& look);

@@ -46,7 +46,7 @@ MergingOutcome done(const MergeOrder& order, const Progress& progress) {
                         .arg(merged->aside);
         if (!tidied) text += QStringLiteral("; ") + QString::fromStdString(tidied.error().text);
         return {order.into, text};
-    } catch (const std::exception& problem) {  // no memory
+    } catch (const std::exception& problem) {  // out of memory
         return {{}, problem.what()};
     }
 }

@@ -6,19 +6,19 @@
 
 namespace leitstand {
 
-/// What came of merging.
+/// Outcome of merging two maps.
 struct MergingOutcome {
     std::filesystem::path mission;  ///< the new one; empty: there is none
-    QString text;                   ///< in words
+    QString text;                   ///< outcome in words
 };
 
-/// The folder beside @p mission in which its map is merged with that of @p other: "monday+tuesday", or with a
-/// number behind it where that is there.
+/// Returns the folder beside @p mission for its map merged with that of @p other: "monday+tuesday". A number
+/// is appended when that exists.
 [[nodiscard]] std::filesystem::path mergedName(const std::filesystem::path& mission,
                                                const std::filesystem::path& other);
 
-/// Brings the maps of @p mission and @p other into a new mission, mergedName(), and tidies it, in front of a
-/// window that tells how far it is and cancels it. Both stay as they are.
+/// Merges the maps of @p mission and @p other into a new mission, mergedName(), and tidies it. A window shows
+/// the progress and can cancel it. Both missions stay as they are.
 [[nodiscard]] MergingOutcome mergeInFront(const std::filesystem::path& mission,
                                           const std::filesystem::path& other);
 

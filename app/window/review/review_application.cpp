@@ -27,14 +27,14 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds Patience(60);  ///< for everything to be seen on a screenshot
+constexpr std::chrono::seconds Patience(60);  ///< time for a screenshot to show everything
 
 void complain(const std::string& text) {
     tellTerminal(text);
 }
 
-/// While @p bridge tells that the mission is opened on, nobody is impatient: clouds may have to be
-/// registered.
+/// Runs the event loop until @p holds. Returns false after Patience, which starts again with each progress in
+/// opening @p bridge: clouds may have to be registered.
 template <class Holds>
 bool waitUntil(ReviewBridge& bridge, Holds holds) {
     QEventLoop loop;
@@ -54,7 +54,7 @@ bool waitUntil(ReviewBridge& bridge, Holds holds) {
 int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& options) {
     window.resize(windowSizeFor(options.size, window.devicePixelRatioF()));
     window.show();
-    bridge.player().seek(bridge.player().last());  // what is shown first is not of the beginning
+    bridge.player().seek(bridge.player().last());  // the first moment shown is not the beginning
     // The last moment with robots shows most of a mission: all of its map.
     std::optional<Time> wanted;
     const bool shown = waitUntil(bridge, [&] {
@@ -76,15 +76,15 @@ int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& optio
     return 0;
 }
 
-/// What comes after a window on a review; nothing: it was closed.
+/// What follows a window on a review. Empty: it was closed.
 struct Next {
-    QString language;                   ///< in which a window is wanted anew
-    std::optional<MapTidying> tidying;  ///< and the review again
-    bool byHand = false;                ///< and decisions on its map before that
-    std::filesystem::path merging;      ///< with the map of this mission, and the review of what came of it
+    QString language;                   ///< of the next window
+    std::optional<MapTidying> tidying;  ///< tidying, and the review again after it
+    bool byHand = false;                ///< decisions on its map, and the review again after them
+    std::filesystem::path merging;      ///< mission to merge its map with; the result is reviewed then
 };
 
-/// Shows a window on @p bridge until it is closed, which says @p text first.
+/// Shows a window on @p bridge until it is closed, with @p text as its first message.
 int showWindow(ReviewBridge& bridge, const Options& options, const QString& text, Next& next) {
     const bool picture = !options.screenshot.empty();
     WindowState remembered = picture ? WindowState{} : loadWindowState();
@@ -128,8 +128,8 @@ int showWindow(ReviewBridge& bridge, const Options& options, const QString& text
     return QApplication::exec();
 }
 
-/// Tidies the mission of @p bridge, which was opened as @p source, and opens the review where it was; where
-/// something moved, on the map as it is at the end now.
+/// Tidies the mission of @p bridge, which was opened as @p source, and opens the review again at the same
+/// time. Shows the finished map when something moved.
 Result<std::unique_ptr<ReviewBridge>> tidied(std::unique_ptr<ReviewBridge> bridge,
                                              const std::filesystem::path& source, MapTidying what,
                                              QString& text) {
@@ -146,8 +146,8 @@ Result<std::unique_ptr<ReviewBridge>> tidied(std::unique_ptr<ReviewBridge> bridg
     return again;
 }
 
-/// Lets somebody decide on the map of the mission of @p bridge, which was opened as @p source, and opens the
-/// review where it was; where something was decided, on the map as it is at the end now.
+/// Opens the map of the mission of @p bridge, which was opened as @p source, for decisions by hand. Then
+/// opens the review again at the same time. Shows the finished map when something was decided.
 Result<std::unique_ptr<ReviewBridge>> corrected(std::unique_ptr<ReviewBridge> bridge,
                                                 const std::filesystem::path& source, QString& text) {
     const std::filesystem::path folder = bridge->player().folder();
@@ -163,8 +163,8 @@ Result<std::unique_ptr<ReviewBridge>> corrected(std::unique_ptr<ReviewBridge> br
     return again;
 }
 
-/// Merges the mission of @p bridge, which was opened as @p source, with @p other: the review of the new one,
-/// which is the @p source from then on, or the same again where there is none.
+/// Merges the mission of @p bridge, which was opened as @p source, with @p other. Opens the review of the new
+/// mission, which becomes @p source, or the same review when there is none.
 Result<std::unique_ptr<ReviewBridge>> merged(std::unique_ptr<ReviewBridge> bridge,
                                              std::filesystem::path& source,
                                              const std::filesystem::path& other, QString& text) {

@@ -42,7 +42,7 @@
 namespace leitstand {
 namespace {
 
-constexpr int LeastName = 150;  ///< of the mission's name in the bar [px]
+constexpr int LeastName = 150;  ///< least width of the mission's name in the bar [px]
 
 }  // namespace
 
@@ -50,7 +50,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
                            QWidget* parent)
     : QMainWindow(parent), m_bridge(bridge) {
     keepTextsPlain();
-    applyTheme(*qApp, view.theme);  // before there is a widget that would have to be dressed anew
+    applyTheme(*qApp, view.theme);  // before widgets exist, which would have to be styled again
     setWindowTitle(tr("%1 – review – Leitstand")
                        .arg(QString::fromStdString(bridge.player().folder().filename().string())));
     setWindowIcon(QIcon(QStringLiteral(":/leitstand/icons/leitstand.svg")));
@@ -58,7 +58,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
     m_commands = new CommandTable(*this);
     m_panes = new PaneDocks(this);
     const ReviewContext context{{m_bridge, *m_selection, *m_commands, *m_panes, *this}, bridge};
-    // Each of these adds its commands; the layouts come last, which place the panes and bind the keys.
+    // Each feature adds its commands. The layouts come last: they place the panes and bind the keys.
     m_timeline = new TimelineFeature(context);
     m_robots = new RobotsFeature(context);
     m_clock = new ReviewClock(context);
@@ -79,7 +79,7 @@ ReviewWindow::ReviewWindow(ReviewBridge& bridge, const MapViewSettings& view, La
 }
 
 ReviewWindow::~ReviewWindow() {
-    // Nobody receives what features emit while they go.
+    // Signals that features emit during destruction reach nobody.
     m_bridge.disconnect(this);
     for (QObject* part : children()) part->disconnect(this);
 }

@@ -21,7 +21,7 @@ class TimelineFeature;
 class WindowFrame;
 
 /// The window on a recorded mission (design, section 7): the live window's panes, and below them the
-/// timeline, which they follow. Puts features together; what they do is theirs.
+/// timeline, which they follow. It only puts features together.
 class ReviewWindow final : public QMainWindow {
     Q_OBJECT
 public:
@@ -30,7 +30,8 @@ public:
     ~ReviewWindow() override;
 
     [[nodiscard]] MapView& mapView() const;
-    /// How the map is looked at now, but the look is the operator's own, not a layout's: to be remembered.
+    /// Returns how the map is looked at now, to be remembered. The look is the operator's own, not a
+    /// layout's.
     [[nodiscard]] MapViewSettings view() const;
     void setLook(MapLook look);  ///< in the layout in use
     [[nodiscard]] Selection& selection() const { return *m_selection; }
@@ -40,20 +41,21 @@ public:
     [[nodiscard]] TimelineFeature& timeline() const { return *m_timeline; }
     [[nodiscard]] FindsFeature& finds() const { return *m_features.finds; }
     [[nodiscard]] QString newest() const;  ///< message
-    /// What is not to be seen yet; empty: the mission is read through, and its map drawn where it has one.
+    /// Returns what is not visible yet. Empty when the mission is read through, and its map drawn if it has
+    /// one.
     [[nodiscard]] QString missing() const;
 
 signals:
     void closing();
-    void languageWanted(const QString& code);        ///< for a window made anew
-    void registerAgainWanted();                      ///< the mission's scans, anew
-    void tidyingWanted(leitstand::MapTidying what);  ///< after which the review is opened again
-    void byHandWanted();                             ///< decisions on its map, likewise
-    /// The map of this mission and that of @p folder in a new one, which is reviewed then.
+    void languageWanted(const QString& code);        ///< requests a new window in this language
+    void registerAgainWanted();                      ///< the mission's scans are to be registered again
+    void tidyingWanted(leitstand::MapTidying what);  ///< the review is opened again after it
+    void byHandWanted();                             ///< decisions on its map; the review opens again then
+    /// This map is to be merged with that of @p folder into a new mission, which is reviewed then.
     void mergingWanted(const QString& folder);
 
 public slots:
-    void showMessage(const QString& text);  ///< as the newest, and keeps it in the list of messages
+    void showMessage(const QString& text);  ///< as the newest; keeps it in the list of messages
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -33,7 +33,7 @@ TidyingOutcome done(const std::filesystem::path& mission, MapTidying what, const
         const auto tidied = tidyMap(mission, settings, progress);
         if (!tidied) return outcome(false, tidied.error().text);
         return outcome(tidied->moved > 0, tidiedText(*tidied));
-    } catch (const std::exception& problem) {  // no memory
+    } catch (const std::exception& problem) {  // out of memory
         return outcome(false, problem.what());
     }
 }

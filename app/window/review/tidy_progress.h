@@ -10,14 +10,14 @@ namespace leitstand {
 /// What is done to the map of a mission that has ended.
 enum class MapTidying : std::uint8_t { Tidy, TakeBack };
 
-/// What came of it.
+/// Outcome of tidyInFront().
 struct TidyingOutcome {
-    bool moved = false;  ///< scans are elsewhere now
-    QString text;        ///< in words
+    bool moved = false;  ///< scans were moved
+    QString text;        ///< outcome in words
 };
 
-/// Does it in front of a window that tells how far it is and cancels it. Nobody may have the @p mission open
-/// for writing meanwhile.
+/// Tidies the map of @p mission, or takes that back. A window shows the progress and can cancel tidying.
+/// Nobody may have the mission open for writing meanwhile.
 [[nodiscard]] TidyingOutcome tidyInFront(const std::filesystem::path& mission, MapTidying what);
 
 }  // namespace leitstand

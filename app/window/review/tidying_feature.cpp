@@ -41,7 +41,7 @@ TidyingFeature::TidyingFeature(const ReviewContext& context, MapView& view, QObj
     connect(m_before, &QAction::toggled, this, &TidyingFeature::compare);
     if (QAction* const finished = m_context.commands.find(QStringLiteral("review.finished"))) {
         connect(finished, &QAction::toggled, this, [this](bool on) {
-            if (!on) m_before->setChecked(false);  // what is shown is of before the tidying
+            if (!on) m_before->setChecked(false);  // the map shown now is of before the tidying
         });
     }
     connect(&m_bridge, &ReviewBridge::opened, this, &TidyingFeature::follow);
@@ -63,7 +63,7 @@ void TidyingFeature::ask(MapTidying what) {
 }
 
 void TidyingFeature::follow() {
-    // Maps that are made when a review opens are nowhere written.
+    // Maps that are made when a review opens are not stored.
     const bool ours = !m_bridge.player().mapsOffline() && !isOfOthers(m_bridge.player().folder());
     const MissionState& finished = *m_bridge.index()->finished;
     const bool tidied = ours && canUntidy(finished);
@@ -78,7 +78,7 @@ void TidyingFeature::compare(bool on) {
         m_view.setGhosts({});
         return m_notice->ask({});
     }
-    // Both are as the mission ended.
+    // Both are maps of the mission's end.
     if (m_bridge.player().map() != ReviewMap::Finished)
         m_context.commands.trigger(QStringLiteral("review.finished"));
     const MissionState& finished = *m_bridge.index()->finished;

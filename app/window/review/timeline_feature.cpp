@@ -22,7 +22,7 @@
 namespace leitstand {
 namespace {
 
-constexpr char VictimLetter = 'V';  ///< of nameOf()
+constexpr char VictimLetter = 'V';  ///< first letter of nameOf() of a victim
 
 template <TimelineMark::Kind kind>
 bool isOf(const TimelineMark& mark) {
@@ -194,7 +194,7 @@ void TimelineFeature::showMission() {
     if (!m_bridge.index()) return;
     m_axis = TimelineAxis(m_bridge.index()->stretches);
     m_marks = m_bridge.index()->marks;
-    // Notes of earlier reviews that were taken back in this one.
+    // Drops notes of earlier reviews that were taken back in this one.
     if (const MissionStatePtr written = m_bridge.pen().state()) dropUndone(m_marks, *written);
     m_marks.insert(m_marks.end(), m_own.begin(), m_own.end());
     std::stable_sort(m_marks.begin(), m_marks.end(),

@@ -27,20 +27,20 @@ public:
 
     [[nodiscard]] QWidget* widget() const { return m_whole; }
     [[nodiscard]] TimelineBar& bar() const { return *m_bar; }
-    /// Marks that were made in the review, beside those of the mission.
+    /// Sets the marks made in the review, which are shown beside those of the mission.
     void setOwnMarks(std::vector<TimelineMark> marks);
     [[nodiscard]] const std::vector<TimelineMark>& marks() const { return m_marks; }
 
 private:
     void addCommands();
-    void addMapping();  ///< the command that ends it
+    void addMapping();  ///< adds the command that ends mapping
     void showOpening(double fraction);
     QAction& add(const char* id, const QString& text, const QString& hint, const QKeySequence& keys,
                  const char* icon = nullptr, bool checkable = false);
     void toggle(double direction);
     void change(bool faster);
     void jump(bool forwards);
-    /// The next of these, of the last the first; or the one before.
+    /// Jumps to the next mark that is @p wanted, from the last to the first; or to the one before.
     void jumpTo(bool (*wanted)(const TimelineMark&), bool forwards);
     void go(const TimelineMark* mark);
     void showMission();
@@ -54,7 +54,7 @@ private:
     QAction *m_play = nullptr, *m_back = nullptr;
     TimelineAxis m_axis;
     std::vector<TimelineMark> m_own, m_marks;  ///< by time
-    double m_speed = 1.0;                      ///< when it plays
+    double m_speed = 1.0;                      ///< of playing
 };
 
 }  // namespace leitstand

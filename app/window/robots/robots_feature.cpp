@@ -54,7 +54,7 @@ void RobotsFeature::addChoice() {
     for (int number = 1; number <= static_cast<int>(m_context.selection.robots().size()); ++number) {
         const RobotDescription& robot = m_context.selection.robots()[static_cast<std::size_t>(number - 1)];
         const QString title = othersText(robot.title);
-        // The key is the robot bar's.
+        // The key belongs to the robot bar.
         QAction& one = commands.add({.id = QStringLiteral("robot.%1").arg(number),
                                      .menu = CommandMenu::Robot,
                                      .text = tr("Select %1\t%2").arg(title).arg(number),

@@ -13,14 +13,14 @@ struct LiveMoment;
 class RobotBar;
 class StopButton;
 
-/// All robots: which one is selected; of live ones the modes asked of it, STOP and its release.
+/// All robots: which one is selected. For live ones also mode requests, STOP and its release.
 class RobotsFeature final : public QObject {
     Q_OBJECT
 public:
     explicit RobotsFeature(const ViewContext& context);
 
     [[nodiscard]] QWidget* bar() const;   ///< for the top bar
-    [[nodiscard]] QWidget* stop() const;  ///< STOP, for its corner; null: there is nothing to be stopped
+    [[nodiscard]] QWidget* stop() const;  ///< STOP, for its corner; null: there is nothing to stop
 
 private:
     void addChoice();

@@ -12,18 +12,18 @@ class MessageListModel;
 class ProgressStrip;
 struct SessionProgress;
 
-/// The strip along the window's bottom: what the pointer is on, what was measured, the work going on, and how
-/// many messages there are.
+/// The strip along the window's bottom: what the pointer is on, what was measured, the work in progress, and
+/// the number of messages.
 class BottomStrip final : public QWidget {
     Q_OBJECT
 public:
-    /// @p cancel ends the work; @p messages shows the list of messages, @p list.
+    /// @p cancel ends the work. @p messages shows the list of messages, @p list.
     BottomStrip(QAction& cancel, QAction& messages, const MessageListModel& list, QWidget* parent = nullptr);
 
     void setPick(const QString& text);
-    /// A measurement, or how to make one; stays until replaced.
+    /// Shows a measurement, or how to make one, until replaced.
     void setMeasurement(const QString& text);
-    /// Something that went well, shown until the next pick.
+    /// Shows something that went well, until the next pick.
     void setNote(const QString& text);
     void showProgress(const SessionProgress& progress);
     void hideProgress();

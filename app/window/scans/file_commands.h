@@ -14,20 +14,20 @@ class QWidget;
 
 namespace leitstand {
 
-/// Opening, closing and saving: the File menu.
+/// The File menu: opening, closing and saving.
 class FileCommands final : public QObject {
     Q_OBJECT
 public:
-    /// Dialogs belong to @p window; @p recent is what was opened before; @p picture makes the picture to
+    /// Dialogs belong to @p window. @p recent is what was opened before. @p picture makes the picture to
     /// save.
     FileCommands(QWidget& window, std::vector<Sources> recent, std::function<QImage()> picture);
 
     /// Puts the commands into @p menu.
     void fill(QMenu& menu);
-    /// Remembers @p sources and asks for them to be opened.
+    /// Remembers @p sources and requests to open them.
     void open(const Sources& sources);
     [[nodiscard]] const std::vector<Sources>& recent() const { return m_recent; }
-    /// Closing and saving make sense only for a map that has scans.
+    /// Enables closing and saving only for a map that has scans.
     void setMapEmpty(bool empty);
 
 signals:

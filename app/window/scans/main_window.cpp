@@ -44,7 +44,7 @@ QDockWidget* makeDock(const QString& title, const QString& name, QWidget* conten
     return dock;
 }
 
-/// Gives the application its theme, before there is a widget that would have to be dressed anew.
+/// Applies the theme before widgets exist, which would have to be styled again. Returns @p view.
 const MapViewSettings& themed(const MapViewSettings& view) {
     applyTheme(*qApp, view.theme);
     return view;

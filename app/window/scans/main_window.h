@@ -22,17 +22,17 @@ class ViewCommands;
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
-    /// A window that looks as @p state says.
+    /// Creates a window that looks as @p state describes.
     explicit MainWindow(const WindowState& state, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     /// Reads and registers @p sources.
     void open(const Sources& sources);
-    /// All that was opened and not closed again.
+    /// Returns all that was opened and not closed again.
     [[nodiscard]] const Sources& sources() const { return m_sources; }
-    /// What is to be remembered.
+    /// Returns what is to be remembered.
     [[nodiscard]] WindowState state() const;
-    /// Whether nothing is being read or registered.
+    /// Returns whether nothing is being read or registered.
     [[nodiscard]] bool idle() const { return !m_session.busy(); }
     [[nodiscard]] MapView& mapView() const;
     [[nodiscard]] ViewState& view() { return m_view; }
@@ -46,7 +46,7 @@ signals:
     void becameIdle();
     /// The window is about to close.
     void closing();
-    void languageWanted(const QString& code);  ///< for a window made anew
+    void languageWanted(const QString& code);  ///< requests a new window in this language
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -9,7 +9,7 @@ namespace leitstand {
 
 class SessionBridge;
 
-/// Registering again and cancelling: the Registration menu.
+/// The Registration menu: registering again and cancelling.
 class RegistrationCommands final : public QObject {
     Q_OBJECT
 public:
@@ -20,7 +20,7 @@ public:
     void fill(QMenu& menu, QAction& before);
     [[nodiscard]] QAction& again() const { return *m_again; }
     [[nodiscard]] QAction& cancel() const { return *m_cancel; }
-    /// Registering again makes sense for two scans or more.
+    /// Enables registering again for two scans or more.
     void setScans(int scans);
 
 signals:

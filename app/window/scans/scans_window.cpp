@@ -12,7 +12,7 @@ void showScansWindow(const Sources& scans, const WindowState& state) {
     auto* window = new MainWindow(state);
     window->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(window, &MainWindow::closing, window, [window] {
-        // What only other windows know stays.
+        // Keeps what only other windows know.
         WindowState now = window->state();
         const WindowState kept = loadWindowState();
         now.language = kept.language;

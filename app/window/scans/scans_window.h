@@ -4,8 +4,8 @@
 
 namespace leitstand {
 
-/// Opens a window on @p scans that looks as @p state says, is made anew when another language is chosen, and
-/// goes when it is closed; what it changed of @p state is remembered then.
+/// Opens a window on @p scans that looks as @p state describes. It is created again when another language is
+/// chosen. When it is closed it is deleted, and its state is remembered.
 void showScansWindow(const Sources& scans, const WindowState& state);
 
 }  // namespace leitstand

@@ -16,7 +16,8 @@ void complain(const QString& text) {
     tellTerminal(text.toStdString());
 }
 
-/// Runs the event loop until all is registered and drawn; false when that takes longer than @p patience.
+/// Runs the event loop until all is registered and drawn. Returns false when that takes longer than @p
+/// patience.
 bool waitUntilShown(MainWindow& window, std::chrono::milliseconds patience) {
     QEventLoop loop;
     const auto shown = [&window] { return window.idle() && window.mapView().settled(); };

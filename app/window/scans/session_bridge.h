@@ -12,7 +12,7 @@
 
 namespace leitstand {
 
-/// The session as the GUI thread sees it: what its thread tells arrives here as signals, in order; of
+/// The session as the GUI thread sees it. What its thread reports arrives here as signals, in order; of
 /// progress only the newest.
 class SessionBridge final : public QObject {
     Q_OBJECT
@@ -25,7 +25,7 @@ public:
     void registerAgain(const RegistrationSettings& settings);
     void clear();
     void cancel();
-    /// Whether jobs are at work or waiting.
+    /// Returns whether jobs are running or waiting.
     [[nodiscard]] bool busy() const { return m_jobs > 0; }
 
 signals:

@@ -2,11 +2,11 @@
 
 namespace leitstand {
 
-/// A window that asks the operator before it closes, where that matters.
+/// A window that asks the operator before it closes, when that matters.
 class AsksBeforeClosing {
 public:
     virtual ~AsksBeforeClosing() = default;
-    /// Closes at once: nobody is there to be asked, or was asked already.
+    /// Closes at once without asking: nobody is there to answer, or somebody answered already.
     virtual void closeUnasked() = 0;
 };
 

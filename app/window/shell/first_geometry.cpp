@@ -7,7 +7,7 @@
 namespace leitstand {
 namespace {
 
-/// A title bar and borders as desktops draw them; what there really is nobody knows before a window is shown.
+/// A title bar and borders as desktops draw them. The real ones are unknown before a window is shown.
 constexpr QMargins UsualFrame(8, 40, 8, 8);
 
 }  // namespace

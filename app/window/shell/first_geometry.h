@@ -9,18 +9,18 @@ class QWidget;
 
 namespace leitstand {
 
-/// How a window is shown for the first time.
+/// Geometry of a window that is shown for the first time.
 struct FirstGeometry {
-    QRect inside;            ///< of the window without its frame
-    bool maximised = false;  ///< and what it has when it is not maximised any more
+    QRect inside;            ///< the window without its frame; when maximised, its normal geometry
+    bool maximised = false;  ///< is shown maximised
 };
 
-/// In the middle of a screen of which windows may use @p available: of @p usual size, smaller where that does
-/// not fit with a @p frame around it; maximised where more fits.
+/// Returns the geometry in the middle of @p available, the usable part of a screen. It has the @p usual size,
+/// or less when that does not fit with a @p frame around it. Maximised when more fits.
 [[nodiscard]] FirstGeometry firstGeometry(const QRect& available, const QMargins& frame, QSize usual);
 
-/// Shows @p window as it was left, as QWidget::saveGeometry() told; for the first time (@p left is empty, or
-/// tells nothing) by firstGeometry() on its screen.
+/// Shows @p window as it was left; @p left is from QWidget::saveGeometry(). The first time (@p left is empty
+/// or not valid), places it by firstGeometry() on its screen.
 void showAsLeft(QWidget& window, const QByteArray& left, QSize usual);
 
 }  // namespace leitstand

@@ -18,7 +18,7 @@ namespace {
 constexpr int UsageError = 2;
 constexpr int SmallestSide = 320, LargestSide = 8192;  ///< [px]
 
-/// Reads "1280x800"; an error text otherwise.
+/// Reads "1280x800" into @p size. Returns the error text; empty: none.
 std::string parseSize(const std::string& text, std::optional<QSize>& size) {
     int width = 0, height = 0;
     char end = 0;

@@ -10,14 +10,14 @@
 namespace leitstand {
 
 /// While it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP ends the program as closing its windows does:
-/// what is recorded is closed, what is remembered is written; within 5 s, whatever libraries do. A second one
-/// ends it at once. GUI thread, at most one at a time.
+/// recordings are closed, and what is remembered is written. That takes at most 5 s, whatever libraries do. A
+/// second signal ends it at once. GUI thread, at most one at a time.
 class OrderlyEnd final : public QObject {
     Q_OBJECT
 public:
     explicit OrderlyEnd(QObject* parent = nullptr);
 
-    /// Whether the program was asked to end: no window opens any more.
+    /// Returns whether the program was asked to end: no window opens any more.
     [[nodiscard]] static bool asked();
 
 private:

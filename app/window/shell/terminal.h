@@ -4,14 +4,14 @@
 
 namespace leitstand {
 
-/// Prints "leitstand: TEXT" on stderr as one line, with what others named made printable.
+/// Prints "leitstand: TEXT" on stderr as one line. Names that others chose are made printable.
 void tellTerminal(std::string_view text);
 
-/// The same on stdout.
+/// Prints "leitstand: TEXT" on stdout in the same way.
 void sayOnTerminal(std::string_view text);
 
-/// From now on what Qt has to say goes to stderr printable, too; with @p picture its remarks on a
-/// display-free platform, which come with every window, are left out.
+/// Sends messages of Qt to stderr from now on, made printable. With @p picture, drops its remarks on a
+/// display-free platform, which come with every window.
 void tellQtMessages(bool picture);
 
 }  // namespace leitstand

@@ -22,14 +22,14 @@ struct WindowState {
     QSize firstSize{1280, 800};
     QByteArray layout;        ///< QMainWindow::saveState
     QByteArray liveGeometry;  ///< of the live window
-    QString liveLayout;       ///< name of the live window's; empty: the first
+    QString liveLayout;       ///< name of the live window's layout; empty: the first
     QString language;         ///< code; empty: the user's
     MapViewSettings view;
     RegistrationSettings registration;
     std::vector<Sources> recent;  ///< newest first
 };
 
-/// The state that was saved last; what is missing or makes no sense has its default.
+/// Returns the state that was saved last. What is missing or makes no sense has its default.
 [[nodiscard]] WindowState loadWindowState();
 /// Saves @p state to leitstand/leitstand.ini in the user's XDG configuration folder.
 void saveWindowState(const WindowState& state);

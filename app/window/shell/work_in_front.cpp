@@ -17,7 +17,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(leitstand::ReviewWindow)
 };
 
-/// Set up to tell how far it is.
+/// Sets up @p dialog to show progress.
 void prepare(QProgressDialog& dialog, const WorkInFront& look) {
     dialog.setObjectName(look.name);
     dialog.setWindowTitle(QCoreApplication::applicationName());
@@ -27,7 +27,7 @@ void prepare(QProgressDialog& dialog, const WorkInFront& look) {
     dialog.setAutoReset(false);
     dialog.setLabelText(look.label);
     if (!look.cancellable) dialog.setCancelButton(nullptr);
-    // It stays until the work has ended, also once that was cancelled.
+    // It stays until the work has ended, also after a cancellation.
     QObject::disconnect(&dialog, &QProgressDialog::canceled, &dialog, nullptr);
     dialog.setValue(0);
     dialog.show();
@@ -38,7 +38,7 @@ void prepare(QProgressDialog& dialog, const WorkInFront& look) {
 void workInFront(const WorkInFront& look, const std::function<void(const Progress&)>& work) {
     QProgressDialog dialog;
     prepare(dialog, look);
-    bool over = false;  // of this thread
+    bool over = false;  // used by this thread alone
     const auto hop = [&dialog](auto call) {
         QMetaObject::invokeMethod(&dialog, std::move(call), Qt::QueuedConnection);
     };
@@ -54,7 +54,7 @@ void workInFront(const WorkInFront& look, const std::function<void(const Progres
         thread.request_stop();
         dialog.setLabelText(Words::tr("Being cancelled…"));
     });
-    // Not exec(): once the program was asked to end that returns at once, again and again.
+    // Not exec(): once the program was asked to end, it returns at once every time.
     QEventLoop loop;
     while (!over) loop.processEvents(QEventLoop::WaitForMoreEvents);
     thread.join();

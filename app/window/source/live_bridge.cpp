@@ -11,8 +11,8 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds Tick(33);
-/// What is around is made anew where nothing was scanned, and where something was, which slices are ten times
-/// a second: not in step with ticks, or some of them would wait for the next one's picture.
+/// Ticks between updates of what is around: without new scans, and with them. Slices come ten times a second.
+/// They are not in step with ticks: with 3 ticks some would wait for the picture of the next one.
 constexpr int TicksAround = 3, TicksScanned = 2;
 
 }  // namespace

@@ -14,20 +14,20 @@
 
 namespace leitstand {
 
-/// The station as the GUI thread sees it: what its threads tell arrives here as signals.
+/// The station as the GUI thread sees it. What its threads report arrives here as signals.
 class LiveBridge final : public MomentSource {
     Q_OBJECT
 public:
-    /// Errors as of Station::open().
+    /// Opens the station. Errors as of Station::open().
     [[nodiscard]] static Result<std::unique_ptr<LiveBridge>> open(const StationSettings& settings);
     ~LiveBridge() override;
 
-    /// Tells a new window of the map that is there.
+    /// Notifies a new window of the map that is there.
     void showAgain();
     [[nodiscard]] Station& station() { return *m_station; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const override;
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
-    void watch(const std::string& robot) override;  ///< ten times a second
+    void watch(const std::string& robot) override;  ///< updates its surroundings at about 10 Hz
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
     [[nodiscard]] GasTrend gas(const std::string& robot) const override;
 
@@ -35,7 +35,7 @@ private:
     LiveBridge();
     void tick();
     void keepGas();
-    void lookAround();  ///< where something was scanned, or the robot may have driven on
+    void lookAround();  ///< updates m_around when something was scanned, or the robot may have moved
     template <class Call>
     void hop(Call call) {
         QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
@@ -46,7 +46,7 @@ private:
     std::map<std::string, GasTrend> m_gas;  ///< by robot
     std::optional<VirtualScanView> m_around;
     int m_sinceAround = 0;                ///< ticks
-    std::optional<SteadyTime> m_scanned;  ///< when the newest of what is in m_around came
+    std::optional<SteadyTime> m_scanned;  ///< arrival of the newest data in m_around
     std::unique_ptr<PictureFeed> m_pictures;
     std::unique_ptr<Station> m_station;  ///< last: its threads end first
 };

@@ -12,17 +12,17 @@
 
 namespace leitstand {
 
-/// The newest of everything at one moment, asked for once and shown by all panes.
+/// The newest of everything at one moment, collected once and shown by all panes.
 struct LiveMoment {
     Time now = {};  ///< the station's clock
     std::chrono::steady_clock::time_point steady = {};
     MissionStatePtr mission;
     RobotsInMapPtr places;                    ///< where robots are in the map
     LiveMapPtr scans;                         ///< of the map
-    std::map<std::string, RobotView> robots;  ///< by name; what is around is known of the watched one only
+    std::map<std::string, RobotView> robots;  ///< by name; only the watched one has surroundings
 
     [[nodiscard]] const RobotView& view(const std::string& robot) const;   ///< empty when unknown
-    [[nodiscard]] const RobotState& said(const std::string& robot) const;  ///< empty when it said nothing
+    [[nodiscard]] const RobotState& said(const std::string& robot) const;  ///< empty when it sent nothing
 };
 
 }  // namespace leitstand

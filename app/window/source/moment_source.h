@@ -17,33 +17,34 @@
 
 namespace leitstand {
 
-/// Where panes have what they show from: the station on live robots, or a mission's log.
+/// The source of what panes show: the station on live robots, or a mission's log.
 class MomentSource : public QObject {
     Q_OBJECT
 public:
     [[nodiscard]] virtual const std::vector<RobotDescription>& robots() const = 0;
     [[nodiscard]] virtual PictureFeed& pictures() = 0;
-    /// Whose surroundings are asked for.
+    /// Selects the robot whose surroundings are requested.
     virtual void watch(const std::string& robot) = 0;
-    /// When @p picture came, on the clock of LiveMoment::steady.
+    /// Returns when @p picture arrived, on the clock of LiveMoment::steady.
     [[nodiscard]] virtual SteadyTime arrivalOf(const ShownPicture& picture) const = 0;
-    /// From which age pictures of a camera are old: how often they come is the source's to know.
+    /// Returns from which age pictures of a camera are old. The source knows how often they come.
     [[nodiscard]] virtual FreshnessLimits pictureLimits(const std::string& /*robot*/,
                                                         const std::string& /*sensor*/) const {
         return {};
     }
     /// What the virtual scan of a robot is made of.
     struct ScanSource {
-        bool keyScans = false;  ///< whole turns, as old as they are; else what its scanners send
+        bool keyScans = false;  ///< whole turns, whatever their age; else what its scanners send
         FreshnessLimits limits = {};
     };
     [[nodiscard]] virtual ScanSource scanSource(const std::string& /*robot*/) const { return {}; }
-    /// The gas that @p robot measured in the minutes before moment(); also before a window was built again.
+    /// Returns the gas that @p robot measured in the minutes before moment(), also before a window was
+    /// created again.
     [[nodiscard]] virtual GasTrend gas(const std::string& robot) const = 0;
-    /// As of the newest tick.
+    /// Returns the moment of the newest tick.
     [[nodiscard]] const LiveMoment& moment() const { return m_moment; }
-    /// Every message since the program began: a window that is built again in another language shows them
-    /// too.
+    /// Returns every message since the program started. A window that is created again in another language
+    /// shows them too.
     [[nodiscard]] MessageListModel& messages() { return m_messages; }
     /// Shows @p text to the operator, and keeps it in messages().
     void notify(const QString& text);

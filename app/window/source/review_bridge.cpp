@@ -18,10 +18,11 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds Tick(33);
-/// Of the times between two samples, as usual in the mission.
+/// Multiples of the usual time between two samples in the mission.
 constexpr double StaleAfter = 2.5, LostAfter = 5.0;
 
-/// Of a stream with that many samples a second [Hz]: as live ones, or as rare as it is recorded.
+/// Returns the limits of a stream of @p rate [Hz]: as for live ones, or longer when it was recorded more
+/// rarely.
 FreshnessLimits limitsAt(double rate) {
     FreshnessLimits limits;
     if (rate <= 0.0) return limits;
@@ -38,7 +39,7 @@ ReviewBridge::ReviewBridge() : m_writer([this](const std::stop_token& stop) { m_
 }
 
 ReviewBridge::~ReviewBridge() {
-    std::promise<void> written;  // what somebody wrote is not lost because they close the window at once
+    std::promise<void> written;  // closing the window at once loses nothing that was written
     m_writing.submit([&written](const std::stop_token&) { written.set_value(); }, false);
     written.get_future().wait();
 }

@@ -10,17 +10,17 @@
 
 namespace leitstand {
 
-/// The comparison of a review, whatever window it is looked at in: it goes on while a window is made anew in
+/// The comparison of a review, whatever window shows it. It continues while a window is created again in
 /// another language.
 class ReviewComparison final : public QObject {
     Q_OBJECT
 public:
-    /// Of the mission @p folder.
+    /// Compares registrations of the mission @p folder.
     explicit ReviewComparison(std::filesystem::path folder);
     ~ReviewComparison() override;
 
     void begin(const ReviewIndexPtr& index, const RegistrationSettings& settings);
-    /// What was compared in an earlier review comes, where something was.
+    /// Brings back what was compared in an earlier review, if anything.
     void recall(const ReviewIndexPtr& index);
     void cancel();
     void show(ComparedMap which) { m_shown = which; }
@@ -34,7 +34,7 @@ public:
 signals:
     void progressed(double fraction);
     void changed();                      ///< it began, is done, was cancelled or failed
-    void finished(const QString& text);  ///< what came of it, for the operator
+    void finished(const QString& text);  ///< its outcome, for the operator
 
 private:
     void finish(const Result<ComparedMapsPtr>& result);

@@ -12,7 +12,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Step = 0.05;  ///< of the progress that is told
+constexpr double Step = 0.05;  ///< step of the reported progress
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void ReviewReport::begin(const QString& out) {
     if (m_writing) return;
     m_writing = true;
     m_progress = 0.0;
-    m_thread = {};  // reads where the one before was written to
+    m_thread = {};  // ends the thread before, which reads m_out
     m_out = out;
     m_thread =
         std::jthread([this, attempt = ++m_attempt](const std::stop_token& stop) { run(stop, attempt); });

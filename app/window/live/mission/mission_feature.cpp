@@ -28,7 +28,7 @@
 namespace leitstand {
 namespace {
 
-constexpr int TicksALog = 15;          ///< the log is asked twice a second
+constexpr int TicksALog = 15;          ///< ticks between two looks at the log: twice a second
 constexpr double Megabyte = 1e6;       ///< [B]
 constexpr int LongestMission = 1'440;  ///< [min]
 constexpr std::chrono::minutes Offered(30);
@@ -153,7 +153,7 @@ void MissionFeature::askForLength() {
     question->setLabelText(tr("Minutes; 0: without end"));
     question->setInputMode(QInputDialog::IntInput);
     question->setIntRange(0, LongestMission);
-    // What the rules of the mission's year say is offered first.
+    // The length by the rules of the mission's year is offered first.
     const ScoreBoard board;
     const ScoreProfile* const rules = board.profileOf(*m_context.source.moment().mission);
     const MissionClock offered = withLength(clock.now(), rules == nullptr ? 0.0 : rules->minutes);

@@ -16,23 +16,23 @@ class ClockFace;
 class RecordLight;
 struct LiveMoment;
 
-/// The mission itself: whether it is recorded, and its clock.
+/// The mission itself: its clock, and whether it is recorded.
 class MissionFeature final : public QObject {
     Q_OBJECT
 public:
-    /// @p folder: of the mission.
+    /// @p folder: folder of the mission.
     MissionFeature(const LiveContext& context, const QString& folder);
 
-    /// Clock and recording, for the top bar.
+    /// Returns the widget with clock and recording, for the top bar.
     [[nodiscard]] QWidget* bar() const { return m_bar; }
 
-    /// The mission @p name, which was recorded until a moment ago, may be gone on with instead of this one;
-    /// who asks for that is asked again. Withdrawn after a while.
+    /// Offers to continue the mission @p name, recorded until a moment ago, instead of this one. The operator
+    /// has to confirm it. Withdrawn after a while.
     void offerEarlier(const QString& name);
 
 signals:
-    void earlierWanted();  ///< of offerEarlier()
-    /// This mission is to end, and a new one to begin in the map of the mission @p folder.
+    void earlierWanted();  ///< the mission of offerEarlier() is to be continued
+    /// This mission is to end, and a new one to begin in the map of mission @p folder.
     void mapWanted(const QString& folder);
 
 private:
@@ -40,7 +40,7 @@ private:
     void askForLength();
     void askForEarlier();
     void askForMap();
-    /// Asks, without holding anything up, whether this mission is to end.
+    /// Asks whether this mission is to end, without blocking. Calls @p ends when the answer is yes.
     void askToEnd(const QString& name, const QString& title, const QString& text, const QString& yes,
                   const std::function<void()>& ends);
     void show(const LiveMoment& moment);

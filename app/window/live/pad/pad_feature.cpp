@@ -19,7 +19,7 @@
 namespace leitstand {
 namespace {
 
-/// Whether a stop of anybody keeps @p robot from moving.
+/// Returns whether anybody's stop keeps @p robot from moving.
 bool isStopped(const RobotView& robot) {
     return robot.stop.sent || robot.stop.stopped || robot.stop.releasing;
 }
@@ -124,7 +124,7 @@ void PadFeature::selectNext() {
 std::vector<PadCommandFace> PadFeature::faces() const {
     std::vector<PadCommandFace> faces;
     for (const QAction* action : m_context.commands.all()) {
-        // What follows a tabulator is a key.
+        // Text behind a tab is a key.
         const QString text = action->text().section(QLatin1Char('\t'), 0, 0).remove(QLatin1Char('&'));
         faces.push_back({action->objectName().toStdString(), text, action->toolTip()});
     }
@@ -173,7 +173,7 @@ void PadFeature::fillDialog() {
 void PadFeature::refresh() {
     if (m_legend->isVisible()) {
         const QString pad = QString::fromStdString(m_input.chosen().name);
-        // Without one: what a known one would do.
+        // Without a pad: the default controls of a known one.
         m_legend->setPad(pad, pad.isEmpty() ? defaultBindings(PadLayout::Standard) : m_input.bindings());
         m_legend->setState(m_input.state());
     }

@@ -20,8 +20,8 @@ class PadLegend;
 class PadMappingDialog;
 struct LiveMoment;
 
-/// Gamepads in the live window: they drive through @p drive, turn cameras, command and stop; their legend and
-/// the dialog in which controls are bound.
+/// Gamepads in the live window. They drive through @p drive, turn cameras, trigger commands and stop.
+/// Includes their legend and the dialog that binds controls.
 class PadFeature final : public QObject {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ public:
     ~PadFeature() override;
 
     [[nodiscard]] PadInput& input() { return m_input; }
-    /// Commands of the layout in use, by button of the pad.
+    /// Sets the commands of the layout in use, by button of the pad.
     void useLayout(const std::map<std::string, std::string>& byButton);
 
 protected:
@@ -45,13 +45,13 @@ private:
     void showLegend(bool on);
     void openDialog();
     void fillDialog();
-    void refresh();  ///< what of legend and dialog is to be seen
+    void refresh();  ///< updates legend and dialog where they are shown
     [[nodiscard]] std::vector<PadCommandFace> faces() const;
 
     LiveContext m_context;
     PadInput m_input;
     PadLegend* m_legend;
-    PadMappingDialog* m_dialog = nullptr;  ///< made when it is first wanted
+    PadMappingDialog* m_dialog = nullptr;  ///< null until it is first opened
     QAction* m_legendAction = nullptr;
 };
 

@@ -16,55 +16,55 @@
 
 namespace leitstand {
 
-/// How gamepads are used.
+/// Settings of PadInput.
 struct PadInputSettings {
-    PadMemory memory{{}};  ///< of what the operator bound
-    /// Called at once on the pads' thread when a pad's STOP is pressed, also while the window is busy.
+    PadMemory memory{{}};  ///< remembers what the operator bound
+    /// Called at once on the pads' thread when STOP of a pad is pressed, even while the window is busy.
     std::function<void()> onStop = {};
 };
 
-/// The operator's gamepads: one of them drives, the first that came or the one that was chosen; STOP works on
-/// all. Pads come and go as they like.
+/// The operator's gamepads. One of them drives: the first that was plugged in, or the chosen one. STOP works
+/// on all. Pads come and go at any time.
 class PadInput final : public QObject {
     Q_OBJECT
 public:
     explicit PadInput(PadInputSettings settings, QObject* parent = nullptr);
     ~PadInput() override;
 
-    /// All that are plugged in, as they came.
+    /// Returns all pads that are plugged in, in order of arrival.
     [[nodiscard]] std::vector<PadInfo> pads() const;
-    /// The one that drives; its id is -1 when there is none.
+    /// Returns the pad that drives. Its id is -1 when there is none.
     [[nodiscard]] PadInfo chosen() const;
     void choose(int id);
-    /// What the chosen one does: as the operator bound it, and the layout in use.
+    /// Returns the bindings of the chosen pad: the operator's, overlaid with those of the layout in use.
     [[nodiscard]] PadBindings bindings() const;
     [[nodiscard]] PadBindings ownBindings() const { return m_own; }  ///< without the layout
     [[nodiscard]] PadState state() const;                            ///< of the chosen one
-    /// What the chosen pad does from now on, and the next time.
+    /// Binds the chosen pad from now on, and remembers it.
     void setBindings(const PadBindings& bindings);
-    /// Commands that go before the operator's, by button (withCommands).
+    /// Sets the commands that override the operator's, by button (withCommands()).
     void setLayoutCommands(std::map<std::string, std::string> byButton);
 
     void setLimits(const DriveLimits& limits);
-    /// What pads may do now: nothing while another window has the focus, no motion while a stop stands.
+    /// Sets what pads may do now: nothing while another window has the focus, no motion while a stop stands.
     void setScope(PadScope scope);
-    void needNeutral();  ///< trigger and sticks have to be let go first
-    /// Lets the chosen pad tremble, @p strength 0 to 1.
+    void needNeutral();  ///< trigger and sticks must be released first
+    /// Rumbles the chosen pad for @p milliseconds, @p strength 0 to 1.
     void rumble(double strength, int milliseconds);
 
 signals:
-    /// The sticks; @p driving: the trigger is held and counts; @p withoutEyes: with the override of the speed
-    /// cap. With every change, and 20 times a second.
+    /// The sticks. @p driving: the trigger is held and counts. @p withoutEyes: the override of the speed cap
+    /// is held. While driving and once after: on every change, and at 20 Hz.
     void sticks(const leitstand::DriveVelocity& velocity, bool driving, bool withoutEyes);
-    /// The trigger is held in vain: trigger or sticks have to be let go first.
+    /// The trigger is held in vain: trigger or sticks must be released first.
     void needsNeutral(bool needs);
-    void panTilt(const leitstand::PanTiltRate& rate);  ///< 20 times a second while it is not zero, and a zero
+    void panTilt(const leitstand::PanTiltRate& rate);  ///< at 20 Hz while it is not zero, then one zero
     void stopPressed();
     void commandWanted(const QString& id);
     void connected(const QString& name);
     void gone(const QString& name);
-    void padsChanged();  ///< other pads, another one chosen, or it does other things
-    void moved();        ///< the chosen one's state changed
+    void padsChanged();  ///< pads came or went, another is chosen, or bindings changed
+    void moved();        ///< the state of the chosen pad changed
     void notified(const QString& text);
 
 private:
@@ -92,7 +92,7 @@ private:
 
     const PadInputSettings m_settings;
     mutable std::mutex m_mutex;
-    std::map<int, PadMapping> m_stops;  ///< under the mutex: who stops; as the operator bound them
+    std::map<int, PadMapping> m_stops;  ///< find STOP, by pad; guarded by m_mutex
     std::vector<Pad> m_pads;
     int m_chosen = -1;
     PadBindings m_own;                            ///< of the chosen one

@@ -12,18 +12,19 @@ struct _SDL_Joystick;
 
 namespace leitstand {
 
-/// A gamepad as it is plugged in.
+/// A gamepad that is plugged in.
 struct PadInfo {
-    int id = -1;       ///< of this plugging in; another one has another
-    std::string name;  ///< as it calls itself
-    std::string guid;  ///< of its kind: letters and digits
+    int id = -1;       ///< new whenever a pad is plugged in
+    std::string name;  ///< its name in SDL
+    std::string guid;  ///< of its model: letters and digits
     PadLayout layout = PadLayout::Plain;
 };
 
-/// An open gamepad of SDL's. Of the pads' thread alone.
+/// An open gamepad of SDL. Used on the pads' thread alone.
 class SdlDevice {
 public:
-    /// The joystick that SDL has at @p index now; null when it cannot be opened (SDL_GetError tells why).
+    /// Opens the joystick that SDL has at @p index now. Null when it cannot be opened (SDL_GetError() has the
+    /// reason).
     [[nodiscard]] static std::unique_ptr<SdlDevice> open(int index);
     SdlDevice(const SdlDevice&) = delete;
     SdlDevice& operator=(const SdlDevice&) = delete;
@@ -31,13 +32,14 @@ public:
 
     [[nodiscard]] const PadInfo& info() const { return m_info; }
     [[nodiscard]] bool attached() const;
-    /// As SDL was told last.
+    /// Returns the state that SDL received last.
     [[nodiscard]] PadState read() const;
-    /// A button came down since the state was read, as one of the layout @p of; it may be up again already.
+    /// Notes that @p button of the layout @p of came down since the state was read. It may be up again
+    /// already.
     void pressed(PadLayout of, int button);
-    /// The buttons that came down since this was asked last.
+    /// Returns the buttons that came down since the last call.
     [[nodiscard]] std::set<int> takePressed();
-    /// @p strength 0 to 1. Pads that cannot do nothing.
+    /// Rumbles the pad for @p milliseconds, @p strength 0 to 1. Does nothing on pads that cannot rumble.
     void rumble(double strength, int milliseconds);
 
 private:
@@ -46,7 +48,7 @@ private:
     [[nodiscard]] PadState readPlain() const;
 
     PadInfo m_info;
-    _SDL_GameController* m_controller = nullptr;  ///< of a known pad
+    _SDL_GameController* m_controller = nullptr;  ///< of a pad that SDL knows, else null
     _SDL_Joystick* m_joystick = nullptr;          ///< the controller's, or our own
     std::set<int> m_pressed;
 };

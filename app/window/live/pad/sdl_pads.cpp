@@ -22,13 +22,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds Look(5), LookForNew(100);
-constexpr std::chrono::milliseconds Repeat(50);  ///< of a state that does not change
+constexpr std::chrono::milliseconds Repeat(50);  ///< interval of reports while a state does not change
 
 }  // namespace
 
 struct SdlPads::State {
     struct Pad {
-        bool fresh = true;  ///< SDL has not asked it how it is held: what it tells means nothing yet
+        bool fresh = true;  ///< SDL has not read its controls yet: its state means nothing
         std::unique_ptr<SdlDevice> device;
         PadState told;
         Clock::time_point at{};
@@ -52,8 +52,8 @@ struct SdlPads::State {
     PadListener listener;
     std::mutex mutex;
     std::condition_variable_any woken;
-    std::vector<Rumble> rumbles;  ///< under the mutex
-    // Of the thread:
+    std::vector<Rumble> rumbles;  ///< guarded by mutex
+    // Used by the thread alone:
     std::map<int, Pad> pads;
     std::set<int> refused;
     std::jthread thread;  ///< last: joined first
@@ -141,10 +141,10 @@ void SdlPads::State::run(const std::stop_token& stop) {
             if (gone && listener.onGone) listener.onGone(one.first);
             return gone;
         });
-        SDL_LockJoysticks();  // indices hold
+        SDL_LockJoysticks();  // indices stay valid
         lookForNew();
         SDL_UnlockJoysticks();
-        // A trigger that is held while its pad is plugged in must not look as if it had been let go before.
+        // A trigger that is held while its pad is plugged in must not look as if it was released before.
         for (auto& [id, pad] : pads) {
             if (!std::exchange(pad.fresh, false)) tell(pad);
         }
@@ -154,7 +154,7 @@ void SdlPads::State::run(const std::stop_token& stop) {
     }
     pads.clear();
     SDL_QuitSubSystem(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER);
-    SDL_TLSCleanup();  // this thread is none of SDL's own
+    SDL_TLSCleanup();  // SDL did not create this thread
 }
 
 SdlPads::SdlPads(PadListener listener) : m_state(std::make_unique<State>()) {

@@ -9,17 +9,17 @@
 
 namespace leitstand {
 
-/// Who is told of gamepads, on the pads' own thread, which must not be held up. Any may be empty.
+/// Callbacks on gamepads. They run on the pads' own thread and must not block it. Any may be empty.
 struct PadListener {
     std::function<void(const PadInfo&)> onCame = {};
-    std::function<void(int id, const PadState&)> onState = {};  ///< when it changed, and 20 times a second
+    std::function<void(int id, const PadState&)> onState = {};  ///< on every change, and at 20 Hz
     std::function<void(int id)> onGone = {};
     std::function<void(const std::string&)> onTrouble = {};  ///< for the operator, in English
 };
 
-/// All gamepads that are plugged in, by SDL (no windows, no video), watched two hundred times a second on a
-/// thread of its own, whatever window has the focus. Ten looks a second for new ones while there are none. A
-/// button that was down and up between two looks is told as held nevertheless.
+/// Watches all plugged-in gamepads with SDL (no windows, no video), at 200 Hz on its own thread, whatever
+/// window has the focus. Looks for new ones at 10 Hz while there are none. Reports a button as held even when
+/// it went down and up between two looks.
 class SdlPads {
 public:
     explicit SdlPads(PadListener listener);
@@ -27,7 +27,7 @@ public:
     SdlPads(const SdlPads&) = delete;
     SdlPads& operator=(const SdlPads&) = delete;
 
-    /// Lets the pad @p id tremble, @p strength 0 to 1. Any thread, at once back.
+    /// Rumbles the pad @p id for @p milliseconds, @p strength 0 to 1. Any thread; returns at once.
     void rumble(int id, double strength, int milliseconds);
 
 private:

@@ -99,7 +99,7 @@ void PreflightFeature::openWhenSomethingFails() {
 void PreflightFeature::open() {
     refresh();
     if (!m_dialog->isVisible()) {
-        // Over the panes, and over nothing of the bar: it opens by itself, and STOP stays in sight.
+        // Over the panes but not over the bar: it opens by itself, and STOP stays in sight.
         const PaneDocks& panes = m_context.panes;
         m_dialog->resize(m_dialog->size().boundedTo(panes.size()));
         m_dialog->move(panes.mapToGlobal(QPoint((panes.width() - m_dialog->width()) / 2, 0)));

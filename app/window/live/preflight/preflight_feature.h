@@ -23,16 +23,17 @@ class PreflightFeature final : public QObject {
 public:
     explicit PreflightFeature(const LiveContext& context);
 
-    [[nodiscard]] QLabel& badge() const { return *m_badge; }  ///< for the corner: robots without a watchdog
+    /// Returns the badge for the corner: robots driven despite a failed brake test.
+    [[nodiscard]] QLabel& badge() const { return *m_badge; }
 
-    /// Opens the page in a while, if something fails then and nobody drives.
+    /// Opens the page after a while, when something fails then and nobody drives.
     void openWhenSomethingFails();
     void setGamepad(const QString& name);      ///< empty: there is none
     void setSoundTrouble(const QString& why);  ///< empty: the tones of alarms are heard
 
 signals:
-    void robotWanted(const QString& file);  ///< to be taken into the station
-    void tonesWanted();                     ///< of alarms, to be tried
+    void robotWanted(const QString& file);  ///< the station is to add this robot
+    void tonesWanted();                     ///< the tones of alarms are to be tried
 
 private:
     void buildPage();

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::chrono::seconds Muted(60);
 constexpr std::chrono::milliseconds BetweenTones(1'500);
-constexpr int TicksShown = 3;  ///< the list is made ten times a second
+constexpr int TicksShown = 3;  ///< ticks between updates of the list: 10 Hz
 
 }  // namespace
 

@@ -21,8 +21,8 @@ public:
     explicit AlarmsFeature(const LiveContext& context);
 
     [[nodiscard]] QWidget& pane() const;
-    void tryTones();  ///< both of them, one after the other
-    /// Why tones are not heard; empty: all is well.
+    void tryTones();  ///< plays both of them, one after the other
+    /// Returns why tones are not heard. Empty when all is well.
     [[nodiscard]] const QString& soundTrouble() const { return m_player.trouble(); }
 
 signals:
@@ -36,9 +36,9 @@ private:
 
     LiveContext m_context;
     AlarmPanel* m_panel;
-    QAction* m_acknowledge = nullptr;  ///< only while one waits for it
+    QAction* m_acknowledge = nullptr;  ///< enabled while an alarm waits for it
     TonePlayer m_player;
-    QTimer m_second;  ///< of the tones that are tried; a real one goes before
+    QTimer m_second;  ///< starts the second tone that is tried; a real tone cancels it
     AlarmVoice m_voice;
     int m_sinceShown = 0;  ///< ticks
 };

@@ -11,7 +11,7 @@ namespace leitstand {
 class AlarmPanel;
 struct LiveMoment;
 
-/// The alarms that stood at the moment of a review: they are looked at, not acknowledged.
+/// Shows the alarms that stood at the moment of a review. They cannot be acknowledged.
 class LoggedAlarms final : public QObject {
     Q_OBJECT
 public:

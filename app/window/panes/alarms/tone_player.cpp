@@ -20,7 +20,7 @@ QAudioFormat formatFor(const QAudioDevice& device) {
     return device.isFormatSupported(format) ? format : device.preferredFormat();
 }
 
-/// @p samples as @p format wants them, the same in each channel; empty for formats that nobody has.
+/// Returns @p samples in @p format, the same in each channel. Empty for formats that are not supported.
 QByteArray bytesOf(const std::vector<float>& samples, const QAudioFormat& format) {
     QByteArray bytes;
     const auto add = [&bytes](auto value) {
@@ -61,7 +61,7 @@ TonePlayer::TonePlayer(QObject* parent) : QObject(parent), m_devices(std::make_u
 void TonePlayer::lookForDevice() {
     const QAudioDevice device = QMediaDevices::defaultAudioOutput();
     if (device.isNull()) return setTrouble(tr("No sound device: alarms are seen, not heard."));
-    // One that did not work still does not because another one was plugged in or out.
+    // A device that failed still fails after another one was plugged in or out.
     if (device.id() != m_failed) setTrouble({});
 }
 

@@ -14,16 +14,16 @@ class QMediaDevices;
 
 namespace leitstand {
 
-/// Plays the tones of alarms on the computer's default sound device; where there is none it is silent.
+/// Plays the tones of alarms on the computer's default sound device. Silent when there is none.
 class TonePlayer final : public QObject {
     Q_OBJECT
 public:
     explicit TonePlayer(QObject* parent = nullptr);
     ~TonePlayer() override;
 
-    /// Begins @p tone; one that still sounds is cut off.
+    /// Starts @p tone, and cuts off one that still sounds.
     void play(AlarmTone tone);
-    /// Why nothing is heard, for the operator; empty when all is well.
+    /// Returns why nothing is heard, for the operator. Empty when all is well.
     [[nodiscard]] const QString& trouble() const { return m_trouble; }
 
 signals:
@@ -36,8 +36,8 @@ private:
     std::unique_ptr<QMediaDevices> m_devices;
     QByteArray m_samples;
     std::unique_ptr<QBuffer> m_buffer;
-    std::unique_ptr<QAudioSink> m_sink;  ///< reads the buffer: goes first
-    QByteArray m_failed;                 ///< the device that did not play, by its id
+    std::unique_ptr<QAudioSink> m_sink;  ///< reads the buffer: destroyed first
+    QByteArray m_failed;                 ///< id of the device that did not play
     QString m_trouble;
 };
 

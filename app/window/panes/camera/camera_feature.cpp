@@ -23,7 +23,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Step = degrees(10);  ///< of a command that turns a camera [rad]
+constexpr double Step = degrees(10);  ///< angle of one turning command [rad]
 
 }  // namespace
 
@@ -79,7 +79,7 @@ void CameraFeature::addTurning() {
     connect(&add("camera.recentre", tr("Re-&centre cameras"), tr("All cameras of the robot look ahead"),
                  Qt::Key_C),
             &QAction::triggered, this, &CameraFeature::recentre);
-    // Held keys are CameraKeys': here they are only written.
+    // CameraKeys handles held keys; the texts only name them.
     const auto turn = [this](const char* id, const QString& text, double pan, double tilt) {
         connect(
             &add(id, text, tr("Turns the large camera by 10 degrees; its keys turn it while they are held")),
@@ -102,7 +102,7 @@ void CameraFeature::addLooks() {
     connect(&add("camera.exchange", tr("E&xchange both pictures"),
                  tr("The camera in the small pane gets the large one")),
             &QAction::triggered, this, [this] {
-                setRate(0.0, 0.0);  // of the camera that was large until now
+                setRate(0.0, 0.0);  // stops the camera that was large until now
                 m_views.swap();
                 showPanes();
             });
@@ -176,7 +176,7 @@ void CameraFeature::applyLooks() {
 }
 
 void CameraFeature::choose() {
-    setRate(0.0, 0.0);  // of the robot that was selected before
+    setRate(0.0, 0.0);  // stops the camera of the robot selected before
     m_views.select(m_context.selection.robot());
     showPanes();
 }
@@ -206,7 +206,7 @@ void CameraFeature::enable() {
             anyTurns = true;
             large = large || sensor == m_views.sensor(CameraPlace::Large);
         }
-        // Cameras that send colours have theirs already.
+        // Thermal cameras that send colours are coloured already.
         heat = std::any_of(robot->streams.begin(), robot->streams.end(), [](const StreamDescription& one) {
             return one.role == StreamRole::Thermal && one.thermal.measured;
         });
@@ -233,7 +233,7 @@ void CameraFeature::showPicture(const ShownPicturePtr& picture) {
     for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
         if (picture->sensor == m_views.sensor(place)) showIn(pane(place), picture);
     }
-    enable();  // a camera tells with its pictures whether it is omnidirectional
+    enable();  // pictures show whether a camera is omnidirectional
 }
 
 void CameraFeature::forget(const std::string& robot, const std::string& sensor) {

@@ -20,26 +20,26 @@ class CameraPane;
 class CameraTurning;
 struct LiveMoment;
 
-/// The selected robot's cameras: one large ("camera"), with what the driver has to know in it, another beside
-/// it ("right"); how they are looked at, turned and kept.
+/// The selected robot's cameras: a large picture ("camera") with what the driver has to know, and a second
+/// one beside it ("right"). Also commands for looks, turning and snapshots.
 class CameraFeature final : public QObject {
     Q_OBJECT
 public:
-    /// Without a station cameras are only looked at.
+    /// Without a station, cameras cannot be turned and give no snapshots.
     explicit CameraFeature(const ViewContext& context);
 
     [[nodiscard]] QWidget& large() const;  ///< pane of the camera that the operator drives by
     [[nodiscard]] QWidget& small() const;  ///< pane of the second camera
-    /// Cameras that are in a pane and have sent no picture yet.
+    /// Returns the cameras in a pane that have sent no picture yet.
     [[nodiscard]] QStringList missing() const;
     [[nodiscard]] const CameraViews& views() const { return m_views; }
     void setPointing(bool pointing);  ///< the next click into a picture points
 
 public slots:
-    // The large camera, and what is on its pan-tilt unit: pan to the left, tilt down.
+    // These turn the large camera and what else is on its pan-tilt unit: pan to the left, tilt down.
     void turnTo(double pan, double tilt);   ///< [rad]
     void turnBy(double pan, double tilt);   ///< [rad]
-    void setRate(double pan, double tilt);  ///< on and on, until told otherwise [rad/s]
+    void setRate(double pan, double tilt);  ///< continuously, until the next call [rad/s]
     void recentre();                        ///< all cameras of the robot
 
 signals:
@@ -53,9 +53,9 @@ private:
     void addInfrared();
     QAction& add(const char* id, const QString& text, const QString& hint, const QKeySequence& keys = {},
                  bool checkable = false);
-    void choose();     ///< cameras for the panes of a robot newly selected
-    void showPanes();  ///< what is known of their cameras
-    void enable();     ///< what the selected robot's cameras can do
+    void choose();     ///< chooses cameras for the panes when a robot is selected
+    void showPanes();  ///< shows what is known of their cameras
+    void enable();     ///< enables what the selected robot's cameras can do
     void applyLooks();
     void showPicture(const ShownPicturePtr& picture);
     void forget(const std::string& robot, const std::string& sensor);
@@ -63,17 +63,17 @@ private:
     void show(const LiveMoment& moment);
     void point(CameraPlace place, const QPointF& at);
     void drag(const QPointF& from, const QPointF& to, bool first);
-    void keep(CameraPlace place);  ///< a snapshot
+    void keep(CameraPlace place);  ///< takes a snapshot
     [[nodiscard]] CameraPane& pane(CameraPlace place) const;
-    [[nodiscard]] CameraTurning* turning() const;  ///< null: nobody is there to be turned
+    [[nodiscard]] CameraTurning* turning() const;  ///< null: there is no live robot
     [[nodiscard]] std::string robotName() const;
 
     ViewContext m_context;
     CameraViews m_views;
     PictureLooks m_looks;
     CameraPane *m_large, *m_small;
-    PanTiltAngles m_grabbedAt;                             ///< angles when the picture was taken hold of
-    Eigen::Vector3d m_grabbed = Eigen::Vector3d::UnitZ();  ///< direction then
+    PanTiltAngles m_grabbedAt;                             ///< angles when dragging began
+    Eigen::Vector3d m_grabbed = Eigen::Vector3d::UnitZ();  ///< direction under the pointer then
 };
 
 }  // namespace leitstand

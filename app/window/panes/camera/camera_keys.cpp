@@ -106,8 +106,8 @@ bool CameraKeys::eventFilter(QObject* watched, QEvent* event) {
             const auto* widget = qobject_cast<QWidget*>(watched);
             if (widget == nullptr) return false;
             auto& key = static_cast<QKeyEvent&>(*event);
-            // What went down is let go even when a modifier or a menu came to it meanwhile; what did not go
-            // down here is others' (driving's).
+            // A key that went down here counts as released even when a modifier or a menu came meanwhile.
+            // Other keys belong to driving.
             if (event->type() == QEvent::KeyRelease) {
                 const auto way = wayOf(key);
                 return way && m_held.contains(*way) && take(key, false);

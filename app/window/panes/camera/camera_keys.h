@@ -13,22 +13,21 @@ class QWidget;
 
 namespace leitstand {
 
-/// Turning cameras with keys that do not drive, for as long as they are held: Q and E pan, Page Up and Page
-/// Down tilt; on the number pad 4 6 8 2, and 5 re-centres. Shift turns slowly. While text is typed they are
-/// letters.
+/// Turns cameras while keys that do not drive are held: Q and E pan, Page Up and Page Down tilt. On the
+/// number pad 4 6 8 2 turn, and 5 re-centres. Shift turns slowly. In text fields they are letters.
 class CameraKeys final : public QObject {
     Q_OBJECT
 public:
-    /// Watches keys of @p window and of what is in it; @p driving tells whether a robot is driven: then Ctrl,
-    /// which drives fast, makes no other key of them.
+    /// Watches the keys of @p window and of the widgets in it. @p driving returns whether a robot is driven.
+    /// Then Ctrl, which drives fast, makes no other key of them.
     CameraKeys(QWidget& window, std::function<bool()> driving);
 
-    /// The keys in short, for the pane: "Q E PgUp PgDn".
+    /// Returns the keys in short, for the pane: "Q E PgUp PgDn".
     [[nodiscard]] static QString names();
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// As the held keys want it, on every change [rad/s].
+    /// The rate that the held keys request, on every change [rad/s].
     void rateWanted(const leitstand::PanTiltAngles& perSecond);
     void recentreWanted();
 

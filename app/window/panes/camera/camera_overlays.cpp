@@ -13,7 +13,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double UsualAngle = degrees(60);  ///< across, of cameras that are not calibrated
+constexpr double UsualAngle = degrees(60);  ///< view of uncalibrated cameras, across [rad]
 
 struct OverlayTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::CameraPane)

@@ -5,7 +5,7 @@
 namespace leitstand {
 namespace {
 
-/// Cameras of a robot in its file's order, the thermal ones last.
+/// Returns the cameras of @p robot in its file's order, the thermal ones last.
 std::vector<const StreamDescription*> camerasOf(const RobotDescription& robot) {
     std::vector<const StreamDescription*> cameras;
     for (const StreamRole role : {StreamRole::Picture, StreamRole::Thermal}) {
@@ -31,7 +31,7 @@ void CameraViews::select(const RobotDescription* robot) {
 
 void CameraViews::took(const ShownPicturePtr& picture, SteadyTime now) {
     Camera& camera = m_cameras[{picture->robot, picture->sensor}];
-    // The same event again has only another look.
+    // The same event again is the same picture with another look.
     if (!camera.newest || camera.newest->sequence != picture->sequence)
         camera.age.arrived(picture->fingerprint, now);
     camera.newest = picture;

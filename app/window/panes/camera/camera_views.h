@@ -14,27 +14,27 @@ namespace leitstand {
 /// The panes that show cameras of the selected robot.
 enum class CameraPlace { Large, Small };
 
-/// Which camera of the selected robot is in which pane, what came of each camera last, and how old that is.
+/// Holds which camera of the selected robot is in which pane, the newest picture of each camera, and its age.
 class CameraViews {
 public:
-    /// Shows the cameras of @p robot, as they were when it was selected before: at first its first camera
-    /// large, its last (infrared, where it has one) small. Null: none.
+    /// Shows the cameras of @p robot as when it was last selected. At first its first camera is large, its
+    /// last (infrared, if it has one) small. Null: none.
     void select(const RobotDescription* robot);
     void took(const ShownPicturePtr& picture, SteadyTime now);
-    void forget(const std::string& robot, const std::string& sensor);  ///< what came of it
-    /// Puts the next camera into the small pane, round and round, never the large one.
+    void forget(const std::string& robot, const std::string& sensor);  ///< drops its newest picture
+    /// Puts the next camera into the small pane, in a cycle that skips the large one.
     void next();
-    /// The cameras change panes.
+    /// Exchanges the cameras of the two panes.
     void swap();
-    [[nodiscard]] bool hasNext() const { return m_streams.size() > 2; }  ///< one that is in no pane
+    [[nodiscard]] bool hasNext() const { return m_streams.size() > 2; }  ///< whether a camera is in no pane
 
     [[nodiscard]] const RobotDescription* robot() const { return m_robot; }
-    /// Null when the pane is empty.
+    /// Returns the stream in the pane. Null when the pane is empty.
     [[nodiscard]] const StreamDescription* stream(CameraPlace place) const;
     [[nodiscard]] std::string sensor(CameraPlace place) const;
     [[nodiscard]] ShownPicturePtr newest(CameraPlace place) const;  ///< null: none came
     [[nodiscard]] DataAge age(CameraPlace place, SteadyTime now) const;
-    /// Of any camera of any robot.
+    /// Returns the age of the newest picture of any camera of any robot.
     [[nodiscard]] DataAge age(const std::string& robot, const std::string& sensor, SteadyTime now) const;
 
 private:

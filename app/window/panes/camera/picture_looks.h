@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// How the operator looks at cameras: all of them alike.
+/// Holds how the operator looks at cameras, the same for all.
 class PictureLooks {
 public:
     [[nodiscard]] const PictureLook& look() const { return m_look; }
@@ -20,8 +20,8 @@ public:
     void setPalette(ThermalPalette palette) { m_palette = palette; }
     [[nodiscard]] bool autoRange() const { return m_autoRange; }
     void setAutoRange(bool on);
-    /// The range of colours for a new @p picture of the camera @p robot, @p sensor: fixed, or following what
-    /// it shows.
+    /// Returns the range of colours for a new @p picture of the camera @p sensor of @p robot: fixed, or
+    /// following what it shows.
     [[nodiscard]] ThermalRange rangeFor(const std::string& robot, const std::string& sensor,
                                         const ThermalPicture& picture);
 

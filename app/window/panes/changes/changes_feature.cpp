@@ -18,7 +18,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::milliseconds LookEvery(500);  ///< for what was found
+constexpr std::chrono::milliseconds LookEvery(500);  ///< interval of looks for results
 
 }  // namespace
 

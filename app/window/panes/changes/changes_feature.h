@@ -14,8 +14,8 @@ namespace leitstand {
 class ChangesPanel;
 class MapFeature;
 
-/// What came and went since the missions before, in the map and as a list ("changes"): where the map is put
-/// together from several.
+/// Shows what came and went since the earlier missions, in the map and as a list ("changes"), when the map is
+/// put together from several missions.
 class ChangesFeature final : public QObject {
     Q_OBJECT
 public:
@@ -30,7 +30,7 @@ private:
     void show(bool shown);
     void showChosen();
     void follow();
-    void list();  ///< from where the selected robot is now
+    void list();  ///< lists them, as seen from the selected robot
 
     ViewContext m_context;
     MapFeature& m_map;

@@ -12,22 +12,22 @@ class MapFeature;
 class ReviewBridge;
 class ReviewComparison;
 
-/// The mission's map beside that which other settings make of its scans ("compare"). Nothing recorded is
-/// changed.
+/// Shows the mission's map beside the one that other settings make from its scans ("compare"). Changes
+/// nothing that is recorded.
 class CompareFeature final : public QObject {
     Q_OBJECT
 public:
-    /// @p map: whose title says which map is shown.
+    /// @p map: its title names the map that is shown.
     CompareFeature(const ReviewContext& context, MapFeature& map);
 
     [[nodiscard]] QWidget& pane() const;
 
 signals:
-    void wanted();  ///< the pane is to be seen, and room for it
+    void wanted();  ///< the pane is to be shown, with room for it
 
 private:
     void begin(const RegistrationSettings& settings);
-    void show();  ///< what is known of the comparison
+    void show();  ///< shows what is known of the comparison
     void choose(ComparedMap which);
     void showMap();
     [[nodiscard]] ReviewComparison& comparison() const;

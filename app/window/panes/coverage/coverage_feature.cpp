@@ -21,9 +21,9 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::milliseconds LookEvery(500);  ///< for what was searched
+constexpr std::chrono::milliseconds LookEvery(500);  ///< interval of looks for results
 
-/// Of an overlay's command; below 0: none is shown.
+/// Returns the data of an overlay's command. Below 0: none is shown.
 int dataOf(std::optional<SearchSensor> sensor) {
     return sensor ? static_cast<int>(*sensor) : -1;
 }
@@ -51,7 +51,7 @@ CoverageFeature::CoverageFeature(const ViewContext& context, MapFeature& map, So
     connect(m_panel, &MissedPanel::chosenChanged, this, [this] {
         if (m_goTo != nullptr) m_goTo->setEnabled(m_panel->chosen().has_value());
     });
-    // Not with the moments: those of a review that stands come but once.
+    // Not with the moments: a paused review emits only one.
     connect(&m_look, &QTimer::timeout, this, &CoverageFeature::follow);
     m_look.start(LookEvery);
 }
@@ -97,7 +97,7 @@ void CoverageFeature::addOverlays() {
     });
 }
 
-/// The commands of the list of what was missed; the one that shows a piece on the map.
+/// Adds the commands of the list of what was missed. Returns the one that shows a piece on the map.
 QAction* CoverageFeature::addMissed() {
     QAction& open = m_context.commands.add(
         {.id = QStringLiteral("coverage.missed"),
@@ -159,7 +159,7 @@ void CoverageFeature::follow() {
     const bool news = now != m_searched;
     m_searched = std::move(now);
     if (news) return refresh();
-    if (m_panel->isVisible()) list();  // how far things are from the robot
+    if (m_panel->isVisible()) list();  // updates distances from the robot
 }
 
 void CoverageFeature::refresh() {

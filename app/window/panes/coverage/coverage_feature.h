@@ -19,19 +19,19 @@ class MapFeature;
 class MissedPanel;
 struct LiveMoment;
 
-/// What was searched with each kind of sensor, over the map, and what was missed ("missed").
+/// Shows, over the map, what was searched with each kind of sensor, and what was missed ("missed").
 class CoverageFeature final : public QObject {
     Q_OBJECT
 public:
-    /// Tells what was searched by a moment, as known by now; is asked while somebody looks.
+    /// Returns what was searched by a moment, as known by now. Called while somebody looks.
     using Source = std::function<SearchedFloorPtr(const LiveMoment&)>;
 
-    /// @p actions: send robots; null: there are none to be sent.
+    /// @p actions: sends robots; null: there are none to send.
     CoverageFeature(const ViewContext& context, MapFeature& map, Source searched,
                     MapActions* actions = nullptr);
 
     [[nodiscard]] QWidget& pane() const;
-    /// What the map shows; empty: nothing.
+    /// Returns the sensor whose searched floor the map shows. Empty: none.
     [[nodiscard]] const std::optional<SearchSensor>& shown() const { return m_shown; }
 
 private:
@@ -43,14 +43,14 @@ private:
     void showChosen();
     void follow();
     void refresh();
-    void list();  ///< what was missed, from where the selected robot is now
+    void list();  ///< lists what was missed, with distances from the selected robot
 
     ViewContext m_context;
     MapFeature& m_map;
     Source m_source;
     MissedPanel* m_panel;
     QActionGroup* m_overlays;
-    QAction* m_goTo = nullptr;  ///< null: there are no robots to be sent
+    QAction* m_goTo = nullptr;  ///< null: there are no robots to send
     std::optional<SearchSensor> m_shown;
     SearchedFloorPtr m_searched;
     QTimer m_look;

@@ -11,7 +11,7 @@ namespace leitstand {
 
 class DriveStrip;
 
-/// Driving the selected robot: its keys and the drive focus, and the grant that the strip asks for.
+/// Drives the selected robot: its keys, the drive focus, and the grant that the strip requests.
 class DriveFeature final : public QObject {
     Q_OBJECT
 public:
@@ -19,7 +19,7 @@ public:
 
     [[nodiscard]] bool driving() const { return m_input.hasFocus(); }
     [[nodiscard]] DriveInput& input() { return m_input; }
-    /// Takes the drive focus, and asks for the grant; or lets both sticks and focus go.
+    /// Takes the drive focus and requests the grant, or releases sticks and focus.
     void setDriving(bool on);
 
 private:

@@ -9,7 +9,7 @@ namespace leitstand {
 class DriveStrip;
 struct LiveMoment;
 
-/// The instruments of the selected robot. Without a station nobody can be asked for its grant.
+/// Shows the instruments of the selected robot. Without a station its grant cannot be requested.
 class StripFeature final : public QObject {
     Q_OBJECT
 public:

@@ -38,7 +38,7 @@ FindPointing::FindPointing(const LiveContext& context, MapFeature& map, CameraFe
     const auto end = [this] {
         if (armed()) m_map.gestures().disarm();
     };
-    connect(&context.selection, &Selection::changed, this, end);  // the ghost is the other robot's
+    connect(&context.selection, &Selection::changed, this, end);  // the ghost belongs to the other robot
     connect(&cameras, &CameraFeature::pointed, this, &FindPointing::fileIn);
     connect(&cameras, &CameraFeature::pointed, this, end);
     connect(&cameras, &CameraFeature::pointingEnded, this, end);

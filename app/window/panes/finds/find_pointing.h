@@ -18,9 +18,9 @@ class CameraFeature;
 class MapFeature;
 class ScanFeature;
 
-/// Finds that the operator points to: Shift and a click into a picture or the virtual scan files a victim,
-/// and after the command "victim.point" the next click there or on the map does; "victim.pointHazard",
-/// "victim.pointCode" and "victim.pointObject" do likewise for other finds.
+/// Files finds that the operator points at. Shift and a click into a picture or the virtual scan file a
+/// victim. After the command "victim.point", so does the next click there or on the map.
+/// "victim.pointHazard", "victim.pointCode" and "victim.pointObject" work the same way for other finds.
 class FindPointing final : public QObject {
     Q_OBJECT
 public:
@@ -31,7 +31,7 @@ private:
              const QKeySequence& keys = {});
     void arm(QAction& action, VictimSample::Kind kind, bool on);
     [[nodiscard]] bool armed() const;
-    [[nodiscard]] VictimSample::Kind kind() const;  ///< of what the next click files
+    [[nodiscard]] VictimSample::Kind kind() const;  ///< kind that the next click files
     void fileIn(const PicturePoint& at);
     void fileBeside(const Eigen::Vector2d& placeInBase);
     void fileAt(const Eigen::Vector3d& placeInMap, VictimSample::Kind kind);

@@ -20,10 +20,10 @@ class MapFeature;
 class ReviewBridge;
 class ScanFeature;
 
-/// What a review does to finds by a click: the chosen one is moved to where the map is clicked
-/// ("review.move"), or one that nobody had filed is filed ("review.file", "review.fileHazard",
-/// "review.fileCode", "review.fileObject") where the map, a picture or the virtual scan is, with the pictures
-/// of the moment as evidence. In pictures and the virtual scan a click with Shift files a victim at any time.
+/// Edits the finds of a review by clicks. "review.move" moves the chosen find to where the map is clicked.
+/// "review.file", "review.fileHazard", "review.fileCode" and "review.fileObject" file a new find where the
+/// map, a picture or the virtual scan is clicked. The pictures of the moment become its evidence. In pictures
+/// and the virtual scan, a click with Shift files a victim at any time.
 class FindsByClick final : public QObject {
     Q_OBJECT
 public:
@@ -39,8 +39,8 @@ private:
     void fileAt(VictimSample::Kind kind, const Eigen::Vector3d& placeInMap);
     void fileIn(const PicturePoint& at);
     void fileBeside(const Eigen::Vector2d& placeInBase);
-    void end();                                     ///< what was armed
-    [[nodiscard]] VictimSample::Kind kind() const;  ///< of what a click beside the map files
+    void end();                                     ///< disarms what was armed
+    [[nodiscard]] VictimSample::Kind kind() const;  ///< kind that a click beside the map files
     [[nodiscard]] bool armed() const;
 
     ViewContext m_context;

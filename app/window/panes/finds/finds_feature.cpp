@@ -22,8 +22,8 @@
 namespace leitstand {
 namespace {
 
-/// The find of @p shown as @p pen wrote it: what was written since, and is not shown yet, stays. As @p shown
-/// where nothing was.
+/// Returns the find of @p shown as @p pen wrote it, so that what was written since, and is not shown yet,
+/// stays. Returns @p shown when nothing was written.
 VictimSample asWritten(const ReviewPen& pen, const VictimSample& shown) {
     const MissionStatePtr written = pen.state();
     if (!written) return shown;
@@ -128,7 +128,7 @@ std::optional<FindKey> FindsFeature::chosen() const {
 }
 
 const MissionState& FindsFeature::state() const {
-    // What was written counts as finished: then is then.
+    // What was written counts as finished. The past moment stays as it was.
     return m_bridge.player().map() == ReviewMap::Finished ? finished() : *m_bridge.reviewed()->mission;
 }
 
@@ -175,14 +175,14 @@ std::optional<VictimSample> FindsFeature::inForm(const std::optional<FindKey>& f
 }
 
 void FindsFeature::showForm(const std::optional<VictimSample>& find) {
-    m_form->show(find);  // may tell what was being typed of the one before
+    m_form->show(find);  // may emit what was being typed for the find before
     m_shown = find;
     if (m_form->isVisible()) m_pictures->follow(find);
 }
 
 void FindsFeature::tellWritten(const QString& done, const QString& problem) {
     const bool failed = !problem.isEmpty();
-    if (failed) showForm(std::nullopt);  // then as the mission has it, not as it was wished
+    if (failed) showForm(std::nullopt);  // shows the mission's state again, not the failed edit
     if (const auto asked = std::exchange(m_asked, std::nullopt); asked && !failed) m_corrected = asked;
     m_context.notify(failed ? problem : done);
     if (!failed) emit marksChanged(m_bridge.pen().marks());
@@ -247,7 +247,7 @@ void FindsFeature::correct(const VictimSample& corrected) {
     const FindKey find = keyOf(corrected);
     const VictimSample* const known = newest(find);
     if (known == nullptr) return m_context.notify(tr("The mission took this find back later"));
-    // What the form showed may be of long ago: only what was changed there is wished.
+    // The form may have shown an old state: only what was changed there is written.
     const VictimSample before = m_shown && keyOf(*m_shown) == find ? *m_shown : *known;
     m_asked = find;
     m_bridge.write(

@@ -20,7 +20,8 @@ class FormPictures;
 class VictimForm;
 class VictimsPanel;
 
-/// What was found ("finds"), as then or as the mission has it now: corrections and notes of the review.
+/// Shows what was found ("finds"), as then or as the mission has it now, with corrections and notes of the
+/// review.
 class FindsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -29,36 +30,37 @@ public:
 
     [[nodiscard]] QWidget& list() const;
     [[nodiscard]] QWidget& form() const;
-    [[nodiscard]] const MissionState& state() const;  ///< whose finds are shown
+    [[nodiscard]] const MissionState& state() const;  ///< mission whose finds are shown
     [[nodiscard]] std::optional<FindKey> chosen() const;
-    /// What a command is about.
+    /// What a command applies to.
     enum class Of : std::uint8_t { Chosen, Mission };
-    /// Offers @p action beside the list; one about the chosen find while one is chosen.
+    /// Offers @p action beside the list. One that applies to the chosen find is enabled while one is chosen.
     void offer(QAction& action, Of of);
 
 public slots:
-    void askForNote();  ///< about the moment that is shown; the review goes on meanwhile
+    void askForNote();  ///< about the moment that is shown; does not hold up the review
 
 signals:
-    void findsChanged();                                                   ///< the list, or which is chosen
-    void marksChanged(const std::vector<leitstand::TimelineMark>& marks);  ///< of what the pen wrote
+    void findsChanged();                                                   ///< the list or the choice changed
+    void marksChanged(const std::vector<leitstand::TimelineMark>& marks);  ///< marks of what the pen wrote
 
 private:
     QAction& add(const char* id, const QString& text, const QString& brief, const QString& hint,
                  const QKeySequence& keys = {});
     void addCommands();
-    void enable();  ///< commands that mean something now
+    void enable();  ///< enables the commands that apply now
     void show();
     void confirm();
     void discard();
     void judge(const FindKey& find, VictimSample::Status status);
     void merge(const FindKey& find);
-    [[nodiscard]] const MissionState& finished() const;  ///< the mission as finished, and what was written
+    [[nodiscard]] const MissionState& finished() const;  ///< the finished mission with what was written
     void openForm(const FindKey& find);
-    /// What the form shows of @p find: as it was at the moment that is shown, the newest once it is edited.
+    /// Returns what the form shows of @p find: as it was at the moment that is shown, or the newest once it
+    /// is edited. Empty when it is not known.
     [[nodiscard]] std::optional<VictimSample> inForm(const std::optional<FindKey>& find) const;
     void showForm(const std::optional<VictimSample>& find);
-    void correct(const VictimSample& corrected);  ///< as the form has it
+    void correct(const VictimSample& corrected);  ///< writes what the form contains
     void note(Time at, const QString& text);
     void tellWritten(const QString& done, const QString& problem);
     void undo();
@@ -69,13 +71,13 @@ private:
     VictimsPanel* m_panel;
     VictimForm* m_form;
     FormPictures* m_pictures;
-    std::optional<VictimSample> m_shown;  ///< by the form, before it is edited
+    std::optional<VictimSample> m_shown;  ///< what the form showed before it was edited
     std::optional<FindKey> m_asked,
-        m_corrected;  ///< find whose correction is being written; whose newest is shown
+        m_corrected;  ///< find whose correction is being written; find whose newest state is shown
     FindMoves m_moves;
     std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
     QAction *m_confirm = nullptr, *m_discard = nullptr, *m_undo = nullptr;
-    mutable MissionStatePtr m_written;  ///< that state() told of: a newer one may come at any time
+    mutable MissionStatePtr m_written;  ///< mission that state() refers to: a newer one may come at any time
 };
 
 }  // namespace leitstand

@@ -14,7 +14,7 @@
 namespace leitstand {
 namespace {
 
-/// The log is opened for each question; what was lost never comes into it.
+/// The log is opened for each request; pictures that were lost never come into it.
 constexpr qint64 AsksAgain = 1000;  ///< [ms]
 
 bool haveSameEvidence(const VictimSample& one, const VictimSample& other) {
@@ -46,7 +46,7 @@ FormPictures::~FormPictures() = default;
 
 void FormPictures::follow(const std::optional<VictimSample>& find) {
     const bool asked = find && m_wanted && haveSameEvidence(*find, *m_wanted);
-    // What was frozen a moment ago is in the log a moment later.
+    // Evidence that was frozen a moment ago is in the log a moment later.
     if (asked && (m_written || !m_answered || m_sinceAsked.elapsed() < AsksAgain)) return;
     if (!find && !m_wanted) return;
     m_wanted = find;

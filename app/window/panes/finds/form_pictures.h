@@ -12,21 +12,22 @@ namespace leitstand {
 
 class VictimForm;
 
-/// Shows in a form the pictures that its find's evidence names, as they stand in the mission's log.
+/// Shows in a form the pictures that its find's evidence names, from the mission's log.
 class FormPictures final : public QObject {
     Q_OBJECT
 public:
     FormPictures(VictimForm& form, const std::filesystem::path& mission);
     ~FormPictures() override;
 
-    /// The form shows @p find now; to be told again whenever it may have changed.
+    /// Shows the pictures of @p find, which the form shows now. To be called again whenever it may have
+    /// changed.
     void follow(const std::optional<VictimSample>& find);
 
 private:
     void show(const VictimSample& find, const ReadEvidence& read);
 
     VictimForm& m_form;
-    std::optional<VictimSample> m_wanted;  ///< whose pictures are shown, or asked for
+    std::optional<VictimSample> m_wanted;  ///< find whose pictures are shown or requested
     bool m_answered = false, m_written = false;
     QElapsedTimer m_sinceAsked;
     EvidenceReader m_reader;  ///< last: its thread ends first

@@ -33,7 +33,7 @@ namespace leitstand {
 namespace {
 
 using Kind = VictimSample::Kind;
-constexpr int TicksARow = 6;  ///< rows are made anew five times a second
+constexpr int TicksARow = 6;  ///< ticks between updates of the rows: 5 Hz
 
 }  // namespace
 
@@ -60,7 +60,7 @@ VictimsFeature::VictimsFeature(const LiveContext& context, MapFeature& map, Came
             [this](const VictimSample& find) { answer(desk().edit(find)); });
     connect(m_form, &VictimForm::done, this, [this] {
         m_context.panes.putAway(QStringLiteral("form"));
-        m_context.panes.setFocus();  // keys are the robot's again
+        m_context.panes.setFocus();  // keys drive the robot again
     });
     connect(&context.source, &MomentSource::ticked, this, &VictimsFeature::show);
 }
@@ -83,7 +83,7 @@ QAction& VictimsFeature::add(const char* id, const QString& text, const QString&
     QAction& action = m_context.commands.add(
         {.id = name, .menu = CommandMenu::Mission, .text = text, .hint = hint, .keys = keys});
     action.setIconText(brief);
-    action.setAutoRepeat(false);  // a key that is held is one wish
+    action.setAutoRepeat(false);  // a held key triggers once
     m_actions.emplace(name, &action);
     return action;
 }
@@ -185,8 +185,8 @@ std::optional<FindKey> VictimsFeature::meant() const {
 
 void VictimsFeature::confirm() {
     const auto chosen = m_panel->chosen();
-    // What was filed after something was chosen, or is being filed, is what the second press means: also of
-    // the candidate that is shown as one until the list is made anew.
+    // The second press means what was filed after something was chosen, or is being filed. That includes a
+    // candidate that is still shown as one until the list is updated.
     const bool newer = desk().isFiling() || (desk().filings() != m_shown && desk().unconfirmed());
     if (chosen && !chosen->filed() && !(newer && chosen->candidate == m_asked)) {
         m_asked = chosen->candidate;
@@ -234,11 +234,12 @@ void VictimsFeature::show(const LiveMoment& moment) {
     }
     const bool following = std::exchange(m_following, true);
     const auto moved = m_moves.follow(*moment.mission);
-    if (following && !moved.empty()) m_context.notify(movesText(moved));  // the first are of earlier sessions
+    // The first moves are of earlier sessions.
+    if (following && !moved.empty()) m_context.notify(movesText(moved));
     const auto rows = victimRows(*moment.mission, baseInMap, &m_moves);
     m_panel->show(rows);
-    // What was filed last is what the next key is about, once the mission has it.
-    // Who is filling in a form is not disturbed.
+    // The next key is about what was filed last, once the mission has it. An operator who fills in a form is
+    // not disturbed.
     const auto newest = desk().newest();
     const auto filings = desk().filings();
     if (newest && filings != m_shown && !isFillingIn() && m_panel->choose(*newest)) m_shown = filings;

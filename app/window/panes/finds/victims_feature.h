@@ -25,8 +25,8 @@ class VictimForm;
 class VictimsPanel;
 struct LiveMoment;
 
-/// What the operator finds (design, section 7): one key freezes evidence, a second one confirms; the list
-/// and the form for later. All of it is in the mission's log.
+/// The finds of the operator (design, section 7): one key freezes evidence, a second one confirms. List and
+/// form are for later. All of it is in the mission's log.
 class VictimsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -46,8 +46,8 @@ private:
     void confirm();
     void merge();
     void move(bool on);
-    void answer(const Result<void>& done);  ///< tells what went wrong
-    /// The find that a command is about: the chosen one, else what was just filed.
+    void answer(const Result<void>& done);  ///< shows what went wrong
+    /// Returns the find that a command is about: the chosen one, else the one that was just filed.
     [[nodiscard]] std::optional<FindKey> meant() const;
     void show(const LiveMoment& moment);
     void showForm();
@@ -63,11 +63,11 @@ private:
     VictimForm* m_form;
     FormPictures* m_pictures;
     std::map<QString, QAction*> m_actions;
-    std::uint64_t m_shown = 0;  ///< FindDesk::filings() that was chosen in the list
-    std::uint32_t m_asked = 0;  ///< candidate that was asked to be filed last; 0: none
+    std::uint64_t m_shown = 0;  ///< FindDesk::filings() when its newest find was chosen in the list
+    std::uint32_t m_asked = 0;  ///< candidate that was last requested to be filed; 0: none
     int m_sinceRows = 0;        ///< ticks
     FindMoves m_moves;
-    bool m_following = false;  ///< what m_moves tells is new
+    bool m_following = false;  ///< moves in m_moves are new
 };
 
 }  // namespace leitstand

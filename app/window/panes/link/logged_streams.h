@@ -11,7 +11,7 @@ namespace leitstand {
 struct LiveMoment;
 class StreamList;
 
-/// What came of every stream at the moment of a review.
+/// Shows what arrived of every stream at the moment of a review.
 class LoggedStreams final : public QObject {
     Q_OBJECT
 public:

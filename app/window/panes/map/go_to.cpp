@@ -22,7 +22,7 @@ namespace leitstand {
 namespace {
 
 constexpr double Arrived = 0.4;               ///< [m]
-constexpr std::chrono::seconds Patience(10);  ///< for the grant, and for the robot to begin
+constexpr std::chrono::seconds Patience(10);  ///< wait for the grant, and for the robot to begin
 constexpr auto DrivesByItself = "explore";    ///< mode in which robots drive to goals
 
 bool offers(const RobotState& said, const std::string& mode) {
@@ -100,7 +100,7 @@ void GoTo::go(const GroundPose& pose) {
 }
 
 void GoTo::begin(const std::string& robot, const Pose& goalInMap) {
-    // Before another station is asked for its grant.
+    // Checked before another station is asked for its grant.
     if (const auto may = m_context.station.maySend(robot); !may)
         return m_context.notify(QString::fromStdString(may.error().text));
     m_context.station.ask(robot);
@@ -137,7 +137,7 @@ bool GoTo::send(const std::string& robot, const Way& way, const LiveMoment& mome
     const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
     const auto place = placeOf(robot);
     if (!said.odometry || known == nullptr || !place) return false;
-    // The robot does not know our map: it is told where that lies in its own odometry. Not by the newest
+    // The robot does not know our map: the goal is sent in its own odometry frame. Not by the newest
     // odometry: while a scan is registered, that is of a later moment than the place in the map.
     PoseSample goal;
     goal.header.frame = known->odomFrame.empty() ? said.odometry->sample.header.frame : known->odomFrame;
@@ -153,7 +153,7 @@ bool GoTo::send(const std::string& robot, const Way& way, const LiveMoment& mome
 bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
     const bool late = moment.now - way.asked > Patience;
     if (!way.sent) {
-        // A stop is for what was asked before it, too.
+        // A stop also cancels what was requested before it.
         const StopStatus& stop = moment.view(robot).stop;
         if (stop.sent || stop.stopped || stop.releasing) return true;
         const bool mine = moment.view(robot).grant.mine;
@@ -200,14 +200,14 @@ bool GoTo::underWay(const std::string& robot, const Way& way) const {
     if (!way.sent || stop.sent || stop.stopped || stop.releasing) return false;
     const RobotState& said = moment.said(robot);
     const bool drives = said.mode && said.mode->sample.mode == DrivesByItself;
-    // Told, and not heard of since: it is about to.
+    // The goal was sent, and the robot has not reported since: it is about to begin.
     const bool begins = !way.began && (!said.mode || said.mode->received <= way.asked);
     return drives || begins || !offers(said, DrivesByItself);
 }
 
 void GoTo::stay(const std::string& robot) {
-    // It has come to where it is: a robot knows goals, not that one is none any more. By its odometry: its
-    // place in a map that moves may be doubted.
+    // Its present pose becomes its goal: a robot knows goals, but not that one is withdrawn. In its odometry,
+    // because its place in a map that moves is doubtful.
     const RobotState& said = m_context.source.moment().said(robot);
     const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
     if (!said.odometry || known == nullptr) return;

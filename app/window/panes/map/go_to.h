@@ -23,8 +23,8 @@ class MapView;
 class RobotsOnMap;
 struct LiveMoment;
 
-/// Sends robots that take goals to places on the map: a pose drawn onto the floor, or a double click. Asks
-/// for the grant first, since robots listen to its holder only.
+/// Sends robots that take goals to places on the map: a pose drawn onto the floor, or a double click.
+/// Requests the grant first, since robots obey only its holder.
 class GoTo final : public QObject {
     Q_OBJECT
 public:
@@ -33,7 +33,7 @@ public:
 
     /// Sends the selected robot there.
     void go(const GroundPose& pose);
-    /// The selected robot is not sent any more where it was to go as soon as it may be driven.
+    /// Drops a goal of the selected robot that waits to be sent until the robot may be driven.
     void takeBack();
 
 private:
@@ -42,23 +42,24 @@ private:
         Pose goalInMap;
         Time asked{};
         bool sent = false, began = false;
-        Time moved{};  ///< last, as its odometry tells
+        Time moved{};  ///< last motion in its odometry
     };
     void arm(bool on);
     void begin(const std::string& robot, const Pose& goalInMap);
     void follow(const LiveMoment& moment);
-    /// Scans moved: goals move with those about them, or are withdrawn.
+    /// Handles moved scans: goals move with the scans around them, or are withdrawn.
     void followMap(const LiveMapPtr& map);
     [[nodiscard]] bool underWay(const std::string& robot, const Way& way) const;
-    void stay(const std::string& robot);  ///< where it is
-    /// @p correction: how the map moved at its goal, to put before poses there.
+    void stay(const std::string& robot);  ///< sends it to where it is
+    /// Withdraws the goal of @p way. @p correction: motion of the map at the goal, multiplied from the left
+    /// to poses there.
     void withdraw(const std::string& robot, const Way& way, const Pose& correction);
-    /// Where the robot is, by the newest scan and by odometry of one and the same moment; empty: nobody
-    /// knows.
+    /// Returns where the robot is, by the newest scan and the odometry of the same moment. Empty when that is
+    /// unknown.
     [[nodiscard]] std::optional<RobotInMap> placeOf(const std::string& robot) const;
     [[nodiscard]] QString titleOf(const std::string& robot) const;  ///< as operators know it
     [[nodiscard]] bool send(const std::string& robot, const Way& way, const LiveMoment& moment);
-    /// Whether nothing more is to be expected of @p way.
+    /// Returns whether nothing more is to be expected of @p way.
     [[nodiscard]] bool over(const std::string& robot, Way& way, const LiveMoment& moment);
     void showSelected();
 

@@ -54,7 +54,8 @@ void GoalQuestion::forget(const std::string& robot) {
 void GoalQuestion::answer(bool again) {
     if (m_asked.empty()) return;
     const auto [robot, withdrawn] = *m_asked.begin();
-    if (again) return emit confirmed(robot, withdrawn.goalInMap);  // it may be refused, and is asked then
+    // The question stays open in case sending is refused.
+    if (again) return emit confirmed(robot, withdrawn.goalInMap);
     forget(robot);
 }
 

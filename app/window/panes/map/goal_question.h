@@ -18,21 +18,21 @@ class CommandTable;
 class MapQuestion;
 class MovedPlaces;
 
-/// Asks over the map whether a robot is to go on to a place that moved with the map while it was on its way,
-/// or about to go.
+/// Asks over the map whether a robot is to go on to its goal, which moved with the map. The robot was on its
+/// way, or about to go.
 class GoalQuestion final : public QObject {
     Q_OBJECT
 public:
     GoalQuestion(CommandTable& commands, QWidget& map, QObject* parent);
 
-    /// The goal @p wasInMap of @p robot, known as @p title, is withdrawn; the same place is at @p goalInMap
-    /// now.
+    /// Asks about the goal @p wasInMap of @p robot, shown as @p title, which is withdrawn. The same place is
+    /// at @p goalInMap now.
     void ask(const std::string& robot, const QString& title, const Pose& wasInMap, const Pose& goalInMap);
-    /// Whatever was asked of @p robot is over: it was sent elsewhere, or stopped.
+    /// Ends the question about @p robot: it was sent elsewhere, or stopped.
     void forget(const std::string& robot);
-    /// The map moved on.
+    /// Moves the goals in question along with the map.
     void follow(const MovedPlaces& places);
-    [[nodiscard]] std::vector<std::string> robots() const;  ///< of which something is asked
+    [[nodiscard]] std::vector<std::string> robots() const;  ///< those with an open question
 
 signals:
     void confirmed(const std::string& robot, const leitstand::Pose& goalInMap);
@@ -43,7 +43,7 @@ private:
         Pose wasInMap, goalInMap;
     };
     void answer(bool again);
-    void show();  ///< of several robots the first one's
+    void show();  ///< shows the question; of several robots the first one's
 
     CommandTable& m_commands;
     QAction *m_again, *m_leave;

@@ -14,12 +14,12 @@
 namespace leitstand {
 namespace {
 
-/// With which scan the part of the map begins that a key scan is of, by its id.
+/// First scan of the part of the map that a key scan belongs to, by the key scan's id.
 using Parts = std::map<std::uint64_t, std::uint64_t>;
 
 MapLink::Standing standingOf(const Link& link, const Parts& parts) {
     const auto from = parts.find(link.from), to = parts.find(link.to);
-    // What had brought their parts together was taken back.
+    // The link that joined their parts was taken back.
     const bool apart = from != parts.end() && to != parts.end() && from->second != to->second;
     if (link.active && apart) return MapLink::Standing::Open;
     if (link.active) return MapLink::Standing::Counts;

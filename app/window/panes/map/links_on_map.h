@@ -11,7 +11,7 @@ namespace leitstand {
 class MapView;
 struct LiveMoment;
 
-/// Where the map meets itself, as lines over it: a command that shows them.
+/// A command that shows where the map meets itself, as lines over it.
 class LinksOnMap final : public QObject {
     Q_OBJECT
 public:

@@ -13,14 +13,14 @@ class DecisionsFeature;
 class GoTo;
 class MapFeature;
 
-/// What the operator does on the map with live robots and their scans: sends them, places them, decides.
+/// What the operator does on the map with live robots and their scans: send robots, place them, decide.
 class MapActions final : public QObject {
     Q_OBJECT
 public:
     MapActions(const LiveContext& context, MapFeature& map);
 
     [[nodiscard]] QWidget& keyScans() const;  ///< pane of key scans and of decisions on them
-    /// A robot that was not yet sent to a place stays.
+    /// Drops a goal of the selected robot that was not sent yet.
     void halt();
     /// Sends the selected robot to @p place of the map [m].
     void go(const Eigen::Vector3d& place);

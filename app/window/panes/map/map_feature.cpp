@@ -25,7 +25,7 @@
 namespace leitstand {
 namespace {
 
-constexpr std::chrono::seconds Rest(5);  ///< of the pointer, after which its point is not read out any more
+constexpr std::chrono::seconds Rest(5);  ///< a pointer that rests longer does not show its point any more
 
 }  // namespace
 
@@ -49,7 +49,7 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
         m_resting.start();
         showPointed(m_map ? pickText(point, *m_map) : QString());
     });
-    // A pointer that was left on the map must not hide for long how it grows.
+    // A pointer left on the map must not hide for long how the map grows.
     m_resting.setSingleShot(true);
     m_resting.setInterval(Rest);
     connect(&m_resting, &QTimer::timeout, this, [this] { showPointed({}); });
@@ -57,7 +57,7 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     connect(&m_view, &ViewState::changed, this, [this](const MapViewSettings& settings) {
         if (settings.theme != m_pane->view().settings().theme) applyTheme(*qApp, settings.theme);
         m_pane->view().setSettings(settings);
-        showSummaryNow();  // a review that stands has no tick
+        showSummaryNow();  // a paused review has no tick
     });
     m_pane->view().setSettings(m_view.settings());
     m_gestures = new MapGestures(m_pane->view(), this);
@@ -83,7 +83,7 @@ void MapFeature::showSummary(const LiveMoment& moment) {
     MapSummary summary = summaryOf(moment);
     if (m_robots != nullptr && !summary.hint.isEmpty() && !m_robots->details().isEmpty())
         summary.hint += QLatin1Char('\n') + m_robots->details();
-    // What is under the pointer; but never in place of a doubt about the map.
+    // The point under the pointer, but never in place of a doubt about the map.
     if (!m_pointed.isEmpty() && summary.tone == Tone::Normal)
         summary.result = summary.briefResult = m_pointed;
     m_pane->setSummary(summary);

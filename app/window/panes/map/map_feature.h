@@ -20,7 +20,7 @@ class RobotsOnMap;
 struct GrantView;
 struct LiveMoment;
 
-/// The station that has the @p grant, where that is another one; else empty.
+/// Returns the title of the station that has the @p grant, when that is another one. Else empty.
 [[nodiscard]] QString othersTitle(const GrantView& grant);
 
 /// The 3D map as it grows ("map"), and how it is looked at.
@@ -35,12 +35,12 @@ public:
     [[nodiscard]] RobotsOnMap& robots() const { return *m_robots; }
     [[nodiscard]] const MapViewSettings& settings() const { return m_view.settings(); }
     [[nodiscard]] MapSight sight() const { return {settings().look, settings().follow}; }
-    /// Looks at the map so. A camera that follows nothing is where it was left.
+    /// Looks at the map as @p sight describes. A camera that follows nothing stays where it was left.
     void show(const MapSight& sight);
-    /// The title is what @p how says at a moment, for a map that is shown in place of the source's own;
-    /// empty: it is of that again.
+    /// Takes the title from @p how, for a map that is shown in place of the source's own. Empty: the title is
+    /// of the source's map again.
     void describe(std::function<MapSummary(const LiveMoment&)> how);
-    /// What is not to be seen of the map yet.
+    /// Returns what is not visible of the map yet.
     [[nodiscard]] QStringList missing() const;
 
 private:
@@ -56,9 +56,9 @@ private:
     MapGestures* m_gestures;
     RobotsOnMap* m_robots = nullptr;
     std::function<MapSummary(const LiveMoment&)> m_describe;
-    MapPtr m_map;       ///< that is shown; null: none came
-    QString m_pointed;  ///< the point under the pointer, in words; empty: none is
-    QTimer m_resting;   ///< since the pointer moved
+    MapPtr m_map;       ///< map that is shown; null: none came
+    QString m_pointed;  ///< the point under the pointer, in words; empty: none
+    QTimer m_resting;   ///< runs since the pointer moved
 };
 
 }  // namespace leitstand

@@ -17,25 +17,25 @@ namespace leitstand {
 class MapView;
 struct RobotMark;
 
-/// What the operator draws onto the map: one gesture at a time, which belongs to the command that stays
-/// checked meanwhile.
+/// Handles what the operator draws onto the map, one gesture at a time. Each belongs to the command that
+/// stays checked meanwhile.
 class MapGestures final : public QObject {
     Q_OBJECT
 public:
     /// Draws in @p view, which must outlive it.
     MapGestures(MapView& view, QObject* parent);
 
-    /// The next pose drawn is handed to @p then; @p hint is said over the map until then.
+    /// Hands the next pose drawn to @p then. Shows @p hint over the map until then.
     void armPose(QAction& by, const RobotMark& robot, const QString& hint,
                  std::function<void(const GroundPose&)> then);
     void armArea(QAction& by, const QString& hint,
                  std::function<void(const std::vector<Eigen::Vector2d>&)> then);
-    /// The operator drags something over the floor until disarm(); @p then is told of every step.
+    /// Lets the operator drag something over the floor until disarm(). Calls @p then at every step.
     void armGrab(QAction& by, const QString& hint, std::function<void(const GroundDrag&)> then);
     void disarm();
     [[nodiscard]] bool armed() const { return m_by != nullptr; }
 
-    /// Said over the map while nothing is drawn.
+    /// Sets the text over the map while nothing is drawn.
     void setCalmHint(const QString& text);
 
 private:

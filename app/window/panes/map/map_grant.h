@@ -9,7 +9,7 @@ class QAction;
 
 namespace leitstand {
 
-/// Which station makes the map: hands it over to another one that would.
+/// Shows which station makes the map, and hands it over to another one that requests it.
 class MapGrantFeature final : public QObject {
     Q_OBJECT
 public:
@@ -21,7 +21,7 @@ private:
 
     LiveContext m_context;
     QAction* m_give;
-    QString m_maker;  ///< another station that made the map last; empty: this one did
+    QString m_maker;  ///< other station that made the map last; empty: this one did
 };
 
 }  // namespace leitstand

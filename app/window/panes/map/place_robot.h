@@ -14,7 +14,7 @@ namespace leitstand {
 class MapGestures;
 class RobotsOnMap;
 
-/// Puts a robot to where the operator draws it on the map: one that is not in it yet, else the selected one.
+/// Places a robot where the operator draws it on the map: one that is not in it yet, else the selected one.
 class PlaceRobot final : public QObject {
     Q_OBJECT
 public:

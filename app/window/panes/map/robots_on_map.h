@@ -20,23 +20,24 @@ class MapView;
 class ViewState;
 struct LiveMoment;
 
-/// The robots on the live map, 30 times a second, and the camera that follows the selected one.
+/// The robots on the live map, at 30 Hz, and the camera that follows the selected one.
 class RobotsOnMap final : public QObject {
     Q_OBJECT
 public:
     RobotsOnMap(const ViewContext& context, ViewState& state, MapView& view, MapGestures& gestures,
                 QObject* parent);
 
-    /// As drawn last; a robot that nobody knows the place of stands at the selected one's, or the origin.
+    /// Returns the mark that was drawn last. A robot whose place is unknown stands at the place of another
+    /// one, or at the origin.
     [[nodiscard]] RobotMark mark(const std::string& robot) const;
-    /// A small square in @p robot's colours, for what is placed by hand.
+    /// Returns a small square in @p robot's colours, for what is placed by hand.
     [[nodiscard]] RobotMark placeMark(const std::string& robot) const;
     [[nodiscard]] bool placed(const std::string& robot) const { return m_marks.contains(robot); }
-    /// How sure their places are, a line each.
+    /// Returns how certain their places are, a line each.
     [[nodiscard]] const QString& details() const { return m_details; }
-    /// The robot that most needs to be placed: one that is not in the map yet, else the selected one.
+    /// Returns the robot that most needs to be placed: one that is not in the map yet, else the selected one.
     [[nodiscard]] std::string toPlace() const;
-    /// Where a robot was sent, to be shown; empty: nowhere.
+    /// Sets the goal of @p robot that is shown. Empty: none.
     void setGoal(const std::string& robot, const std::optional<Pose>& goalInMap);
 
 private:

@@ -13,7 +13,7 @@ namespace leitstand {
 
 MessagesFeature::MessagesFeature(const ViewContext& context)
     : QObject(&context.window),
-      // Delete is the map's in these windows.
+      // The Delete key belongs to the map in these windows.
       m_panel(new MessagesPanel(context.source.messages(), &context.window, MessagesPanel::Keys::Copy)) {
     m_panel->setObjectName(QStringLiteral("messagesPane"));
     QAction& opens = context.commands.add({.id = QStringLiteral("messages.open"),

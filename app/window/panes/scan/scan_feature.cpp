@@ -17,7 +17,7 @@
 namespace leitstand {
 namespace {
 
-/// Since the newest scan of @p said came [s]; infinite: never.
+/// Returns the age of the newest scan of @p said [s]. Infinite when none came.
 double scanAge(const RobotState& said, Time now) {
     double age = std::numeric_limits<double>::infinity();
     for (const auto& [topic, stream] : said.streams) {

@@ -22,7 +22,7 @@ public:
     void setPointing(bool pointing);  ///< the next click points
 
 signals:
-    void pointed(const Eigen::Vector2d& place);  ///< of the selected robot's base_link [m]
+    void pointed(const Eigen::Vector2d& place);  ///< in the selected robot's base_link [m]
     void pointingEnded();
 
 private:

@@ -45,7 +45,7 @@ HandInFeature::HandInFeature(const ReviewContext& context, FindsFeature& finds)
     connect(m_write, &QAction::triggered, this, &HandInFeature::askForFolder);
     connect(&context.review.report(), &ReviewReport::changed, this, &HandInFeature::showProgress);
     connect(&m_soon, &QTimer::timeout, this, &HandInFeature::showScore);
-    // Said with each moment that is shown, and when something was corrected.
+    // Emitted with each moment that is shown, and when something was corrected.
     connect(&finds, &FindsFeature::findsChanged, this, [this] {
         if (!m_soon.isActive()) m_soon.start();
     });

@@ -15,8 +15,8 @@ class FindsFeature;
 class ReviewBridge;
 class ScorePane;
 
-/// What is handed in of a reviewed mission: the estimate of its score at the moment that is shown ("score"),
-/// and the judges' folder, with what was corrected in the review.
+/// The hand-in of a reviewed mission: the estimate of its score at the moment that is shown ("score"), and
+/// the judges' folder, with the corrections of the review.
 class HandInFeature final : public QObject {
     Q_OBJECT
 public:
@@ -38,7 +38,7 @@ private:
     ScoreBoard m_board;
     ScorePane* m_score;
     QAction* m_write = nullptr;
-    QTimer m_soon;  ///< until the score is estimated again
+    QTimer m_soon;  ///< runs until the score is estimated again
 };
 
 }  // namespace leitstand

@@ -21,7 +21,7 @@
 namespace leitstand {
 namespace {
 
-constexpr int TicksAScore = 30;  ///< the score is estimated once a second
+constexpr int TicksAScore = 30;  ///< ticks between estimates of the score: once a second
 
 }  // namespace
 
@@ -29,7 +29,7 @@ ReportFeature::ReportFeature(const LiveContext& context)
     : QObject(&context.window), m_context(context), m_score(new ScorePane(&context.window)) {
     m_score->setObjectName(QStringLiteral("scorePane"));
     addCommands();
-    // Who hears it is connected once all features are made.
+    // Receivers are connected once all features are made.
     for (const std::string& problem : m_board.problems()) {
         QMetaObject::invokeMethod(
             this, [this, problem] { m_context.notify(QString::fromStdString(problem)); },
@@ -45,8 +45,8 @@ QWidget& ReportFeature::pane() const {
     return *m_score;
 }
 
-/// A window that was made anew, and a station that resumes its mission, go on with the report of the one
-/// before. Not at once: the map has to be there again first.
+/// Continues the report of the window before, after a window was created again or a station resumed its
+/// mission. Not at once: the map has to be there again first.
 void ReportFeature::goOn() {
     const auto folder = QString::fromStdString(reportFolderOf(m_context.station.folder()).string());
     if (folder.isEmpty()) return;
@@ -97,7 +97,7 @@ void ReportFeature::setInterval(std::chrono::nanoseconds interval) {
 
 void ReportFeature::endKeeping() {
     if (!m_keeper) return;
-    m_keeper->end();  // who drives does not wait for a file
+    m_keeper->end();  // the driver does not wait for a file
     m_ended.push_back(std::move(m_keeper));
 }
 
@@ -151,13 +151,13 @@ void ReportFeature::beginKeeping(const QString& folder) {
 
 void ReportFeature::show(const LiveMoment& moment) {
     if (!m_score->isVisible()) {
-        m_sinceScore = 0;  // whoever opens it sees it at once
+        m_sinceScore = 0;  // the score shows at once when the pane opens
         return;
     }
     if (m_sinceScore++ % TicksAScore != 0) return;
     const ScoreProfile* profile = m_board.profileOf(*moment.mission);
     if (profile == nullptr) return;
-    // Where nobody set a length, the rules' own counts.
+    // When nobody set a length, the one of the rules counts.
     const MissionClock clock = withLength(m_context.station.clock().now(), profile->minutes);
     m_score->show(scoreText(
         *profile, score(*profile, *moment.mission, footprintsOf(m_context.source.robots())), clock));

@@ -19,7 +19,8 @@ class ScorePane;
 struct LiveMoment;
 
 /// The hand-in (design, section 7): what is known of the mission, the estimate of its score ("score"), and
-/// the judges' folder, written at once and every minute while the mission runs, also once it is resumed.
+/// the judges' folder. The folder is written at once and every minute while the mission runs, also after it
+/// is resumed.
 class ReportFeature final : public QObject {
     Q_OBJECT
 public:
@@ -27,9 +28,9 @@ public:
     ~ReportFeature() override;
 
     [[nodiscard]] QWidget& pane() const;
-    /// How long after one report the next is written.
+    /// Returns the time from one report to the next.
     [[nodiscard]] std::chrono::nanoseconds interval() const { return m_interval; }
-    void setInterval(std::chrono::nanoseconds interval);  ///< also for the report that is being kept
+    void setInterval(std::chrono::nanoseconds interval);  ///< also for the present report
 
 private:
     void addCommands();
@@ -47,10 +48,10 @@ private:
     ScoreBoard m_board;
     ScorePane* m_score;
     QAction* m_keep = nullptr;
-    QString m_folder;  ///< that is written into; empty: none is
+    QString m_folder;  ///< folder of the report; empty: none is written
     std::chrono::nanoseconds m_interval = std::chrono::seconds(60);
     std::unique_ptr<ReportKeeper> m_keeper;
-    std::vector<std::unique_ptr<ReportKeeper>> m_ended;  ///< that may still be writing
+    std::vector<std::unique_ptr<ReportKeeper>> m_ended;  ///< keepers that may still be writing
     int m_sinceScore = 0;                                ///< ticks
 };
 

@@ -47,14 +47,14 @@ ByHandOutcome correctByHand(const std::filesystem::path& mission) {
                     try {
                         opened = ByHandBridge::open(mission);
                         if (*opened) (**opened)->moveToThread(gui);
-                    } catch (const std::exception& problem) {  // no memory
+                    } catch (const std::exception& problem) {  // out of memory
                         opened = Error{problem.what()};
                     }
                 });
     if (!*opened) return {false, QString::fromStdString(opened->error().text)};
     ByHandBridge& bridge = **opened.value();
     showUntilClosed(bridge);
-    QStringList told;  // by what was still being done
+    QStringList told;  // messages of work that was still being done
     const auto hears = QObject::connect(&bridge, &MomentSource::notified, qApp,
                                         [&told](const QString& text) { told += text; });
     Result<void> closed;

@@ -6,14 +6,14 @@
 
 namespace leitstand {
 
-/// What came of deciding on a map by hand.
+/// Outcome of deciding on a map by hand.
 struct ByHandOutcome {
-    bool decided = false;  ///< something is decided that was not
-    QString text;          ///< in words, where there is something to be told
+    bool decided = false;  ///< decisions were added
+    QString text;          ///< for the operator; empty: nothing to report
 };
 
-/// Opens the map of @p mission in a window of its own and returns once that is closed and all of it is in the
-/// mission. Nobody may have it open for writing meanwhile.
+/// Opens the map of @p mission in a window of its own. Returns once that is closed and all decisions are in
+/// the mission. Nobody may have the mission open for writing meanwhile.
 [[nodiscard]] ByHandOutcome correctByHand(const std::filesystem::path& mission);
 
 }  // namespace leitstand

@@ -65,7 +65,7 @@ void ByHandBridge::begin() {
 
 void ByHandBridge::tick() {
     m_moment.scans = m_hand->mapping().scans();
-    // Nothing happens any more: ages are of the mission's end.
+    // Nothing happens any more: ages are those at the mission's end.
     for (const LiveKeyScan& scan : m_moment.scans->scans) m_moment.now = std::max(m_moment.now, scan.entered);
     m_moment.steady = std::chrono::steady_clock::now();
     m_moment.mission = m_hand->state();

@@ -12,7 +12,7 @@
 
 namespace leitstand {
 
-/// The map of a mission that has ended as the GUI thread sees it while somebody decides on it.
+/// The map of a mission that has ended, as the GUI thread sees it while somebody decides on it.
 class ByHandBridge final : public MomentSource {
     Q_OBJECT
 public:
@@ -20,12 +20,12 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<ByHandBridge>> open(const std::filesystem::path& mission);
     ~ByHandBridge() override;
 
-    /// Begins to tell a window of the map that is there, and of what becomes of it; on the GUI thread.
+    /// Starts to notify a window of the map and of its changes. GUI thread.
     void begin();
     [[nodiscard]] MapByHand& hand() { return *m_hand; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const override { return m_hand->robots(); }
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
-    void watch(const std::string& /*robot*/) override {}  // nothing is around it any more
+    void watch(const std::string& /*robot*/) override {}  // it has no surroundings any more
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
     [[nodiscard]] GasTrend gas(const std::string& /*robot*/) const override { return {}; }
 
@@ -33,8 +33,8 @@ private:
     ByHandBridge();
     void tick();
 
-    QTimer m_tick;                            ///< a child: goes along to another thread
-    std::unique_ptr<PictureFeed> m_pictures;  ///< of no cameras
+    QTimer m_tick;                            ///< a child: moves along to another thread
+    std::unique_ptr<PictureFeed> m_pictures;  ///< without cameras
     std::unique_ptr<MapByHand> m_hand;        ///< last: its threads end first
 };
 

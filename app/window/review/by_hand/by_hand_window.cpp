@@ -26,9 +26,9 @@
 namespace leitstand {
 namespace {
 
-constexpr int LeastName = 150;  ///< of the mission's name in the bar [px]
+constexpr int LeastName = 150;  ///< least width of the mission's name in the bar [px]
 
-/// The map, and its scans beside it.
+/// Returns the window's layout: the map, and its scans beside it.
 WindowLayout arrangement() {
     WindowLayout layout;
     layout.panes.parts = {{.pane = "map", .share = 3.0}, {.pane = "key-scans"}};
@@ -40,7 +40,7 @@ WindowLayout arrangement() {
 ByHandWindow::ByHandWindow(ByHandBridge& bridge, const MapViewSettings& view, QWidget* parent)
     : QMainWindow(parent), m_bridge(bridge) {
     keepTextsPlain();
-    applyTheme(*qApp, view.theme);  // before there is a widget that would have to be dressed anew
+    applyTheme(*qApp, view.theme);  // before widgets exist, which would have to be styled again
     setWindowTitle(tr("%1 – map by hand – Leitstand")
                        .arg(QString::fromStdString(bridge.hand().folder().filename().string())));
     setWindowIcon(QIcon(QStringLiteral(":/leitstand/icons/leitstand.svg")));
@@ -59,7 +59,7 @@ ByHandWindow::ByHandWindow(ByHandBridge& bridge, const MapViewSettings& view, QW
 }
 
 ByHandWindow::~ByHandWindow() {
-    // Nobody receives what features emit while they go.
+    // Signals that features emit during destruction reach nobody.
     m_bridge.disconnect(this);
     for (QObject* part : children()) part->disconnect(this);
 }

@@ -16,8 +16,8 @@ class PaneDocks;
 class Selection;
 class WindowFrame;
 
-/// The window in which somebody decides on the map of a mission that has ended: the map and its scans, and
-/// the live window's commands on them. Puts features together; what they do is theirs.
+/// The window for decisions on the map of a mission that has ended: the map and its scans, and the live
+/// window's commands on them. It only puts features together.
 class ByHandWindow final : public QMainWindow {
     Q_OBJECT
 public:
@@ -29,14 +29,14 @@ public:
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
     [[nodiscard]] QString newest() const;  ///< message
-    /// What is not to be seen of the map yet.
+    /// Returns what is not visible of the map yet.
     [[nodiscard]] QStringList missing() const;
 
 signals:
     void closing();
 
 public slots:
-    void showMessage(const QString& text);  ///< as the newest, and keeps it in the list of messages
+    void showMessage(const QString& text);  ///< as the newest; keeps it in the list of messages
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -22,7 +22,8 @@
 namespace leitstand {
 namespace {
 
-/// Where @p scan was taken by the operator's word: as it is, but at @p pose on the ground.
+/// Returns the pose of @p scan in the map when its robot stands at @p pose on the ground. Height and tilt
+/// stay.
 Pose drawnPose(const LiveKeyScan& scan, const GroundPose& pose) {
     const Pose was = scan.pose.scanInMap * scan.sensorInBase.inverse();
     Eigen::Vector3d place = pose.place;
@@ -258,7 +259,7 @@ void DecisionsFeature::follow(const MissionState& mission) {
 
 void DecisionsFeature::showUndo(const QString& id, const QString& hint, const QString& text) {
     QAction& action = *m_context.commands.find(id);
-    const QString icon = action.iconText();  // which would follow the text
+    const QString icon = action.iconText();  // would follow the text otherwise
     action.setEnabled(!hint.isEmpty());
     action.setText(text);
     action.setIconText(icon);

@@ -23,8 +23,8 @@ class MapView;
 class RobotsOnMap;
 struct MissionState;
 
-/// The operator's decisions on scans ("scans"), and what of the world belongs into the map. All of them are
-/// in the mission's log.
+/// The operator's decisions on scans ("key-scans"), and on what of the world belongs into the map. All of
+/// them are in the mission's log.
 class DecisionsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -40,7 +40,7 @@ private:
     void addArea();
     QAction& add(const QString& id, const QString& text, const QString& hint, const QKeySequence& keys = {},
                  bool checkable = false);
-    void answer(const Result<void>& done);  ///< tells what went wrong
+    void answer(const Result<void>& done);  ///< shows what went wrong
     void toNextUncertain();
     void retry();
     void dragForRetry(bool on);
@@ -51,7 +51,7 @@ private:
     void rewind();
     void drawArea(bool on);
     void follow(const MissionState& mission);
-    /// @p hint: empty when there is nothing for it to do.
+    /// @p hint: empty when there is nothing to undo or redo; disables the command then.
     void showUndo(const QString& id, const QString& hint, const QString& text);
     void show();
     void showArea();
@@ -63,7 +63,7 @@ private:
     KeyScanModel m_scans;
     DecisionsPanel* m_panel;
     std::map<QString, QAction*> m_onChosen;  ///< commands on the chosen scan
-    MapCrop m_area;                          ///< that is shown
+    MapCrop m_area;                          ///< area that is shown
     std::uint64_t m_newest = 0;              ///< sequence of the newest decision of the mission that is shown
 };
 

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double NoticedOfFinds = 0.05;  ///< [m]
 
-/// "victim 3, hazard 1, and 4 more".
+/// Returns "victim 3, hazard 1, victim 2, code 5 and 4 more".
 QString namesOf(const std::vector<FindKey>& finds) {
     constexpr std::size_t Named = 4;
     QStringList names;

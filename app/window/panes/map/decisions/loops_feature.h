@@ -20,7 +20,7 @@ class MapView;
 struct LiveMoment;
 struct MissionState;
 
-/// Where the map meets itself: what the operator is asked, answers, and takes back.
+/// Asks the operator about places where the map meets itself. Passes answers on, and takes closed loops back.
 class LoopsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -30,12 +30,12 @@ private:
     void addCommands();
     void answer(bool same);
     void follow(const LiveMoment& moment);
-    /// Names the parts of the map of which nobody knows how they lie to its first one.
+    /// Captions the parts of the map whose place relative to its first part is unknown.
     void nameParts();
-    /// Whether the parts of the map that @p loop would join have not come together otherwise meanwhile.
+    /// Returns whether the parts of the map that @p loop would join are still apart.
     [[nodiscard]] bool areApart(const OpenLoop& loop) const;
     void ask(const std::optional<OpenLoop>& loop);
-    /// What would move, as soon as that is worked out.
+    /// Shows what would move, as soon as that is computed.
     void showPreview(const MissionState& mission);
     [[nodiscard]] QString question(const MissionState& mission) const;
 
@@ -45,7 +45,7 @@ private:
     MapQuestion* m_question = nullptr;
     LoopNotice* m_notice = nullptr;
     std::optional<OpenLoop> m_asked;
-    LoopPreviewPtr m_preview;   ///< of it, that is shown; null: none yet
+    LoopPreviewPtr m_preview;   ///< preview of m_asked that is shown; null: none yet
     LiveMapPtr m_named;         ///< the map whose parts are named
     std::uint64_t m_shown = 0;  ///< sequence of the newest decision of the mission that is shown
 };

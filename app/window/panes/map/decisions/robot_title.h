@@ -9,7 +9,8 @@
 
 namespace leitstand {
 
-/// What the operator calls the one of @p robots of this name; another one's name as it is.
+/// Returns the title of the robot named @p name in @p robots. Returns @p name when it is not there or has no
+/// title.
 [[nodiscard]] inline QString titleOfRobot(const std::vector<RobotDescription>& robots,
                                           const std::string& name) {
     for (const RobotDescription& one : robots) {

@@ -15,7 +15,7 @@ class MapQuestion;
 class MapView;
 struct LiveMoment;
 
-/// A 3D scanner that the map finds to be off: the operator is asked whether it is to be corrected.
+/// Asks the operator whether a 3D scanner that the map finds to be off is to be corrected.
 class ScannerFeature final : public QObject {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ private:
     LiveContext m_context;
     QAction *m_use = nullptr, *m_leave = nullptr;
     MapQuestion* m_question = nullptr;
-    std::optional<ScannerQuestion> m_asked;  ///< that is shown
+    std::optional<ScannerQuestion> m_asked;  ///< question that is shown
 };
 
 }  // namespace leitstand

@@ -83,7 +83,7 @@ void SubmapFeature::addCommands() {
     connect(m_snap, &QAction::triggered, this, &SubmapFeature::snap);
     connect(m_leave, &QAction::triggered, this, &SubmapFeature::leave);
     connect(m_move, &QAction::toggled, this, [this](bool on) {
-        if (!on && m_moving) end();  // also where another gesture began
+        if (!on && m_moving) end();  // also when another gesture began
     });
 }
 
@@ -112,7 +112,7 @@ void SubmapFeature::begin() {
     m_moved = Pose::Identity();
     m_kind = SubmapKind::FromHere;
     const LiveKeyScan* const scan = scanOf(*m_map, m_scan);
-    if (scan != nullptr && scan->part != 0) m_kind = SubmapKind::Part;  // what is most often to be moved
+    if (scan != nullptr && scan->part != 0) m_kind = SubmapKind::Part;  // most often this is to be moved
     for (std::size_t i = 0; i < Kinds.size() && submapOf(*m_map, m_scan, m_kind).empty(); ++i)
         m_kind = Kinds[i];
     if (submapOf(*m_map, m_scan, m_kind).empty()) {
@@ -170,7 +170,7 @@ void SubmapFeature::drag(const GroundDrag& drag) {
     }
     const Eigen::Vector3d middle = m_grabbed * submap->middle();
     const Eigen::Vector2d from = (drag.from - middle).head<2>(), to = (drag.to - middle).head<2>();
-    constexpr double Least = 0.05;  // from the middle, where a direction tells nothing [m]
+    constexpr double Least = 0.05;  // distance from the middle; nearer to it a direction means nothing [m]
     if (from.norm() < Least || to.norm() < Least) return;
     const double turn = std::atan2(to.y(), to.x()) - std::atan2(from.y(), from.x());
     moveTo(Eigen::Translation3d(middle) * Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) *
@@ -199,7 +199,7 @@ void SubmapFeature::leave() {
                            asked = ++m_asked](Result<std::size_t> links) {
         QMetaObject::invokeMethod(qApp, [guard, source, asked, links = std::move(links)] {
             if (guard && guard->m_leaving && guard->m_asked == asked) guard->left(links);
-            // The window was closed at once: who comes after it tells.
+            // The window was closed meanwhile: the source notifies the next one.
             if (!guard && source && !links) source->notify(QString::fromStdString(links.error().text));
         });
     };
@@ -228,7 +228,7 @@ void SubmapFeature::follow() {
         else
             m_context.notify(tr("Too little of it lies on the rest of the map there: drag it nearer first"));
     }
-    if (m_leaving) return;  // the map moves by that, maybe before the answer is here
+    if (m_leaving) return;  // the map moves with it, maybe before the answer arrives
     const LiveMapPtr now = m_context.mapping.scans();
     if (now != m_map && scansMoved(m_map, *now)) {
         m_map = now;

@@ -24,12 +24,12 @@ class MapQuestion;
 class MapView;
 struct GroundDrag;
 
-/// The operator moves a part of the map by hand to where it belongs: drags and turns it, sees how it lies
-/// on the rest, snaps it, and leaves it there.
+/// Lets the operator move a part of the map by hand to where it belongs: drag and turn it, snap it, leave it
+/// there. Shows how it lies on the rest.
 class SubmapFeature final : public QObject {
     Q_OBJECT
 public:
-    /// @p chosen: the key scan that the operator has chosen; 0: none.
+    /// @p chosen: returns the key scan that the operator has chosen; 0: none.
     SubmapFeature(const MapContext& context, MapView& view, MapGestures& gestures,
                   std::function<std::uint64_t()> chosen, QObject* parent);
 
@@ -37,13 +37,13 @@ private:
     void addCommands();
     void begin();
     void end();
-    void next();  ///< more of the map, or less
-    /// Takes up what is moved as of the scan and the kind that are chosen, where it is.
+    void next();  ///< moves more of the map, or less
+    /// Takes up the part for the chosen scan and kind, where it is.
     void take();
     void drag(const GroundDrag& drag);
     void moveTo(const Pose& moved);
     void snap();
-    void leave();  ///< it where it is: the map follows
+    void leave();  ///< leaves it where it is: the map follows
     void left(const Result<std::size_t>& links);
     void follow();
     void show();
@@ -60,13 +60,13 @@ private:
     SubmapFits m_fits;
     bool m_moving = false;
     bool m_snapping = false, m_leaving = false;
-    std::uint64_t m_asked = 0;  ///< times that it was left somewhere: answers to earlier ones are late
+    std::uint64_t m_asked = 0;  ///< counts leave(): answers to earlier ones are late
     SubmapKind m_kind = SubmapKind::FromHere;
-    std::uint64_t m_scan = 0;           ///< by which it is chosen
-    LiveMapPtr m_map;                   ///< in which it is moved
-    std::set<std::uint64_t> m_submap;   ///< in it
-    Pose m_moved = Pose::Identity();    ///< to put before the poses of its scans
-    Pose m_grabbed = Pose::Identity();  ///< likewise, when the mouse went down
+    std::uint64_t m_scan = 0;           ///< key scan by which the part is chosen
+    LiveMapPtr m_map;                   ///< map in which it is moved
+    std::set<std::uint64_t> m_submap;   ///< its key scans in m_map
+    Pose m_moved = Pose::Identity();    ///< its motion, multiplied from the left to the poses of its scans
+    Pose m_grabbed = Pose::Identity();  ///< m_moved when the mouse went down
 };
 
 }  // namespace leitstand

@@ -30,11 +30,11 @@ void StoreyRow::add(std::optional<int> number, const QString& text, const QStrin
     button->setAccessibleName(name);
     button->setToolTip(name);
     button->setCheckable(true);
-    button->setFocusPolicy(Qt::NoFocus);  // keys go on driving
+    button->setFocusPolicy(Qt::NoFocus);  // keys continue to drive
     button->setMinimumSize(ButtonSize, ButtonSize);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(button, &QToolButton::clicked, this, [this, number] {
-        setChosen(m_chosen, m_all);  // the button alone decides nothing
+        setChosen(m_chosen, m_all);  // the click alone decides nothing
         emit wanted(number);
     });
     m_layout->addWidget(button);

@@ -12,15 +12,15 @@ class QVBoxLayout;
 
 namespace leitstand {
 
-/// A button for each storey of the map, the highest on top, and one for all of them. Not to be seen where
-/// the map has one storey only.
+/// A button for each storey of the map, the highest on top, and one for all of them. Hidden when the map has
+/// one storey only.
 class StoreyRow final : public QFrame {
     Q_OBJECT
 public:
     explicit StoreyRow(QWidget* parent);
 
     void setStoreys(const std::vector<Storey>& storeys);
-    /// @p all: nothing is hidden; neither: heights that are no storey are shown.
+    /// @p all: nothing is hidden. Neither @p number nor @p all: heights that are no storey are shown.
     void setChosen(std::optional<int> number, bool all);
 
 signals:

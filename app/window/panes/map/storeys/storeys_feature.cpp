@@ -14,7 +14,7 @@
 namespace leitstand {
 namespace {
 
-constexpr double Noticed = 0.1;  ///< floors that moved less are where they were: each is a new picture [m]
+constexpr double Noticed = 0.1;  ///< floors that moved less count as unmoved: each change redraws the map [m]
 
 bool sameStoreys(const std::vector<Storey>& a, const std::vector<Storey>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Storey& one, const Storey& other) {
@@ -56,7 +56,7 @@ void StoreysFeature::setMap(const Map& map) {
     const double floor = shown ? m_storeys[*shown].floor : 0.0;
     m_storeys = std::move(storeys);
     m_row->setStoreys(m_storeys);
-    // The same floor, whatever its number is now: others may have been found between.
+    // Keeps the floor, whatever its number is now: others may have been found between.
     if (shown && !m_storeys.empty()) {
         const auto nearest =
             std::min_element(m_storeys.begin(), m_storeys.end(), [floor](const Storey& a, const Storey& b) {

@@ -16,7 +16,7 @@ class MapPane;
 class StoreyRow;
 class ViewState;
 
-/// Which storey of the map is shown: what is above and below it is hidden by the heights of the view.
+/// Shows one storey of the map: the heights of the view hide what is above and below it.
 class StoreysFeature final : public QObject {
     Q_OBJECT
 public:
@@ -25,7 +25,7 @@ public:
 
 private:
     void setMap(const Map& map);
-    /// Shows the storey of this number, or all of them.
+    /// Shows the storey @p number, or all of them.
     void choose(std::optional<int> number);
     void step(int by);
     void follow();
@@ -37,9 +37,9 @@ private:
     ViewState& m_state;
     StoreyRow* m_row;
     QAction *m_above = nullptr, *m_below = nullptr;
-    std::vector<Storey> m_storeys;  ///< of the map that is shown, as far as they are on the row
+    std::vector<Storey> m_storeys;  ///< storeys of the shown map, as far as they are on the row
     std::optional<int> m_chosen;    ///< by number; empty: all
-    StoreyHeights m_heights;        ///< that the view has for it
+    StoreyHeights m_heights;        ///< heights of the view for the chosen storey
 };
 
 }  // namespace leitstand
