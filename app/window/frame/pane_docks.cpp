@@ -91,7 +91,7 @@ void PaneDocks::putAway(const QString& id) {
 }
 
 void PaneDocks::open(QDockWidget& dock) {
-    if (m_sheets.contains(dock.objectName()) && m_strays.contains(&dock)) {
+    if (m_sheets.contains(idOf(dock.objectName())) && m_strays.contains(&dock)) {
         if (!dock.isFloating() && dock.isHidden()) settle(dock);
         dock.show();
         dock.raise();
@@ -106,18 +106,19 @@ void PaneDocks::open(QDockWidget& dock) {
 
 void PaneDocks::settle(QDockWidget& sheet) {
     constexpr int LeastBeside = 300;  ///< least width that a host keeps [px]
-    const QString& id = sheet.objectName();
+    const QString id = idOf(sheet.objectName());
     QDockWidget* const host = sheetHost(sheet, m_sheets.at(id));
     if (host == nullptr) return;
     const QSize needed = sheet.widget()->sizeHint();
-    const bool allowed = m_sheets.at(id).contains(host->objectName());
+    const QString hostId = idOf(host->objectName());
+    const bool allowed = m_sheets.at(id).contains(hostId);
     const bool beside = !allowed || host->width() >= needed.width() + LeastBeside;
     if (beside) {
         splitDockWidget(host, &sheet, Qt::Horizontal);
     } else {
         tabifyDockWidget(host, &sheet);
     }
-    m_stays[id] = {host->objectName(), beside};
+    m_stays[id] = {hostId, beside};
     if (!m_placed.pane.empty() || !m_placed.parts.empty()) return;
     sheet.show();  // in an arrangement of the operator's own
     resizeDocks({&sheet}, {needed.width()}, Qt::Horizontal);

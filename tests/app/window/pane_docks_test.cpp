@@ -1,6 +1,7 @@
 #include "app/window/frame/pane_docks.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QLabel>
 #include <QTest>
 
@@ -181,6 +182,26 @@ TEST(PaneDocksFormerId, AnArrangementSavedUnderTheFormerIdIsRestored) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(now.scan.width() - 800) < 12; })) << now.scan.width();
     EXPECT_EQ(now.docks.arrangement(), before.docks.arrangement())
         << "and today's is read by what was before";
+}
+
+/// A widget that asks for room, as a sheet.
+class Sheet final : public QWidget {
+public:
+    [[nodiscard]] QSize sizeHint() const override { return {400, 300}; }
+};
+
+TEST(PaneDocksFormerId, ASheetOpensInTheRoomOfAHostThatHasAFormerId) {
+    Renamed now("surroundings");
+    auto& sheet = *new Sheet;
+    now.docks.add("form", "Form", sheet);
+    now.docks.addSheet("form", {"surroundings"});
+    now.docks.arrange({.name = "old", .panes = {.parts = {pane("map", 3.0), pane("surroundings")}}});
+    now.docks.open("form");
+    // The host has too little room for both: the sheet lies before it, and has all that it needs.
+    auto* const form = qobject_cast<QDockWidget*>(sheet.parentWidget());
+    auto* const host = qobject_cast<QDockWidget*>(now.scan.parentWidget());
+    EXPECT_TRUE(now.docks.tabifiedDockWidgets(form).contains(host));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return sheet.width() >= 396; })) << sheet.width();
 }
 
 }  // namespace
