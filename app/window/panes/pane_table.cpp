@@ -139,8 +139,7 @@ QWidget& findForm(PaneMaking& from) {
 }
 
 QWidget& liveScore(PaneMaking& from) {
-    from.made.report = new ReportFeature(*from.live);
-    return from.made.report->pane();
+    return (new ReportFeature(*from.live))->pane();
 }
 
 QWidget& loggedScore(PaneMaking& from) {
@@ -218,7 +217,8 @@ PaneFeatures makeAll(PaneMaking from) {
         const PaneRow::Make make = makerFor(from, row);
         if (make == nullptr) continue;
         const QString id = QLatin1String(row.id);
-        docks.add(id, paneTitle(row), make(from), QLatin1String(row.formerId));
+        const QString title = QCoreApplication::translate("Panes", row.title);
+        docks.add(id, title, make(from), QLatin1String(row.formerId));
         if (row.kind == Kind::Kept) docks.keepInSight(id);
         if (row.kind == Kind::Sheet) docks.addSheet(id, sheetHosts());
     }
@@ -229,10 +229,6 @@ PaneFeatures makeAll(PaneMaking from) {
 
 std::span<const PaneRow> paneTable() {
     return Table;
-}
-
-QString paneTitle(const PaneRow& row) {
-    return QCoreApplication::translate("Panes", row.title);
 }
 
 PaneFeatures makePanes(const LiveContext& context, const MapViewSettings& look) {

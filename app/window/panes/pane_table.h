@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <span>
 
-#include <QString>
-
 #include "app/window/panes/view_context.h"
 
 class QWidget;
@@ -20,7 +18,6 @@ class LinkFeature;
 class MapActions;
 class MapFeature;
 struct MapViewSettings;
-class ReportFeature;
 class ScanFeature;
 class VictimsFeature;
 
@@ -33,7 +30,6 @@ struct PaneFeatures {
     DriveFeature* drive = nullptr;
     MapActions* actions = nullptr;
     VictimsFeature* victims = nullptr;
-    ReportFeature* report = nullptr;
     LinkFeature* link = nullptr;
     AlarmsFeature* alarms = nullptr;
     // Of a review only.
@@ -74,8 +70,6 @@ struct PaneRow {
 
 /// Returns every pane that a window can have, in the order in which they are made and listed.
 [[nodiscard]] std::span<const PaneRow> paneTable();
-/// Returns the title of @p row in the language of the program.
-[[nodiscard]] QString paneTitle(const PaneRow& row);
 /// Makes every pane of the table that the window has, and adds it to the window's docks. Features are
 /// children of the window, and keep copies of @p context.
 [[nodiscard]] PaneFeatures makePanes(const LiveContext& context, const MapViewSettings& look);
