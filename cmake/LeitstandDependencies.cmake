@@ -45,14 +45,16 @@ if(NOT LEITSTAND_CORE_ONLY)
     find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonMath CommonTransforms
         FiltersCore FiltersGeneral FiltersSources InteractionStyle IOImage RenderingAnnotation RenderingCore
         RenderingFreeType RenderingOpenGL2 glew)
-    set(CMAKE_DISABLE_FIND_PACKAGE_VTK ON)
-    find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search filters features registration io)
-    unset(CMAKE_DISABLE_FIND_PACKAGE_VTK)
-    # PCL 1.15 has all who link it compiled with OpenMP, 1.13 nobody. Headers that are read once must be read alike.
-    if(TARGET OpenMP::OpenMP_CXX)
-        set_property(TARGET OpenMP::OpenMP_CXX PROPERTY INTERFACE_COMPILE_OPTIONS)
-    endif()
+    pkg_check_modules(LZF REQUIRED IMPORTED_TARGET liblzf)  # of compressed PCD files
     if(LEITSTAND_TESTS)
+        # Our peer in benchmarks, and a reader of what we write.
+        set(CMAKE_DISABLE_FIND_PACKAGE_VTK ON)
+        find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search filters features registration io)
+        unset(CMAKE_DISABLE_FIND_PACKAGE_VTK)
+        # PCL 1.15 has all who link it compiled with OpenMP, 1.13 nobody. Headers that are read once must be read alike.
+        if(TARGET OpenMP::OpenMP_CXX)
+            set_property(TARGET OpenMP::OpenMP_CXX PROPERTY INTERFACE_COMPILE_OPTIONS)
+        endif()
         # For a test; VTK brings them.
         pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)
     endif()

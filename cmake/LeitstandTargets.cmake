@@ -118,7 +118,7 @@ function(leitstand_library name)
     endif()
 endfunction()
 
-# What libraries do is not ours to check by ThreadSanitizer, and those that pcl_io brings in fail it at start. For programs.
+# What libraries do is not ours to check by ThreadSanitizer, and some of them fail it at start. For programs.
 function(leitstand_tsan target)
     if(LEITSTAND_SANITIZE MATCHES thread)
         set(own ${CMAKE_SOURCE_DIR}/tests/support/sanitizers/tsan_own.map)

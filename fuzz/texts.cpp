@@ -1,7 +1,7 @@
 #include <string>
 
+#include "core/base/known_sentence.h"
 #include "core/base/printable.h"
-#include "core/base/said.h"
 #include "core/io/handin/csv_fields.h"
 #include "fuzz/input_file.h"
 

@@ -28,7 +28,7 @@
         <translation>Was sich geändert hat</translation>
     </message>
     <message>
-        <source>Between %1 and %2: %3 came, %4 went. Told is what one visit&apos;s scans have where the other&apos;s looked through; what was not looked at both times is not compared.</source>
+        <source>Between %1 and %2: %3 came, %4 went. Listed is what one visit&apos;s scans have where the other&apos;s looked through; what was not looked at both times is not compared.</source>
         <translation>Zwischen %1 und %2: %3 kamen hinzu, %4 sind weg. Genannt wird, was Scans des einen Besuchs haben, wo die des anderen hindurchsahen; was nicht beide Male gesehen wurde, ist nicht verglichen.</translation>
     </message>
     <message>
@@ -692,15 +692,15 @@
         <translation>Scans, die für diesen Bericht in diese Karte registriert wurden: %1</translation>
     </message>
     <message>
-        <source>candidates told: %1</source>
+        <source>candidates reported: %1</source>
         <translation>gemeldete Kandidaten: %1</translation>
     </message>
     <message>
-        <source>candidates told: %1, by %2</source>
+        <source>candidates reported: %1, by %2</source>
         <translation>gemeldete Kandidaten: %1, durch %2</translation>
     </message>
     <message>
-        <source>finds filed: %1, of which a station had told: %2, confirmed: %3</source>
+        <source>finds filed: %1, reported by a station before: %2, confirmed: %3</source>
         <translation>erfasste Funde: %1, davon zuvor von einer Station gemeldet: %2, bestätigt: %3</translation>
     </message>
     <message>
@@ -771,7 +771,7 @@
         <translation>Kamera %1 wiederholt seit %2 ein Bild</translation>
     </message>
     <message>
-        <source>the grant to drive was lost to %1</source>
+        <source>drive control was lost to %1</source>
         <translation>Fahrrecht an %1 verloren</translation>
     </message>
     <message>
@@ -1881,7 +1881,7 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>eine geschlossene Schleife</translation>
     </message>
     <message>
-        <source>a place told from another</source>
+        <source>two places kept apart</source>
         <translation>eine Stelle, die von einer anderen unterschieden wurde</translation>
     </message>
     <message>
@@ -2228,7 +2228,7 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>%</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>not reported</source>
         <translation>keine Angabe</translation>
     </message>
     <message>
@@ -2256,31 +2256,31 @@ Die blaue Linie ist der Horizont.</translation>
         <translation>noch keine Daten</translation>
     </message>
     <message>
-        <source>%1 asks to drive</source>
-        <translation>%1 möchte fahren</translation>
+        <source>%1 requests drive control</source>
+        <translation>%1 fordert das Fahrrecht an</translation>
     </message>
     <message>
-        <source>you have the grant</source>
-        <translation>Fahrrecht liegt hier</translation>
+        <source>drive control: yours</source>
+        <translation>Fahrrecht: hier</translation>
     </message>
     <message>
         <source>%1 keeps it</source>
         <translation>%1 behält es</translation>
     </message>
     <message>
-        <source>asked: listens for others</source>
-        <translation>gefragt: horcht auf andere</translation>
+        <source>requested: listens for others</source>
+        <translation>angefordert: horcht auf andere</translation>
     </message>
     <message>
-        <source>asked: waits for %1</source>
-        <translation>gefragt: wartet auf %1</translation>
+        <source>requested: waits for %1</source>
+        <translation>angefordert: wartet auf %1</translation>
     </message>
     <message>
         <source>%1 took over</source>
         <translation>%1 hat übernommen</translation>
     </message>
     <message>
-        <source>nobody has the grant</source>
+        <source>drive control: free</source>
         <translation>Fahrrecht frei</translation>
     </message>
     <message>
@@ -2636,7 +2636,7 @@ Funk: %4 %5</translation>
         <translation>Freigabe: diese Station hat das Fahrrecht nicht</translation>
     </message>
     <message>
-        <source>release: the robot has not told its stop yet</source>
+        <source>release: the robot has not reported its stop yet</source>
         <translation>Freigabe: der Roboter hat seinen Halt noch nicht gemeldet</translation>
     </message>
     <message>
@@ -3217,7 +3217,7 @@ Funk: %4 %5</translation>
 <context>
     <name>leitstand::FindMoves</name>
     <message>
-        <source>scans were registered anew</source>
+        <source>scans were registered again</source>
         <translation>Scans neu registriert wurden</translation>
     </message>
     <message>
@@ -3568,11 +3568,11 @@ Funk: %4 %5</translation>
         <translation>%1 wird nicht geschickt: angehalten</translation>
     </message>
     <message>
-        <source>%1 was not sent: its odometry began anew, and nobody knows where</source>
+        <source>%1 was not sent: its odometry restarted, and nobody knows where</source>
         <translation>%1 wurde nicht geschickt: die Odometrie begann neu, und niemand weiß wo</translation>
     </message>
     <message>
-        <source>%1 was not sent: the grant to drive it is another station&apos;s</source>
+        <source>%1 was not sent: another station has its drive control</source>
         <translation>%1 wurde nicht geschickt: das Fahrrecht hat eine andere Station</translation>
     </message>
     <message>
@@ -4013,7 +4013,7 @@ Apache License 2.0</translation>
 <context>
     <name>leitstand::Language</name>
     <message>
-        <source>The window is made anew in this language</source>
+        <source>The window is made again in this language</source>
         <translation>Das Fenster wird in dieser Sprache neu aufgebaut</translation>
     </message>
 </context>
@@ -4825,7 +4825,7 @@ F1 listet alle Tasten</translation>
         <translation>kein Roboter genannt</translation>
     </message>
     <message>
-        <source>no intensities told</source>
+        <source>no intensities in the data</source>
         <translation>keine Intensitäten bekannt</translation>
     </message>
     <message>
@@ -4920,7 +4920,7 @@ F1 listet alle Tasten</translation>
         <translation>Mel&amp;dungen</translation>
     </message>
     <message>
-        <source>What was told so far, the newest last</source>
+        <source>All messages so far, the newest last</source>
         <translation>Was bisher gemeldet wurde, das Neueste zuletzt</translation>
     </message>
 </context>
@@ -5198,27 +5198,27 @@ F1 listet alle Tasten</translation>
         <translation>Modus von %1</translation>
     </message>
     <message>
-        <source>Ask</source>
-        <translation>Fragen</translation>
+        <source>Request</source>
+        <translation>Anfordern</translation>
     </message>
     <message>
-        <source>Asks for the grant to drive this robot</source>
-        <translation>Fragt nach dem Fahrrecht für diesen Roboter</translation>
+        <source>Requests drive control of this robot</source>
+        <translation>Fordert das Fahrrecht für diesen Roboter an</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbruch</translation>
     </message>
     <message>
-        <source>Asks no more</source>
-        <translation>Fragt nicht weiter</translation>
+        <source>Withdraws the request</source>
+        <translation>Zieht die Anforderung zurück</translation>
     </message>
     <message>
-        <source>Give up</source>
+        <source>Release</source>
         <translation>Abgeben</translation>
     </message>
     <message>
-        <source>Gives the grant to drive up: others may take it</source>
+        <source>Releases drive control: others may take it</source>
         <translation>Gibt das Fahrrecht ab: andere können es übernehmen</translation>
     </message>
     <message>
@@ -5930,11 +5930,11 @@ F1 listet alle Tasten</translation>
         <translation>diese Station darf ihn fahren</translation>
     </message>
     <message>
-        <source>nobody has the grant to drive</source>
+        <source>drive control is free</source>
         <translation>Fahrrecht frei</translation>
     </message>
     <message>
-        <source>%1 has the grant to drive</source>
+        <source>%1 has drive control</source>
         <translation>%1 hat das Fahrrecht</translation>
     </message>
     <message>
@@ -6130,7 +6130,7 @@ F1 listet alle Tasten</translation>
         <translation>Alles in Ordnung</translation>
     </message>
     <message>
-        <source>Waits for grant and standing ... keep holding</source>
+        <source>Waits for drive control and standing ... keep holding</source>
         <translation>Wartet auf Fahrrecht und Stillstand ... weiter halten</translation>
     </message>
     <message>
@@ -6229,7 +6229,7 @@ F1 listet alle Tasten</translation>
         <translation>Neu prüfen</translation>
     </message>
     <message>
-        <source>Measures the disk anew; all else is looked at once a second</source>
+        <source>Measures the disk again; everything else is checked once a second</source>
         <translation>Misst die Platte neu; alles andere wird jede Sekunde geprüft</translation>
     </message>
     <message>
@@ -6338,7 +6338,7 @@ F1 listet alle Tasten</translation>
         <translation>&amp;Neu registrieren</translation>
     </message>
     <message>
-        <source>Registers all scans anew with the present settings</source>
+        <source>Registers all scans again with the present settings</source>
         <translation>Registriert alle Scans neu mit den jetzigen Einstellungen</translation>
     </message>
     <message>
@@ -6685,7 +6685,7 @@ F1 listet alle Tasten</translation>
         <translation>nicht bestätigt, also in der Karte, aber nicht in den Listen: {}</translation>
     </message>
     <message>
-        <source>competition or team are not told: the files are named for what is missing</source>
+        <source>competition or team are not given: the files are named for what is missing</source>
         <translation>Wettbewerb oder Team sind nicht angegeben: die Dateien heißen nach dem, was fehlt</translation>
     </message>
     <message>
@@ -6750,7 +6750,7 @@ F1 listet alle Tasten</translation>
         <translation>Ne&amp;u registrieren…</translation>
     </message>
     <message>
-        <source>Registers the mission&apos;s scans anew, in a window of its own, with settings of your own; the mission stays as it is</source>
+        <source>Registers the mission&apos;s scans again, in a window of its own, with settings of your own; the mission stays as it is</source>
         <translation>Registriert die Scans der Mission neu, in einem eigenen Fenster, mit eigenen Einstellungen; die Mission bleibt, wie sie ist</translation>
     </message>
     <message>
@@ -7185,7 +7185,7 @@ F1 listet alle Tasten</translation>
         <translation>&amp;Modus</translation>
     </message>
     <message>
-        <source>The robot has told none yet</source>
+        <source>The robot has reported none yet</source>
         <translation>Der Roboter hat noch keinen gemeldet</translation>
     </message>
 </context>
@@ -7590,7 +7590,7 @@ F1 listet alle Tasten</translation>
         <translation>Was jeder Fund beiträgt, und was mehr brächte</translation>
     </message>
     <message>
-        <source>Nothing to score yet: what a find brings is told here</source>
+        <source>Nothing to score yet: what a find brings is listed here</source>
         <translation>Noch nichts zu werten: hier steht, was ein Fund bringt</translation>
     </message>
 </context>
@@ -8250,11 +8250,11 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>gesendet · ohne Antwort %1</translation>
     </message>
     <message>
-        <source>acknowledged · moves</source>
+        <source>confirmed · moves</source>
         <translation>quittiert · bewegt sich</translation>
     </message>
     <message>
-        <source>acknowledged · motion unknown</source>
+        <source>confirmed · motion unknown</source>
         <translation>quittiert · Bewegung unbekannt</translation>
     </message>
     <message>
@@ -8282,7 +8282,7 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>Von einer anderen Station gestoppt.</translation>
     </message>
     <message>
-        <source>Only who has the grant to drive can release it.</source>
+        <source>Only the station with drive control can release it.</source>
         <translation>Freigeben kann nur, wer das Fahrrecht hat.</translation>
     </message>
     <message>

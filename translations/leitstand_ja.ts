@@ -28,7 +28,7 @@
         <translation>変化したもの</translation>
     </message>
     <message>
-        <source>Between %1 and %2: %3 came, %4 went. Told is what one visit&apos;s scans have where the other&apos;s looked through; what was not looked at both times is not compared.</source>
+        <source>Between %1 and %2: %3 came, %4 went. Listed is what one visit&apos;s scans have where the other&apos;s looked through; what was not looked at both times is not compared.</source>
         <translation>%1と%2の間: 増えたもの%3、なくなったもの%4。一方のスキャンが素通しで見た所に他方のスキャンが捉えたものを示します。両方で見ていない所は比較していません。</translation>
     </message>
     <message>
@@ -692,15 +692,15 @@
         <translation>この報告書のためにこの地図へ位置合わせしたスキャン: %1 件</translation>
     </message>
     <message>
-        <source>candidates told: %1</source>
+        <source>candidates reported: %1</source>
         <translation>通知した候補: %1 件</translation>
     </message>
     <message>
-        <source>candidates told: %1, by %2</source>
+        <source>candidates reported: %1, by %2</source>
         <translation>通知した候補: %1 件（%2）</translation>
     </message>
     <message>
-        <source>finds filed: %1, of which a station had told: %2, confirmed: %3</source>
+        <source>finds filed: %1, reported by a station before: %2, confirmed: %3</source>
         <translation>登録した発見: %1 件、うち操作卓が通知したもの: %2 件、確定: %3 件</translation>
     </message>
     <message>
@@ -771,7 +771,7 @@
         <translation>カメラ %1 が %2 同じ映像を反復</translation>
     </message>
     <message>
-        <source>the grant to drive was lost to %1</source>
+        <source>drive control was lost to %1</source>
         <translation>操縦権が %1 へ移った</translation>
     </message>
     <message>
@@ -1881,7 +1881,7 @@ The blue line is the horizon.</source>
         <translation>閉じたループ</translation>
     </message>
     <message>
-        <source>a place told from another</source>
+        <source>two places kept apart</source>
         <translation>別の場所と判断した場所</translation>
     </message>
     <message>
@@ -2228,7 +2228,7 @@ The blue line is the horizon.</source>
         <translation>%</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>not reported</source>
         <translation>通知なし</translation>
     </message>
     <message>
@@ -2256,11 +2256,11 @@ The blue line is the horizon.</source>
         <translation>データ未着</translation>
     </message>
     <message>
-        <source>%1 asks to drive</source>
+        <source>%1 requests drive control</source>
         <translation>%1 が操縦権を要求</translation>
     </message>
     <message>
-        <source>you have the grant</source>
+        <source>drive control: yours</source>
         <translation>操縦権あり</translation>
     </message>
     <message>
@@ -2268,11 +2268,11 @@ The blue line is the horizon.</source>
         <translation>%1 が拒否</translation>
     </message>
     <message>
-        <source>asked: listens for others</source>
+        <source>requested: listens for others</source>
         <translation>要求中: 他の応答を確認</translation>
     </message>
     <message>
-        <source>asked: waits for %1</source>
+        <source>requested: waits for %1</source>
         <translation>要求中: %1 を待機</translation>
     </message>
     <message>
@@ -2280,7 +2280,7 @@ The blue line is the horizon.</source>
         <translation>%1 が引き継いだ</translation>
     </message>
     <message>
-        <source>nobody has the grant</source>
+        <source>drive control: free</source>
         <translation>操縦権保持者なし</translation>
     </message>
     <message>
@@ -2636,7 +2636,7 @@ Link: %4 %5</source>
         <translation>解除: このステーションには操縦権がありません</translation>
     </message>
     <message>
-        <source>release: the robot has not told its stop yet</source>
+        <source>release: the robot has not reported its stop yet</source>
         <translation>解除: ロボットはまだ停止状態を伝えていません</translation>
     </message>
     <message>
@@ -3217,7 +3217,7 @@ Link: %4 %5</source>
 <context>
     <name>leitstand::FindMoves</name>
     <message>
-        <source>scans were registered anew</source>
+        <source>scans were registered again</source>
         <translation>スキャンの再位置合わせ</translation>
     </message>
     <message>
@@ -3568,11 +3568,11 @@ Link: %4 %5</source>
         <translation>%1 を送り出さない: 停止された</translation>
     </message>
     <message>
-        <source>%1 was not sent: its odometry began anew, and nobody knows where</source>
+        <source>%1 was not sent: its odometry restarted, and nobody knows where</source>
         <translation>%1 を送り出していない: オドメトリが初期化され、位置が不明</translation>
     </message>
     <message>
-        <source>%1 was not sent: the grant to drive it is another station&apos;s</source>
+        <source>%1 was not sent: another station has its drive control</source>
         <translation>%1 を送り出していない: 操縦権は別の操作卓にある</translation>
     </message>
     <message>
@@ -4013,7 +4013,7 @@ Apache License 2.0</translation>
 <context>
     <name>leitstand::Language</name>
     <message>
-        <source>The window is made anew in this language</source>
+        <source>The window is made again in this language</source>
         <translation>ウィンドウをこの言語で作り直す</translation>
     </message>
 </context>
@@ -4825,7 +4825,7 @@ F1 でキー一覧</translation>
         <translation>ロボット名なし</translation>
     </message>
     <message>
-        <source>no intensities told</source>
+        <source>no intensities in the data</source>
         <translation>反射強度の情報なし</translation>
     </message>
     <message>
@@ -4920,7 +4920,7 @@ F1 でキー一覧</translation>
         <translation>メッセージ(&amp;S)</translation>
     </message>
     <message>
-        <source>What was told so far, the newest last</source>
+        <source>All messages so far, the newest last</source>
         <translation>これまでの通知(新しいものが最後)</translation>
     </message>
 </context>
@@ -5198,11 +5198,11 @@ F1 でキー一覧</translation>
         <translation>%1 のモード</translation>
     </message>
     <message>
-        <source>Ask</source>
+        <source>Request</source>
         <translation>要求</translation>
     </message>
     <message>
-        <source>Asks for the grant to drive this robot</source>
+        <source>Requests drive control of this robot</source>
         <translation>このロボットの操縦権を要求</translation>
     </message>
     <message>
@@ -5210,15 +5210,15 @@ F1 でキー一覧</translation>
         <translation>取り下げ</translation>
     </message>
     <message>
-        <source>Asks no more</source>
+        <source>Withdraws the request</source>
         <translation>要求を取り下げる</translation>
     </message>
     <message>
-        <source>Give up</source>
+        <source>Release</source>
         <translation>返上</translation>
     </message>
     <message>
-        <source>Gives the grant to drive up: others may take it</source>
+        <source>Releases drive control: others may take it</source>
         <translation>操縦権を返上: 他の操作卓が取得できる</translation>
     </message>
     <message>
@@ -5930,11 +5930,11 @@ F1 でキー一覧</translation>
         <translation>この操作卓が操縦できる</translation>
     </message>
     <message>
-        <source>nobody has the grant to drive</source>
+        <source>drive control is free</source>
         <translation>操縦権の保持者なし</translation>
     </message>
     <message>
-        <source>%1 has the grant to drive</source>
+        <source>%1 has drive control</source>
         <translation>%1 が操縦権を保持</translation>
     </message>
     <message>
@@ -6130,7 +6130,7 @@ F1 でキー一覧</translation>
         <translation>すべて正常</translation>
     </message>
     <message>
-        <source>Waits for grant and standing ... keep holding</source>
+        <source>Waits for drive control and standing ... keep holding</source>
         <translation>操縦権と静止を待機 ... 押し続ける</translation>
     </message>
     <message>
@@ -6229,7 +6229,7 @@ F1 でキー一覧</translation>
         <translation>再点検</translation>
     </message>
     <message>
-        <source>Measures the disk anew; all else is looked at once a second</source>
+        <source>Measures the disk again; everything else is checked once a second</source>
         <translation>ディスクを再計測。その他は毎秒確認</translation>
     </message>
     <message>
@@ -6338,7 +6338,7 @@ F1 でキー一覧</translation>
         <translation>再度位置合わせ(&amp;A)</translation>
     </message>
     <message>
-        <source>Registers all scans anew with the present settings</source>
+        <source>Registers all scans again with the present settings</source>
         <translation>現在の設定で全スキャンの位置合わせをやり直す</translation>
     </message>
     <message>
@@ -6685,7 +6685,7 @@ F1 でキー一覧</translation>
         <translation>未確認のため地図にはあるが一覧にはないもの: {}</translation>
     </message>
     <message>
-        <source>competition or team are not told: the files are named for what is missing</source>
+        <source>competition or team are not given: the files are named for what is missing</source>
         <translation>大会名またはチーム名が未設定です: ファイル名は仮の名前になっています</translation>
     </message>
     <message>
@@ -6750,7 +6750,7 @@ F1 でキー一覧</translation>
         <translation>再度位置合わせ(&amp;R)…</translation>
     </message>
     <message>
-        <source>Registers the mission&apos;s scans anew, in a window of its own, with settings of your own; the mission stays as it is</source>
+        <source>Registers the mission&apos;s scans again, in a window of its own, with settings of your own; the mission stays as it is</source>
         <translation>ミッションのスキャンを別ウィンドウで独自の設定により位置合わせし直す。ミッションは変わらない</translation>
     </message>
     <message>
@@ -7185,7 +7185,7 @@ F1 でキー一覧</translation>
         <translation>モード(&amp;M)</translation>
     </message>
     <message>
-        <source>The robot has told none yet</source>
+        <source>The robot has reported none yet</source>
         <translation>ロボットからの通知はまだない</translation>
     </message>
 </context>
@@ -7590,7 +7590,7 @@ F1 でキー一覧</translation>
         <translation>各発見物の点数と、さらに点になるもの</translation>
     </message>
     <message>
-        <source>Nothing to score yet: what a find brings is told here</source>
+        <source>Nothing to score yet: what a find brings is listed here</source>
         <translation>まだ採点対象がありません。発見ごとの得点がここに表示されます</translation>
     </message>
 </context>
@@ -8250,11 +8250,11 @@ A function of this program, no certified emergency stop.</source>
         <translation>送信済み · %1 返答なし</translation>
     </message>
     <message>
-        <source>acknowledged · moves</source>
+        <source>confirmed · moves</source>
         <translation>受領 · 動作中</translation>
     </message>
     <message>
-        <source>acknowledged · motion unknown</source>
+        <source>confirmed · motion unknown</source>
         <translation>受領 · 動作不明</translation>
     </message>
     <message>
@@ -8282,7 +8282,7 @@ A function of this program, no certified emergency stop.</source>
         <translation>別の操作卓が停止。</translation>
     </message>
     <message>
-        <source>Only who has the grant to drive can release it.</source>
+        <source>Only the station with drive control can release it.</source>
         <translation>解除できるのは操縦権の保持者のみ。</translation>
     </message>
     <message>

@@ -36,7 +36,7 @@ nlohmann::json jsonOf(const Eigen::Vector3d& vector) {
     return {vector.x(), vector.y(), vector.z()};
 }
 
-void tell(const MapChanges& changes, bool json) {
+void printResult(const MapChanges& changes, bool json) {
     if (json) {
         nlohmann::json things = nlohmann::json::array();
         for (const ChangedThing& thing : changes.things) {
@@ -86,7 +86,7 @@ int run(const ChangesArguments& arguments) {
                                     : ": expected a map of several missions, as merge or --map-of make it"));
         return 1;
     }
-    tell(changes, arguments.json);
+    printResult(changes, arguments.json);
     return 0;
 }
 
@@ -99,7 +99,8 @@ void addChanges(CLI::App& app, int& exitCode) {
     command->add_option("MISSION", arguments->mission, "Folder of the mission")->required();
     command->add_flag("--json", arguments->json, "Print JSON");
     command->footer(
-        "The newest of its missions is compared with those before. Told is what scans of the one have where "
+        "The newest of its missions is compared with those before. Listed is what scans of the one have "
+        "where "
         "scans of the other looked through.");
     command->final_callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }

@@ -30,7 +30,8 @@ int dismissed(const PoseGraph& graph, const GraphResult& result) {
     return count;
 }
 
-void tell(const GraphOptions& options, const PoseGraph& graph, const GraphResult& result, double seconds) {
+void printResult(const GraphOptions& options, const PoseGraph& graph, const GraphResult& result,
+                 double seconds) {
     const int left = dismissed(graph, result);
     if (options.json) {
         printJson({{"file", options.file.string()},
@@ -69,7 +70,7 @@ int run(const GraphOptions& options) {
             return 1;
         }
     }
-    tell(options, graph, result, seconds);
+    printResult(options, graph, result, seconds);
     return result.converged ? 0 : 1;
 }
 

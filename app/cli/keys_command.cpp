@@ -35,7 +35,7 @@ What to do:
      (rt/ topics, rq/ and rr/ services and actions). Clocks must be right to a day.
   4. Before the last day that `keys show` lists: --renew with the same names and roles; old keys go to KEYS/retired.
   5. Lost or stolen: --revoke NAME, then copy the new identity_ca.cert.pem to every machine and start its programs
-     anew. Until then the thief is still let in.
+     again. Until then the thief is still let in.
 Exit codes: 0 ok, 1 the job failed or an identity cannot be used, 2 usage.)";
 
 struct KeysOptions {

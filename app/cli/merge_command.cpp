@@ -20,7 +20,7 @@ struct MergeArguments {
     bool tidy = true, json = false;
 };
 
-void tell(const MergeOrder& order, const MergedMap& merged, bool json) {
+void printResult(const MergeOrder& order, const MergedMap& merged, bool json) {
     if (json) {
         printJson({{"first", merged.first},
                    {"second", merged.second},
@@ -66,7 +66,7 @@ int run(const MergeArguments& arguments) {
         if (!tidied) untidied = tidied.error().text;
     }
     line.clear();
-    tell(arguments.order, *merged, arguments.json);
+    printResult(arguments.order, *merged, arguments.json);
     if (!untidied.empty())
         complain(line, "the maps are one, but not relaxed (leitstandctl tidy does that): " + untidied);
     return merged->together && untidied.empty() ? 0 : 1;

@@ -59,7 +59,7 @@ std::string recordJson(const RecorderStatus& status) {
                      {"bytes", status.log.bytes},
                      {"lost", status.log.lost},
                      {"robots", robots},
-                     {"unheard", status.unheard},
+                     {"unheard", status.notReceived},
                      {"topics", topics},
                      {"screened", screened}});
 }
@@ -151,8 +151,9 @@ int runRecord(const RecordOptions& options) {
         complain(line, fmt::format("{}: {} samples make no sense (kept all the same), the last one: {}",
                                    topic, errors.count, errors.last));
     }
-    if (!status.unheard.empty()) {
-        complain(line, fmt::format("announced, but nothing came of it: {}", fmt::join(status.unheard, ", ")));
+    if (!status.notReceived.empty()) {
+        complain(line,
+                 fmt::format("announced, but nothing came of it: {}", fmt::join(status.notReceived, ", ")));
     }
     for (const ScreenDrop& drop : status.screened) complain(line, toString(drop));
     if (!stopped) complain(line, stopped.error().text);

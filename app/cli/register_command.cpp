@@ -156,10 +156,10 @@ int runRegister(const RegisterOptions& options) {
         }
         if (!interrupt.token().stop_requested()) loops = std::move(done).value();
     }
-    const ClosedMap* const told = loops ? &*loops : nullptr;
+    const ClosedMap* const closedLoops = loops ? &*loops : nullptr;
     const double seconds = toSeconds(Clock::now() - started);
     line.clear();
-    print(options.json ? registerJson(map, told, seconds) : registerTable(map, told, seconds));
+    print(options.json ? registerJson(map, closedLoops, seconds) : registerTable(map, closedLoops, seconds));
     const bool written = writeOutputs(options, map, line);
     if (interrupt.token().stop_requested()) {
         const bool all = map.scans.size() == scans.size();

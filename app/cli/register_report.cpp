@@ -21,14 +21,14 @@ nlohmann::ordered_json placesJson(const std::vector<SamePlace>& places) {
 
 std::string loopsText(const Map& map, const ClosedMap& loops) {
     std::string text;
-    const auto tell = [&](const SamePlace& one, const char* what) {
+    const auto addLine = [&](const SamePlace& one, const char* what) {
         text += fmt::format("{} and {} (scans {} and {}): {:.2f} m off, {}\n", map.scans[one.from].scan->name,
                             map.scans[one.to].scan->name, one.from, one.to, one.shift, what);
     };
-    for (const SamePlace& one : loops.closed) tell(one, "closed");
-    for (const SamePlace& one : loops.contradicted) tell(one, "LEFT OUT: the rest speaks against it");
+    for (const SamePlace& one : loops.closed) addLine(one, "closed");
+    for (const SamePlace& one : loops.contradicted) addLine(one, "LEFT OUT: the rest speaks against it");
     for (const SamePlace& one : loops.unsure)
-        tell(one, "NOT CLOSED: farther than expected; say by --by-hand whether it is the same place");
+        addLine(one, "NOT CLOSED: farther than expected; say by --by-hand whether it is the same place");
     if (loops.unused > 0)
         text += fmt::format("{} links by hand are of scans with too few points\n", loops.unused);
     const Relaxation& relaxed = loops.relaxation;

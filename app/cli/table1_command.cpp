@@ -127,7 +127,7 @@ int runTable1(const Table1Options& options) {
 
 void addTable1(CLI::App& app, int& exitCode) {
     CLI::App* command =
-        app.add_subcommand("table1", "measures Table 1 of the Deutschland1 paper anew on two scans");
+        app.add_subcommand("table1", "measures Table 1 of the Deutschland1 paper again on two scans");
     const auto options = std::make_shared<Table1Options>();
     command
         ->add_option("SOURCE", options->sources,

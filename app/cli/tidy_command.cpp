@@ -22,7 +22,7 @@ struct TidyArguments {
     bool undo = false, json = false;
 };
 
-void tell(const TidiedMap& tidied, bool json) {
+void printResult(const TidiedMap& tidied, bool json) {
     const Relaxation& relaxed = tidied.relaxation;
     if (json) {
         printJson({{"scans", tidied.scans},
@@ -69,7 +69,7 @@ int run(const TidyArguments& arguments) {
         complain(line, tidied.error().text);
         return 1;
     }
-    tell(*tidied, arguments.json);
+    printResult(*tidied, arguments.json);
     return 0;
 }
 

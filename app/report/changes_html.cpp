@@ -44,7 +44,7 @@ QString changesHtml(const ReportContent& content) {
     QString html =
         QStringLiteral("<h2>%1</h2><p>%2</p>")
             .arg(ChangesText::tr("What changed"),
-                 ChangesText::tr("Between %1 and %2: %3 came, %4 went. Told is what one visit's scans have "
+                 ChangesText::tr("Between %1 and %2: %3 came, %4 went. Listed is what one visit's scans have "
                                  "where the other's looked through; what was not looked at both times is not "
                                  "compared.")
                      .arg(earlier.join(QStringLiteral(", ")), missionOf(changes.visits.name))

@@ -14,7 +14,7 @@
 #include "app/report/report_times.h"
 #include "app/report/score_html.h"
 #include "app/report/work_html.h"
-#include "app/services/handin/report_words.h"
+#include "app/services/handin/report_text.h"
 
 namespace leitstand {
 namespace {
@@ -61,22 +61,22 @@ QString heading(const QString& text) {
     return QStringLiteral("<h2>%1</h2>").arg(text);
 }
 
-QString statusOf(const VictimSample& sample) {
-    return sample.status == VictimSample::Status::Confirmed ? ReportText::tr("confirmed")
-                                                            : ReportText::tr("not confirmed");
+QString statusOf(const FindSample& sample) {
+    return sample.status == FindSample::Status::Confirmed ? ReportText::tr("confirmed")
+                                                          : ReportText::tr("not confirmed");
 }
-QString modeOf(const VictimSample& sample) {
+QString modeOf(const FindSample& sample) {
     return sample.autonomous ? ReportText::tr("A (autonomous)") : ReportText::tr("T (teleoperated)");
 }
-QString kindOf(VictimSample::Kind kind) {
+QString kindOf(FindSample::Kind kind) {
     switch (kind) {
-        case VictimSample::Kind::Victim:
+        case FindSample::Kind::Victim:
             return ReportText::tr("Victim");
-        case VictimSample::Kind::Hazard:
+        case FindSample::Kind::Hazard:
             return ReportText::tr("Hazard");
-        case VictimSample::Kind::Code:
+        case FindSample::Kind::Code:
             return ReportText::tr("QR code");
-        case VictimSample::Kind::Object:
+        case FindSample::Kind::Object:
             return ReportText::tr("Object of interest");
     }
     return {};
@@ -268,7 +268,7 @@ QStringList overviewHtml(const ReportContent& content) {
 QString findHtml(const ReportContent& content, std::size_t index) {
     const ReportFind& find = content.model.finds[index];
     const FindPages& pages = content.finds[index];
-    const VictimSample& sample = find.sample;
+    const FindSample& sample = find.sample;
     QString html = QStringLiteral("<h1>%1 \u2013 %2, %3</h1>")
                        .arg(safe(find.name), kindOf(sample.kind), statusOf(sample));
     Rows rows = {
@@ -285,7 +285,7 @@ QString findHtml(const ReportContent& content, std::size_t index) {
                                       .arg(reportClock(sample.found), safe(spanText(find.missionTime)))},
         {ReportText::tr("By"), QStringLiteral("%1, %2").arg(orDash(sample.robot), modeOf(sample))},
         {ReportText::tr("Tag"), orDash(sample.tag)}};
-    if (sample.kind == VictimSample::Kind::Victim) {
+    if (sample.kind == FindSample::Kind::Victim) {
         const Rows signs = {{ReportText::tr("Form"), signOf(sample.form, "", 1)},
                             {ReportText::tr("Motion"), signOf(sample.motion, "", 1)},
                             {ReportText::tr("Heat"), signOf(sample.heat, "\u00B0C", 1)},

@@ -6,7 +6,7 @@
 
 #include <QCoreApplication>
 
-#include "app/services/handin/report_words.h"
+#include "app/services/handin/report_text.h"
 
 namespace leitstand {
 namespace {
@@ -60,8 +60,8 @@ QStringList stationsWork(const ReportModel& model) {
     if (model.work.believed > 0) {
         const QString cues = cueText(model.work.cues);
         what += cues.isEmpty()
-                    ? WorkText::tr("candidates told: %1").arg(model.work.believed)
-                    : WorkText::tr("candidates told: %1, by %2").arg(model.work.believed).arg(cues);
+                    ? WorkText::tr("candidates reported: %1").arg(model.work.believed)
+                    : WorkText::tr("candidates reported: %1, by %2").arg(model.work.believed).arg(cues);
     }
     return what + QStringList(WorkText::tr("this report was written"));
 }
@@ -75,7 +75,7 @@ QStringList peoplesWork(const ReportModel& model) {
                              QString::fromStdString(spanText(robot.teleoperated)).toHtmlEscaped());
     }
     const ReportWork& work = model.work;
-    what += WorkText::tr("finds filed: %1, of which a station had told: %2, confirmed: %3")
+    what += WorkText::tr("finds filed: %1, reported by a station before: %2, confirmed: %3")
                 .arg(work.filed)
                 .arg(work.fromCandidates)
                 .arg(work.confirmed);

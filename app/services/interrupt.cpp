@@ -47,12 +47,12 @@ void giveBack() {
     for (const Taken& one : signals) sigaction(one.signal, &one.before, nullptr);
 }
 
-void say(char what) {
+void putByte(char what) {
     [[maybe_unused]] const auto written = write(wakeUp[1], &what, 1);
 }
 
 /// Reads the next message from the pipe.
-char heard() {
+char takeByte() {
     char byte = GuardGone;
     while (read(wakeUp[0], &byte, 1) < 0 && errno == EINTR) {
     }
@@ -64,7 +64,7 @@ std::atomic<std::int64_t> firstAt = 0;
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
 /// Within that time all signals are one request: `timeout` signals the process, then its group.
-constexpr std::chrono::nanoseconds OneWish = std::chrono::milliseconds(500);
+constexpr std::chrono::nanoseconds OneRequest = std::chrono::milliseconds(500);
 
 /// Allowed in a signal handler, unlike the clocks of std.
 std::int64_t sinceStart() {
@@ -84,8 +84,8 @@ void onSignal(int signal) {
     const std::int64_t now = sinceStart();
     if (firstAt.compare_exchange_strong(first, now)) {
         ignoreHangUps();
-        say(Came);
-    } else if (now - first >= OneWish.count()) {
+        putByte(Came);
+    } else if (now - first >= OneRequest.count()) {
         giveBack();
         ignoreHangUps();
         raise(signal);  // delivered when this handler returns
@@ -138,7 +138,7 @@ void endSurely(Clock::time_point asked) {
 bool openPipe() {
     if (wakeUp[0] < 0) return pipe2(wakeUp.data(), O_CLOEXEC) == 0;
     int waiting = 0;
-    while (ioctl(wakeUp[0], FIONREAD, &waiting) == 0 && waiting > 0) heard();
+    while (ioctl(wakeUp[0], FIONREAD, &waiting) == 0 && waiting > 0) takeByte();
     return true;
 }
 
@@ -159,7 +159,7 @@ InterruptGuard::InterruptGuard(End end) {
     firstAt = 0;
     // A copy: the guard is not destroyed where a library ends the process by exit().
     m_waiter = std::thread([source = m_source, end]() mutable {
-        if (heard() != Came) return;
+        if (takeByte() != Came) return;
         const auto asked = Clock::now();
         if (end == End::Surely) endAtTheLatest();
         source.request_stop();
@@ -175,7 +175,7 @@ InterruptGuard::InterruptGuard(End end) {
 InterruptGuard::~InterruptGuard() {
     if (!m_waiter.joinable()) return;
     giveBack();
-    say(GuardGone);
+    putByte(GuardGone);
     m_waiter.join();
 }
 

@@ -71,11 +71,11 @@ int runStation(int argc, char** argv) {
     if (picture) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     } else if (!displayIsThere()) {
-        tellTerminal("there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set).");
-        tellTerminal("To get a picture without one: leitstand --screenshot map.png SCANS...");
+        printProblem("there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set).");
+        printProblem("To get a picture without one: leitstand --screenshot map.png SCANS...");
         return 1;
     }
-    tellQtMessages(picture);
+    printQtMessages(picture);
     QApplication application(argc, argv);
     QGuiApplication::setDesktopFileName(
         QStringLiteral("org.leitstand.leitstand"));  // its icon, under Wayland

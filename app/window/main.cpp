@@ -7,7 +7,7 @@ int main(int argc, char** argv) {
     try {
         return leitstand::runStation(argc, argv);
     } catch (const std::exception& broken) {
-        leitstand::tellTerminal(broken.what());
+        leitstand::printProblem(broken.what());
         return 1;
     }
 }

@@ -13,8 +13,8 @@ namespace leitstand {
 /// The same, but line ends stay: for texts of several lines made by the program.
 [[nodiscard]] std::string printableLines(std::string_view text);
 
-/// Returns @p json, the output of a JSON writer, with escapes for what would reach a terminal raw: DEL, the
-/// control characters above it and those that turn the direction of writing.
+/// Returns @p json, the output of a JSON writer, with escapes for what would reach a terminal raw. That is
+/// DEL, the control characters above it and those that turn the direction of writing.
 [[nodiscard]] std::string printableJson(std::string_view json);
 
 }  // namespace leitstand

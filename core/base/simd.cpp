@@ -7,8 +7,8 @@ namespace leitstand {
 namespace {
 
 SimdLevel detected() {
-    const char* wished = std::getenv("LEITSTAND_SIMD");
-    if (wished != nullptr && std::string_view(wished) == "plain") return SimdLevel::Plain;
+    const char* requested = std::getenv("LEITSTAND_SIMD");
+    if (requested != nullptr && std::string_view(requested) == "plain") return SimdLevel::Plain;
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx2")) return SimdLevel::Avx2;
 #endif

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
+#include "core/event/find_sample.h"
 #include "core/event/status_samples.h"
-#include "core/event/victim_sample.h"
 
 namespace leitstand {
 
@@ -31,7 +31,7 @@ struct CandidateSample {
     Time stamp{};  ///< station's clock
     std::string station;
     std::uint32_t id = 0;  ///< from 1
-    VictimSample::Kind kind = VictimSample::Kind::Victim;
+    FindSample::Kind kind = FindSample::Kind::Victim;
     std::uint64_t scan = 0;  ///< key scan that it belongs to, whose corrections move it; 0: none
     Eigen::Vector3d positionInScan = Eigen::Vector3d::Zero();  ///< in that scan's frame [m]; without one: 0
     Eigen::Vector3d positionInMap = Eigen::Vector3d::Zero();   ///< when published [m]

@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// Stops or releases a robot; repeated until StopStateSample has its number (design, section 4).
+/// Stops or releases a robot; repeated until StopStateSample has its number (docs/design.md, "The wire").
 struct StopCommandSample {
     Time stamp{};                ///< station's clock, for the log only: never compared
     std::string station;         ///< identity of the sender

@@ -9,6 +9,7 @@
 #include "core/event/candidate_sample.h"
 #include "core/event/cloud_sample.h"
 #include "core/event/command_samples.h"
+#include "core/event/find_sample.h"
 #include "core/event/map_samples.h"
 #include "core/event/motion_samples.h"
 #include "core/event/picture_samples.h"
@@ -16,7 +17,6 @@
 #include "core/event/station_samples.h"
 #include "core/event/status_samples.h"
 #include "core/event/stream_role.h"
-#include "core/event/victim_sample.h"
 
 namespace leitstand {
 
@@ -25,12 +25,13 @@ using Sample =
     std::variant<CloudSample, RangesSample, OdometrySample, ImuSample, JointSample, TransformsSample,
                  PictureSample, CameraInfoSample, GasSample, BatterySample, DiagnosticsSample, ModeSample,
                  BumpSample, SightingSample, StopStateSample, PongSample, TwistSample, StopCommandSample,
-                 ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, VictimSample,
+                 ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, FindSample,
                  KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
                  CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample, MissionInfoSample,
                  MapCropSample, ScanLinksSample, ScanBodiesSample>;
 
-/// A RawEvent decoded: what core folds into the state of the mission (design, section 1).
+/// A RawEvent decoded: what core folds into the state of the mission (docs/design.md, "A mission is its
+/// log").
 struct Event {
     std::uint64_t sequence = 0;      ///< order of arrival within the mission, from 1
     Time received{};                 ///< station's clock

@@ -13,7 +13,8 @@ namespace leitstand {
 /// Serialised bytes as received: XCDR1 with its encapsulation header of 4 bytes.
 using Payload = std::shared_ptr<const std::vector<std::byte>>;
 
-/// One message as the station received it: the unit of the mission's log (design, section 1).
+/// One message as the station received it: the unit of the mission's log (docs/design.md, "A mission is its
+/// log").
 struct RawEvent {
     std::uint64_t sequence = 0;  ///< order of arrival within a mission, from 1; 0 before the sequencer
     Time received{};             ///< station's clock

@@ -19,18 +19,18 @@ using std::chrono::nanoseconds;
 /// Returns when the mission ended. A review that files something days later belongs to it, but not to its
 /// time.
 Time endOf(const MissionState& state) {
-    std::uint64_t heard = 0;  // newest sequence of a robot
+    std::uint64_t newest = 0;  // newest sequence of a robot
     Time end{};
     for (const auto& [name, robot] : state.robots) {
         for (const auto& [topic, stream] : robot->streams) {
-            heard = std::max(heard, stream.sequence);
+            newest = std::max(newest, stream.sequence);
             end = std::max(end, stream.received);
         }
     }
     const auto& sessions = *state.sessions;
     const auto later = std::find_if(sessions.begin(), sessions.end(),
-                                    [&](const SessionState& session) { return session.started > heard; });
-    if (heard == 0 || later == sessions.end()) return state.last;
+                                    [&](const SessionState& session) { return session.started > newest; });
+    if (newest == 0 || later == sessions.end()) return state.last;
     for (const Decision& decision : *state.decisions) {
         if (decision.sequence < later->started) end = std::max(end, decision.received);
     }
@@ -111,19 +111,19 @@ ReportRobot robotOf(const ReportInput& input, const std::string& name) {
     return robot;
 }
 
-MapMark::Kind kindOf(const VictimSample& find) {
+MapMark::Kind kindOf(const FindSample& find) {
     switch (find.kind) {
-        case VictimSample::Kind::Hazard:
+        case FindSample::Kind::Hazard:
             return MapMark::Kind::Hazard;
-        case VictimSample::Kind::Code:
+        case FindSample::Kind::Code:
             return MapMark::Kind::Code;
-        case VictimSample::Kind::Object:
+        case FindSample::Kind::Object:
             return MapMark::Kind::Object;
-        case VictimSample::Kind::Victim:
+        case FindSample::Kind::Victim:
             break;
     }
-    return find.status == VictimSample::Status::Confirmed ? MapMark::Kind::Victim
-                                                          : MapMark::Kind::UnconfirmedVictim;
+    return find.status == FindSample::Status::Confirmed ? MapMark::Kind::Victim
+                                                        : MapMark::Kind::UnconfirmedVictim;
 }
 
 /// Returns the number of the storey at height @p z of the map [m]; empty when there is only one.
@@ -150,9 +150,9 @@ void addFinds(ReportModel& model, const MissionState& state) {
     std::vector<RobotPath> paths;
     for (const ReportRobot& robot : model.robots) paths.push_back(robot.path);
     const WayFinder ways(paths);
-    for (const auto& [key, filed] : *state.victims) {
-        const VictimSample sample = wholeFind(state, key).value_or(filed.victim);
-        if (sample.status == VictimSample::Status::Discarded) {
+    for (const auto& [key, filed] : *state.finds) {
+        const FindSample sample = wholeFind(state, key).value_or(filed.victim);
+        if (sample.status == FindSample::Status::Discarded) {
             ++model.discarded;
             continue;
         }

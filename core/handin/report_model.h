@@ -67,7 +67,7 @@ struct ReportRobot {
 
 /// A victim or another find that is not discarded.
 struct ReportFind {
-    VictimSample sample;
+    FindSample sample;
     std::string name;                                    ///< "V1"
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the map, with the newest poses of scans [m]
     double aboveFloor = 0.0;                             ///< [m]

@@ -28,10 +28,10 @@ ReportSearch searchOf(std::span<const StoreyCoverage> storeys, std::span<const S
                             std::any_of(views.begin(), views.end(),
                                         [sensor](const SearchView& view) { return view.sensor == sensor; });
         if (!looked) continue;
-        ReportSearch::Sensor& told = search.sensors.emplace_back();
-        told.sensor = sensor;
-        for (const StoreyCoverage& one : storeys) told.seen += one.map->seenArea(sensor);
-        told.missed = missed(storeys, sensor);
+        ReportSearch::Sensor& reported = search.sensors.emplace_back();
+        reported.sensor = sensor;
+        for (const StoreyCoverage& one : storeys) reported.seen += one.map->seenArea(sensor);
+        reported.missed = missed(storeys, sensor);
     }
     return search;
 }

@@ -34,11 +34,11 @@ ReportWork workOf(const MissionState& state) {
     work.cues.erase("sighting");  // that is the robot's work
     work.scanDecisions = static_cast<std::size_t>(
         std::count_if(state.decisions->begin(), state.decisions->end(), &isOfPeople));
-    for (const auto& [key, entry] : *state.victims) {
-        if (entry.victim.status == VictimSample::Status::Discarded) continue;
+    for (const auto& [key, entry] : *state.finds) {
+        if (entry.victim.status == FindSample::Status::Discarded) continue;
         ++work.filed;
         if (believed.contains(key)) ++work.fromCandidates;
-        if (entry.victim.status == VictimSample::Status::Confirmed) ++work.confirmed;
+        if (entry.victim.status == FindSample::Status::Confirmed) ++work.confirmed;
     }
     return work;
 }

@@ -51,9 +51,9 @@ struct IcpResult {
     double rms = 0.0;          ///< root mean square of the pairs within judgedWithin [m]
     double inlierRatio = 0.0;  ///< those pairs over source points
     double overlap = 0.0;      ///< source points with a partner within OverlapDistance over source points
-    /// Information on the pose from the pairs' normals, per pair: mean of j j^T with j = [n, (q - c) x n / r]
-    /// for a source point q, the pairs' mean c and their root mean squared distance r from it; translation
-    /// first, in the target's frame. Zero when neither cloud has normals.
+    /// Information on the pose from the pairs' normals, per pair: mean of j j^T with j = [n, (q - c) x n /
+    /// r]. q is a source point, c the pairs' mean, r their root mean squared distance from it. Translation
+    /// comes first, in the target's frame. Zero when neither cloud has normals.
     Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
     /// Three times the smallest eigenvalue of the information: 1 when surfaces face all directions alike, 0
     /// when a motion is not constrained at all. Below UncertainBelow a direction counts as open.

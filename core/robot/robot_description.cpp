@@ -31,7 +31,7 @@ std::string toString(TfPrefix prefix) {
 
 std::string toString(SensorMotion motion) {
     switch (motion) {
-        case SensorMotion::Unsaid:
+        case SensorMotion::Unknown:
             return "unsaid";
         case SensorMotion::Fixed:
             return "fixed";

@@ -43,7 +43,7 @@ struct StreamDescription {
 };
 
 /// How a laser scanner is moved.
-enum class SensorMotion : std::uint8_t { Unsaid, Fixed, Turning, Tilting };
+enum class SensorMotion : std::uint8_t { Unknown, Fixed, Turning, Tilting };
 [[nodiscard]] std::string toString(SensorMotion motion);
 
 /// The pan-tilt unit of a camera, and its range.
@@ -56,17 +56,17 @@ struct PanTiltMount {
 
 /// A sensor and its mount.
 struct SensorDescription {
-    std::string frame = {};                      ///< frame_id of its samples
-    Pose sensorInBase = Pose::Identity();        ///< used where tf has none
-    SensorMotion motion = SensorMotion::Unsaid;  ///< decides what a simulated robot carries
-    std::optional<PanTiltMount> panTilt = {};    ///< of a camera that can turn
-    ScannerCorrection correction = {};           ///< of a 3D scanner
+    std::string frame = {};                       ///< frame_id of its samples
+    Pose sensorInBase = Pose::Identity();         ///< used where tf has none
+    SensorMotion motion = SensorMotion::Unknown;  ///< decides what a simulated robot carries
+    std::optional<PanTiltMount> panTilt = {};     ///< of a camera that can turn
+    ScannerCorrection correction = {};            ///< of a 3D scanner
 };
 
 enum class DriveType : std::uint8_t { Differential, Tracked, Omnidirectional };
 [[nodiscard]] std::string toString(DriveType drive);
 
-/// What a robot does by itself when its link is lost (design, section 4).
+/// What a robot does by itself when its link is lost (docs/design.md, "The wire").
 enum class LinkLossRule : std::uint8_t { Stop, FinishAndWait, ReturnToLink };
 [[nodiscard]] std::string toString(LinkLossRule rule);
 

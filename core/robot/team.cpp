@@ -11,8 +11,8 @@ bool isTransforms(StreamRole role) {
     return role == StreamRole::Transforms || role == StreamRole::StaticTransforms;
 }
 
-bool areTold(const RobotDescription& a, const StreamDescription& ofA, const RobotDescription& b,
-             const StreamDescription& ofB) {
+bool areDistinct(const RobotDescription& a, const StreamDescription& ofA, const RobotDescription& b,
+                 const StreamDescription& ofB) {
     if (ofA.role != ofB.role) return false;
     if (isTransforms(ofA.role)) return a.tfPrefix == TfPrefix::Frame && b.tfPrefix == TfPrefix::Frame;
     return ofA.role == StreamRole::Diagnostics && !ofA.hardwareId.empty() && !ofB.hardwareId.empty() &&
@@ -29,7 +29,7 @@ std::string remedy(StreamRole role) {
 void compareTopics(const RobotDescription& a, const RobotDescription& b, std::string& clashes) {
     for (const StreamDescription& ofA : a.streams) {
         for (const StreamDescription& ofB : b.streams) {
-            if (ofA.topic != ofB.topic || areTold(a, ofA, b, ofB)) continue;
+            if (ofA.topic != ofB.topic || areDistinct(a, ofA, b, ofB)) continue;
             const StreamRole role = isCommand(ofA.role) ? ofA.role : ofB.role;
             clashes +=
                 fmt::format("{} and {} share the topic {}: {}\n", a.name, b.name, ofA.topic, remedy(role));

@@ -27,7 +27,7 @@ struct LayoutMap {
     std::optional<MapLook> look = std::nullopt;
     std::optional<MapFollow> follow = std::nullopt;
 
-    [[nodiscard]] bool saysSomething() const { return look || follow; }
+    [[nodiscard]] bool isMeaningful() const { return look || follow; }
 };
 
 }  // namespace leitstand

@@ -16,7 +16,7 @@ struct PaneSplit {
     std::vector<PaneSplit> parts = {};  ///< two or more
 };
 
-/// Arrangement of the live window, and the meaning of keys and pad buttons (design, section 7).
+/// Arrangement of the live window, and the meaning of keys and pad buttons (docs/design.md, "The window").
 struct WindowLayout {
     std::string name = {};         ///< "drive"; from the file name: letters, digits, _ and -
     std::string title = {};        ///< for people

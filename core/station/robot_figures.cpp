@@ -6,17 +6,17 @@
 namespace leitstand {
 
 std::optional<std::pair<double, double>> rollAndPitch(const RobotDescription& description,
-                                                      const RobotState& said, Time now) {
+                                                      const RobotState& reported, Time now) {
     Eigen::Matrix3d baseInLevel;
-    if (isFresh(said.imu, now, 1.0) && said.imu->sample.orientation) {
-        baseInLevel = said.imu->sample.orientation->toRotationMatrix();
+    if (isFresh(reported.imu, now, 1.0) && reported.imu->sample.orientation) {
+        baseInLevel = reported.imu->sample.orientation->toRotationMatrix();
         const StreamDescription* stream = description.stream(StreamRole::Imu);
         const auto sensor =
             stream == nullptr ? description.sensors.end() : description.sensors.find(stream->sensor);
         if (sensor != description.sensors.end())
             baseInLevel = baseInLevel * sensor->second.sensorInBase.linear().transpose();
-    } else if (isFresh(said.odometry, now, 1.0)) {
-        baseInLevel = said.odometry->sample.baseInOdom.linear();
+    } else if (isFresh(reported.odometry, now, 1.0)) {
+        baseInLevel = reported.odometry->sample.baseInOdom.linear();
     } else {
         return std::nullopt;
     }
@@ -33,12 +33,12 @@ double shareOfLimits(const RobotDescription& description, double roll, double pi
     return share;
 }
 
-double minutesLeft(const RobotState& said) {
-    if (!said.battery) return Unknown;
-    const BatterySample& battery = said.battery->sample;
+double minutesLeft(const RobotState& reported) {
+    if (!reported.battery) return Unknown;
+    const BatterySample& battery = reported.battery->sample;
     double charge = battery.charge;
     if (!std::isfinite(charge)) charge = battery.fraction * battery.capacity;
-    const double current = std::isfinite(said.load.current) ? said.load.current : battery.current;
+    const double current = std::isfinite(reported.load.current) ? reported.load.current : battery.current;
     return battery.current < -0.01 && current < -0.01 ? 60.0 * charge / -current : Unknown;
 }
 

@@ -12,7 +12,7 @@ namespace leitstand {
 /// Returns roll and pitch of the robot's body by its inertial unit, otherwise by its odometry: right side
 /// down, nose down [rad]. Empty when neither arrived within the last second.
 [[nodiscard]] std::optional<std::pair<double, double>> rollAndPitch(const RobotDescription& description,
-                                                                    const RobotState& said, Time now);
+                                                                    const RobotState& reported, Time now);
 
 /// Returns the larger of roll and pitch, as shares of the limits where the robot tips over; 0 when no limit
 /// is known.
@@ -22,7 +22,7 @@ namespace leitstand {
 inline constexpr double BatteryAge = 10.0;
 /// Returns the time until a robot's battery is empty at the mean load of the last minute [min]; NaN when that
 /// is unknown.
-[[nodiscard]] double minutesLeft(const RobotState& said);
+[[nodiscard]] double minutesLeft(const RobotState& reported);
 
 /// Whether @p latest was received within @p seconds before @p now, station's clock.
 template <class T>

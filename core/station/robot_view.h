@@ -11,8 +11,8 @@
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/control/grant_book.h"
 #include "core/robot/control/stop/stop_control.h"
-#include "core/robot/link/hearing.h"
 #include "core/robot/link/link_status.h"
+#include "core/robot/link/reception.h"
 #include "core/station/sight_cap.h"
 
 namespace leitstand {
@@ -38,7 +38,7 @@ struct CameraView {
 /// One robot as the station sees it now.
 struct RobotView {
     LinkStatus link;
-    std::optional<HearingFault> hearing;  ///< it is announced, but not received as it should be
+    std::optional<ReceptionFault> reception;  ///< it is announced, but not received as it should be
     GrantView grant;
     StopStatus stop;
     DriveView drive;

@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// Limits on the age of what the driver sees of a robot's surroundings (design, section 7).
+/// Limits on the age of what the driver sees of a robot's surroundings (docs/design.md, "The window").
 struct SightRules {
     double full = 0.3;        ///< younger: full speed [s]
     double creep = 1.0;       ///< younger: creep speed; older: none [s]

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/base/time.h"
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 
 namespace leitstand {
 namespace {
@@ -43,11 +43,11 @@ DriveVelocity velocityOf(const TwistSample& twist) {
 }
 
 bool sameState(const StopStateSample& a, const StopStateSample& b) {
-    const auto told = [](const StopStateSample& state) {
+    const auto reported = [](const StopStateSample& state) {
         return std::tie(state.number, state.station, state.stopped, state.standing, state.refused,
                         state.stops);
     };
-    return told(a) == told(b);
+    return reported(a) == reported(b);
 }
 
 }  // namespace
@@ -78,49 +78,49 @@ void RobotAgent::goTo(const PoseSample& goal) {
     static_cast<void>(goal);
 }
 
-DriveVelocity RobotAgent::steer(const ModeDecision& decision, const DriveVelocity& wish, Time now) {
+DriveVelocity RobotAgent::steer(const ModeDecision& decision, const DriveVelocity& requested, Time now) {
     static_cast<void>(now);
-    return decision.driver == Driver::Nobody ? DriveVelocity{} : wish;
+    return decision.driver == Driver::Nobody ? DriveVelocity{} : requested;
 }
 
 SteadyTime RobotAgent::steady() const {
     return SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(m_hardware.now().time_since_epoch()));
 }
 
-void RobotAgent::hear(const GrantSample& grant, const Sender& from) {
-    m_rules.hear(grant, from, steady());
-    m_cameras.hear(grant, from, steady());
+void RobotAgent::receive(const GrantSample& grant, const Sender& from) {
+    m_rules.receive(grant, from, steady());
+    m_cameras.receive(grant, from, steady());
     if (!m_rules.grant().obeys(from, steady())) return;
-    m_machine.heardStation(m_hardware.now());
-    for (const EarlyWish& early : std::exchange(m_early, {})) {
-        if (early.from == from && m_hardware.now() - early.heard < EarlyFor)
-            hearWish(early.role, early.wish, from);
+    m_machine.receivedStation(m_hardware.now());
+    for (const EarlyRequest& early : std::exchange(m_early, {})) {
+        if (early.from == from && m_hardware.now() - early.received < EarlyFor)
+            receiveRequest(early.role, early.requested, from);
     }
 }
 
-void RobotAgent::hearWish(StreamRole role, const Sample& wish, const Sender& from) {
+void RobotAgent::receiveRequest(StreamRole role, const Sample& requested, const Sender& from) {
     if (!m_rules.grant().obeys(from, steady())) {
         if (m_early.size() >= MostEarly) m_early.erase(m_early.begin());
-        m_early.push_back({role, wish, from, m_hardware.now()});
+        m_early.push_back({role, requested, from, m_hardware.now()});
         return;
     }
-    if (const auto* mode = std::get_if<ModeCommandSample>(&wish)) askForMode(*mode);
-    if (const auto* goal = std::get_if<PoseSample>(&wish)) goTo(*goal);
+    if (const auto* mode = std::get_if<ModeCommandSample>(&requested)) askForMode(*mode);
+    if (const auto* goal = std::get_if<PoseSample>(&requested)) goTo(*goal);
 }
 
-void RobotAgent::hear(StreamRole role, const Sample& command, const Sender& from) {
+void RobotAgent::receive(StreamRole role, const Sample& command, const Sender& from) {
     const bool holder = m_rules.grant().obeys(from, steady());
-    if (holder) m_machine.heardStation(m_hardware.now());
+    if (holder) m_machine.receivedStation(m_hardware.now());
     if (const auto* twist = std::get_if<TwistSample>(&command)) {
         m_twist = m_hardware.now();
         drive(velocityOf(*twist), from);
     } else if (const auto* stop = std::get_if<StopCommandSample>(&command)) {
-        static_cast<void>(m_rules.hear(*stop, from, steady()));
-        m_stopSaid.reset();  // every command is answered
-        sayStopState();
+        static_cast<void>(m_rules.receive(*stop, from, steady()));
+        m_stopPublished.reset();  // every command is answered
+        publishStopState();
     } else if (std::holds_alternative<ModeCommandSample>(command) ||
                std::holds_alternative<PoseSample>(command)) {
-        hearWish(role, command, from);
+        receiveRequest(role, command, from);
     } else if (const auto* joints = std::get_if<JointSample>(&command)) {
         const bool mayLook = m_cameras.holder(steady()).empty() ? holder : m_cameras.obeys(from, steady());
         if (role == StreamRole::TrackCommand) driveTracks(*joints, from);
@@ -129,14 +129,14 @@ void RobotAgent::hear(StreamRole role, const Sample& command, const Sender& from
         if (holder || m_rules.grant().holder(steady()).empty()) setStream(*stream);
     } else if (const auto* ping = std::get_if<PingSample>(&command)) {
         const Time now = m_hardware.now();
-        say(StreamRole::Pong, PongSample{ping->number, ping->station, ping->sent, now, now});
+        publish(StreamRole::Pong, PongSample{ping->number, ping->station, ping->sent, now, now});
     }
 }
 
-void RobotAgent::drive(const DriveVelocity& wish, const Sender& from) {
-    const DriveVerdict verdict = m_rules.drive(wish, from, steady());
+void RobotAgent::drive(const DriveVelocity& requested, const Sender& from) {
+    const DriveVerdict verdict = m_rules.drive(requested, from, steady());
     if (verdict == DriveVerdict::Taken) m_machine.command(m_rules.commanded(steady()), m_hardware.now());
-    if (verdict == DriveVerdict::NotNeutral) m_machine.commandBeforeNeutral(wish, m_hardware.now());
+    if (verdict == DriveVerdict::NotNeutral) m_machine.commandBeforeNeutral(requested, m_hardware.now());
     if (verdict == DriveVerdict::NoNumber) m_machine.command({}, m_hardware.now());
 }
 
@@ -157,7 +157,7 @@ void RobotAgent::askForMode(const ModeCommandSample& command) {
     ModeSample mode = m_machine.sample();
     mode.header = header();
     mode.reason = asked.error().text;
-    say(StreamRole::Mode, mode);
+    publish(StreamRole::Mode, mode);
 }
 
 void RobotAgent::turnCameras(const PanTiltCommand& command) {
@@ -190,15 +190,15 @@ void RobotAgent::setStream(const StreamCommandSample& command) {
 
 void RobotAgent::press() {
     m_rules.press();
-    m_stopSaid.reset();
+    m_stopPublished.reset();
 }
 
-void RobotAgent::sayStopState() {
+void RobotAgent::publishStopState() {
     StopStateSample state = m_rules.stopState(steady());
-    if (m_stopSaid && sameState(*m_stopSaid, state)) return;
+    if (m_stopPublished && sameState(*m_stopPublished, state)) return;
     state.header = header();
-    m_stopSaid = state;
-    say(StreamRole::StopState, state);
+    m_stopPublished = state;
+    publish(StreamRole::StopState, state);
 }
 
 void RobotAgent::move(const DriveVelocity& velocity, bool hold, Time now) {
@@ -234,7 +234,8 @@ std::vector<HardwareSample> RobotAgent::step() {
     inputs.stopped = m_rules.isStopped();
     if (inputs.stopped) {
         const std::string by = m_rules.stopState(steady()).station;
-        inputs.stopReason = by.empty() ? robot_says::StoppedByButton : fmt::format(robot_says::StoppedBy, by);
+        inputs.stopReason =
+            by.empty() ? robot_format::StoppedByButton : fmt::format(robot_format::StoppedBy, by);
     }
     if (const auto remote = m_hardware.remote()) inputs.remote = velocityOf(*remote);
     inputs.cue = report.cue;
@@ -246,17 +247,17 @@ std::vector<HardwareSample> RobotAgent::step() {
     if (decision.changed) {
         ModeSample mode = m_machine.sample();
         mode.header = header();
-        say(StreamRole::Mode, mode);
+        publish(StreamRole::Mode, mode);
     }
-    DriveVelocity wish = decision.velocity;
+    DriveVelocity requested = decision.velocity;
     const bool operated = decision.driver == Driver::Operator || decision.driver == Driver::LimitedOperator;
-    if (operated && isZero(m_rules.commanded(steady()))) wish = {};
-    const DriveVelocity velocity = limited(steer(decision, wish, now), limitsOf(m_robot));
+    if (operated && isZero(m_rules.commanded(steady()))) requested = {};
+    const DriveVelocity velocity = limited(steer(decision, requested, now), limitsOf(m_robot));
     move(velocity, inputs.stopped || decision.driver == Driver::Nobody, now);
-    sayStopState();
-    sensed.insert(sensed.end(), std::make_move_iterator(m_said.begin()),
-                  std::make_move_iterator(m_said.end()));
-    m_said.clear();
+    publishStopState();
+    sensed.insert(sensed.end(), std::make_move_iterator(m_published.begin()),
+                  std::make_move_iterator(m_published.end()));
+    m_published.clear();
     return sensed;
 }
 

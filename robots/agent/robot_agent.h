@@ -34,9 +34,9 @@ public:
     RobotAgent(const RobotAgent&) = delete;
     RobotAgent& operator=(const RobotAgent&) = delete;
 
-    void hear(const GrantSample& grant, const Sender& from);
+    void receive(const GrantSample& grant, const Sender& from);
     /// Takes what the process @p from sent on a command stream of @p role.
-    void hear(StreamRole role, const Sample& command, const Sender& from);
+    void receive(StreamRole role, const Sample& command, const Sender& from);
     /// Runs one turn of the control loop, every 5 to 10 ms of robot's time. Returns all samples to publish.
     [[nodiscard]] std::vector<HardwareSample> step();
 
@@ -52,26 +52,26 @@ protected:
     virtual void sense(HardwareSample& sample);  ///< each sample of the hardware, before it is published
     virtual Report report(Time now);             ///< once a step, before the modes
     virtual void goTo(const PoseSample& goal);   ///< a goal of the holder
-    virtual DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& wish, Time now);
+    virtual DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& requested, Time now);
 
     /// Turns cameras by itself [rad]; false within 10 s of a turn by the operator, who takes precedence.
     bool look(const std::string& unit, double pan, double tilt);
-    void say(StreamRole role, Sample sample) { m_said.push_back({role, {}, std::move(sample)}); }
+    void publish(StreamRole role, Sample sample) { m_published.push_back({role, {}, std::move(sample)}); }
     [[nodiscard]] SampleHeader header() const { return {m_hardware.now(), m_robot.baseFrame}; }
     [[nodiscard]] const RobotDescription& robot() const { return m_robot; }
 
 private:
     [[nodiscard]] SteadyTime steady() const;
-    void drive(const DriveVelocity& wish, const Sender& from);
+    void drive(const DriveVelocity& requested, const Sender& from);
     void driveTracks(const JointSample& tracks, const Sender& from);
     void askForMode(const ModeCommandSample& command);
     /// Takes a mode or a goal. A new holder's first wish may arrive before its grant, which comes on another
     /// topic. It is kept for a moment and obeyed when the grant is received.
-    void hearWish(StreamRole role, const Sample& wish, const Sender& from);
+    void receiveRequest(StreamRole role, const Sample& requested, const Sender& from);
     void turnCameras(const PanTiltCommand& command);
     void setStream(const StreamCommandSample& command);
     void move(const DriveVelocity& velocity, bool hold, Time now);
-    void sayStopState();
+    void publishStopState();
 
     RobotHardware& m_hardware;
     const RobotDescription m_robot;
@@ -81,16 +81,16 @@ private:
     ModeMachine m_machine;
     SpeedController m_left, m_right;
     std::optional<Time> m_moved, m_twist, m_camerasTurned;
-    struct EarlyWish {
+    struct EarlyRequest {
         StreamRole role;
-        Sample wish;
+        Sample requested;
         Sender from;
-        Time heard;
+        Time received;
     };
-    std::vector<EarlyWish> m_early;  ///< the oldest first
-    std::optional<StopStateSample> m_stopSaid;
+    std::vector<EarlyRequest> m_early;  ///< the oldest first
+    std::optional<StopStateSample> m_stopPublished;
     std::map<std::string, std::pair<double, double>> m_panTilt;  ///< of each unit [rad]
-    std::vector<HardwareSample> m_said;
+    std::vector<HardwareSample> m_published;
 };
 
 }  // namespace leitstand

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "core/perception/surroundings/robot_profile.h"
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 
 namespace leitstand {
 namespace {
@@ -97,11 +97,11 @@ RobotAgent::Report SelfDrivingAgent::report(Time now) {
         m_view = m_scan.view(*here, now);
         consider(m_view, *here, now);
     }
-    Report told = m_report;
-    told.sent = m_report.sent || m_goal;
+    Report reported = m_report;
+    reported.sent = m_report.sent || m_goal;
     m_report.sent = m_report.done = m_report.failed = false;
     m_report.text.clear();
-    return told;
+    return reported;
 }
 
 void SelfDrivingAgent::goTo(const PoseSample& goal) {
@@ -114,7 +114,8 @@ void SelfDrivingAgent::goTo(const PoseSample& goal) {
     }
 }
 
-DriveVelocity SelfDrivingAgent::steer(const ModeDecision& decision, const DriveVelocity& wish, Time now) {
+DriveVelocity SelfDrivingAgent::steer(const ModeDecision& decision, const DriveVelocity& requested,
+                                      Time now) {
     const bool began = decision.driver != m_driver;
     if (began) {
         takeOver(m_driver, decision.driver);
@@ -126,7 +127,7 @@ DriveVelocity SelfDrivingAgent::steer(const ModeDecision& decision, const DriveV
         m_thought = now;
         if (const auto here = m_odometry.at(now)) {
             // The link was good where the station was last heard, not where its silence became too long.
-            m_trail.moved(*here, decision.heardNow, decision.driver == Driver::Returner);
+            m_trail.moved(*here, decision.receivedNow, decision.driver == Driver::Returner);
             m_velocity = think(decision, *here, now);
         } else {
             m_velocity = {};
@@ -136,9 +137,9 @@ DriveVelocity SelfDrivingAgent::steer(const ModeDecision& decision, const DriveV
     switch (decision.driver) {
         case Driver::Operator:
         case Driver::Remote:
-            return wish;
+            return requested;
         case Driver::LimitedOperator:
-            return slowed(safeVelocity(wish, m_view, m_safety).velocity, caution());
+            return slowed(safeVelocity(requested, m_view, m_safety).velocity, caution());
         case Driver::Explorer:
         case Driver::Approacher:
         case Driver::Returner:
@@ -159,7 +160,7 @@ DriveVelocity SelfDrivingAgent::think(const ModeDecision& decision, const Pose& 
 DriveVelocity SelfDrivingAgent::comeBack(const Pose& here, Time now) {
     if (m_trail.isBack()) {
         m_report.done = true;
-        m_report.text = robot_says::BackWhereLinkWasGood;
+        m_report.text = robot_format::BackWhereLinkWasGood;
         return {};
     }
     const DriveVelocity velocity = explore(m_trail.next(), here, now);

@@ -40,7 +40,7 @@ protected:
     void sense(HardwareSample& sample) override;
     Report report(Time now) override;
     void goTo(const PoseSample& goal) override;
-    DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& wish, Time now) override;
+    DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& requested, Time now) override;
 
     /// Takes a new view before it is used: robots may know more about their surroundings.
     virtual void consider(VirtualScanView& view, const Pose& here, Time now);
@@ -62,7 +62,7 @@ protected:
     [[nodiscard]] std::optional<DriveVelocity> driveBy(const Eigen::Vector3d& place, const Pose& here,
                                                        Time now);
     Explorer& explorer() { return m_explorer; }
-    Report& told() { return m_report; }  ///< to be reported to the modes
+    Report& reported() { return m_report; }  ///< to be reported to the modes
 
 private:
     DriveVelocity explore(const std::optional<Eigen::Vector3d>& goal, const Pose& here, Time now);

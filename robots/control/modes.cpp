@@ -52,22 +52,22 @@ std::string ModeMachine::whyNot(DriveMode mode) const {
     const bool offered =
         std::find(m_settings.modes.begin(), m_settings.modes.end(), mode) != m_settings.modes.end();
     if (mode == DriveMode::Stopped || mode == DriveMode::Remote || !offered)
-        return fmt::format(robot_says::CannotBeAskedFor, toString(mode));
-    if (m_mode == DriveMode::Stopped) return robot_says::StopStands;
-    if (m_mode == DriveMode::Remote) return robot_says::RemoteInUse;
-    if (mode == DriveMode::VictimApproach && !m_cue) return robot_says::NoHeatInSight;
+        return fmt::format(robot_format::CannotBeAskedFor, toString(mode));
+    if (m_mode == DriveMode::Stopped) return robot_format::StopStands;
+    if (m_mode == DriveMode::Remote) return robot_format::RemoteInUse;
+    if (mode == DriveMode::VictimApproach && !m_cue) return robot_format::NoHeatInSight;
     return {};
 }
 
 Result<void> ModeMachine::request(const std::string& mode, Time now) {
     const auto wanted = driveModeFrom(mode);
-    if (!wanted) return Error{fmt::format(robot_says::NoMode, mode)};
+    if (!wanted) return Error{fmt::format(robot_format::NoMode, mode)};
     return request(*wanted, now);
 }
 
 Result<void> ModeMachine::request(DriveMode mode, Time now) {
     if (const std::string reason = whyNot(mode); !reason.empty()) return Error{reason};
-    heardStation(now);
+    receivedStation(now);
     const bool sameSticks = isManual(m_mode) && isManual(mode);
     if (mode == DriveMode::VictimApproach && m_mode != mode)
         m_before = m_mode == DriveMode::Explore ? DriveMode::Explore : m_manual;
@@ -75,12 +75,12 @@ Result<void> ModeMachine::request(DriveMode mode, Time now) {
     m_held = false;
     m_link = Link::Good;
     if (!sameSticks) needNeutral();
-    change(mode, robot_says::AskedFor);
+    change(mode, robot_format::AskedFor);
     return {};
 }
 
 void ModeMachine::command(const DriveVelocity& velocity, Time now) {
-    heardStation(now);
+    receivedStation(now);
     m_command = isFinite(velocity) ? velocity : DriveVelocity{};
     m_commandAt = now;
     if (isZero(m_command) && isManual(m_mode)) m_neutral = true;
@@ -91,17 +91,17 @@ void ModeMachine::commandBeforeNeutral(const DriveVelocity& velocity, Time now) 
     m_neutral = false;
 }
 
-void ModeMachine::heardStation(Time now) {
-    m_heard = m_heard ? std::max(*m_heard, now) : now;
+void ModeMachine::receivedStation(Time now) {
+    m_received = m_received ? std::max(*m_received, now) : now;
 }
 
 void ModeMachine::change(DriveMode mode, const std::string& reason) {
     if (mode != m_mode) m_changed = true;
     m_mode = mode;
-    say(reason);
+    setReason(reason);
 }
 
-void ModeMachine::say(const std::string& reason) {
+void ModeMachine::setReason(const std::string& reason) {
     if (reason == m_reason) return;
     m_reason = reason;
     m_changed = true;
@@ -109,7 +109,7 @@ void ModeMachine::say(const std::string& reason) {
 
 void ModeMachine::hold(const std::string& reason) {
     m_held = true;
-    say(reason);
+    setReason(reason);
 }
 
 void ModeMachine::needNeutral() {
@@ -122,10 +122,10 @@ void ModeMachine::stepStop(const ModeInputs& inputs) {
         needNeutral();
         m_held = false;
         m_link = Link::Good;
-        change(DriveMode::Stopped, inputs.stopReason.empty() ? robot_says::Stop : inputs.stopReason);
+        change(DriveMode::Stopped, inputs.stopReason.empty() ? robot_format::Stop : inputs.stopReason);
     } else if (m_mode == DriveMode::Stopped) {
         needNeutral();
-        change(m_manual, robot_says::Released);
+        change(m_manual, robot_format::Released);
     }
 }
 
@@ -143,10 +143,10 @@ void ModeMachine::stepRemote(const ModeInputs& inputs, Time now) {
         needNeutral();
         m_held = false;
         m_link = Link::Good;
-        change(DriveMode::Remote, robot_says::RemoteInUse);
+        change(DriveMode::Remote, robot_format::RemoteInUse);
     } else if (!inUse && m_mode == DriveMode::Remote) {
         needNeutral();
-        change(m_manual, robot_says::RemoteLetGo);
+        change(m_manual, robot_format::RemoteLetGo);
     }
 }
 
@@ -158,47 +158,49 @@ LinkLossRule ModeMachine::ruleOf(DriveMode mode) const {
 
 void ModeMachine::stepLink(const ModeInputs& inputs, Time now) {
     if (m_mode == DriveMode::Stopped || m_mode == DriveMode::Remote) return;
-    const bool lost = !m_heard || now - *m_heard > m_settings.lostAfter;
+    const bool lost = !m_received || now - *m_received > m_settings.lostAfter;
     if (!lost) {
         if (m_link == Link::Good) {
-            const bool told = m_reason == robot_says::LinkBack || m_reason == robot_says::LinkBackGoesOn;
-            if (told && now - m_backAt > NewsFor) say(m_reasonBeforeLoss);
+            const bool reported =
+                m_reason == robot_format::LinkBack || m_reason == robot_format::LinkBackGoesOn;
+            if (reported && now - m_backAt > NewsFor) setReason(m_reasonBeforeLoss);
             return;
         }
         m_backAt = now;
         // A mode that kept moving goes on; one that stands waits.
         if (m_link == Link::Finishing) {
-            say(robot_says::LinkBackGoesOn);
+            setReason(robot_format::LinkBackGoesOn);
         } else if (isAutonomous()) {
-            hold(robot_says::LinkBackWaits);
+            hold(robot_format::LinkBackWaits);
         } else {
-            say(robot_says::LinkBack);
+            setReason(robot_format::LinkBack);
         }
         m_link = Link::Good;
         return;
     }
     if (m_link == Link::Good) {
         m_lostAt = now;
-        const bool told = m_reason == robot_says::LinkBack || m_reason == robot_says::LinkBackGoesOn ||
-                          m_reason == robot_says::NeutralFirst;
-        if (!told) m_reasonBeforeLoss = m_reason;
+        const bool reported = m_reason == robot_format::LinkBack ||
+                              m_reason == robot_format::LinkBackGoesOn ||
+                              m_reason == robot_format::NeutralFirst;
+        if (!reported) m_reasonBeforeLoss = m_reason;
         needNeutral();
-        if (!m_heard) {
+        if (!m_received) {
             m_link = Link::Standing;
             return;
         }
         switch (m_held ? LinkLossRule::Stop : ruleOf(m_mode)) {
             case LinkLossRule::Stop:
                 m_link = Link::Standing;
-                say(robot_says::LinkLostStands);
+                setReason(robot_format::LinkLostStands);
                 break;
             case LinkLossRule::FinishAndWait:
                 m_link = Link::Finishing;
-                say(robot_says::LinkLostFinishes);
+                setReason(robot_format::LinkLostFinishes);
                 break;
             case LinkLossRule::ReturnToLink:
                 m_link = Link::Returning;
-                say(robot_says::LinkLostReturns);
+                setReason(robot_format::LinkLostReturns);
                 break;
         }
         return;
@@ -206,10 +208,10 @@ void ModeMachine::stepLink(const ModeInputs& inputs, Time now) {
     const bool over = inputs.done || inputs.failed;
     if (m_link == Link::Finishing && (over || now - m_lostAt > m_settings.finishWithin)) {
         m_link = Link::Waiting;
-        hold(inputs.done ? robot_says::LinkLostFinished : robot_says::LinkLostWaits);
+        hold(inputs.done ? robot_format::LinkLostFinished : robot_format::LinkLostWaits);
     } else if (m_link == Link::Returning && over) {
         m_link = Link::Waiting;
-        hold(inputs.done ? robot_says::LinkLostIsBack : robot_says::LinkLostNoWay);
+        hold(inputs.done ? robot_format::LinkLostIsBack : robot_format::LinkLostNoWay);
     }
 }
 
@@ -220,16 +222,16 @@ void ModeMachine::stepDriver(const ModeInputs& inputs) {
     if (m_mode == DriveMode::Explore) {
         if (inputs.cue && !inputs.sent && whyNot(DriveMode::VictimApproach).empty()) {
             m_before = DriveMode::Explore;
-            change(DriveMode::VictimApproach, robot_says::HeatInSight);
+            change(DriveMode::VictimApproach, robot_format::HeatInSight);
         } else if (inputs.done || inputs.failed) {
-            hold(report.empty() ? robot_says::NothingLeft : report);
+            hold(report.empty() ? robot_format::NothingLeft : report);
         }
         return;
     }
     if (inputs.done) {
-        hold(report.empty() ? robot_says::AtAVictim : report);
+        hold(report.empty() ? robot_format::AtAVictim : report);
     } else if (inputs.failed) {
-        const std::string why = report.empty() ? robot_says::GaveUp : report;
+        const std::string why = report.empty() ? robot_format::GaveUp : report;
         if (m_before != DriveMode::Explore) needNeutral();
         change(m_before, why);
     }
@@ -239,12 +241,12 @@ void ModeMachine::stepDriver(const ModeInputs& inputs) {
 void ModeMachine::stepSticks(Time now) {
     const bool held = m_commandAt && now - *m_commandAt < m_settings.watchdog && !isZero(m_command);
     const bool waits = held && isManual(m_mode) && !m_neutral && m_link == Link::Good;
-    const bool told = m_reason == robot_says::NeutralFirst;
-    if (waits && !told) {
+    const bool reported = m_reason == robot_format::NeutralFirst;
+    if (waits && !reported) {
         m_reasonBefore = m_reason;
-        say(robot_says::NeutralFirst);
-    } else if (!waits && told) {
-        say(m_reasonBefore);
+        setReason(robot_format::NeutralFirst);
+    } else if (!waits && reported) {
+        setReason(m_reasonBefore);
     }
 }
 
@@ -253,7 +255,7 @@ ModeDecision ModeMachine::decide(Time now) const {
     decision.mode = m_mode;
     decision.reason = m_reason;
     decision.linkLost = m_link != Link::Good;
-    decision.heardNow = m_heard && now - *m_heard < std::chrono::milliseconds(200);
+    decision.receivedNow = m_received && now - *m_received < std::chrono::milliseconds(200);
     decision.waitsForNeutral = isManual(m_mode) && !m_neutral;
     switch (m_mode) {
         case DriveMode::Stopped:

@@ -13,7 +13,7 @@
 #include "core/event/status_samples.h"
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/robot_description.h"
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 
 namespace leitstand {
 
@@ -73,7 +73,7 @@ struct ModeDecision {
     std::string reason;      ///< why it is so, in words
     bool changed = false;    ///< mode or reason are new: to be published
     bool linkLost = false;
-    bool heardNow = false;         ///< the station was heard in the last 0.2 s
+    bool receivedNow = false;      ///< the station was heard in the last 0.2 s
     bool waitsForNeutral = false;  ///< the sticks must be neutral first
 };
 
@@ -91,7 +91,7 @@ public:
     void command(const DriveVelocity& velocity, Time now);
     /// Takes sticks that RobotRules refuses until they were zero.
     void commandBeforeNeutral(const DriveVelocity& velocity, Time now);
-    void heardStation(Time now);  ///< anything came from the station that drives
+    void receivedStation(Time now);  ///< anything came from the station that drives
 
     ModeDecision step(const ModeInputs& inputs, Time now);
 
@@ -104,7 +104,7 @@ private:
     enum class Link : std::uint8_t { Good, Standing, Finishing, Returning, Waiting };
     void change(DriveMode mode, const std::string& reason);
     void hold(const std::string& reason);
-    void say(const std::string& reason);
+    void setReason(const std::string& reason);
     void needNeutral();
     void stepStop(const ModeInputs& inputs);
     void stepRemote(const ModeInputs& inputs, Time now);
@@ -119,7 +119,7 @@ private:
     DriveMode m_mode = DriveMode::Teleoperation;
     DriveMode m_manual = DriveMode::Teleoperation;  ///< to come back to after stop and remote
     DriveMode m_before = DriveMode::Teleoperation;  ///< mode before VictimApproach
-    std::string m_reason = robot_says::Started;
+    std::string m_reason = robot_format::Started;
     std::string m_reasonBefore;  ///< reason before the sticks had to be neutral
     bool m_changed = true;
     bool m_held = false;     ///< an autonomous mode that stands until it is asked for again
@@ -128,7 +128,7 @@ private:
     Link m_link = Link::Good;
     Time m_lostAt{}, m_backAt{};     ///< of the link
     std::string m_reasonBeforeLoss;  ///< reason of the mode, reported again some time after the link is back
-    std::optional<Time> m_heard, m_commandAt, m_remoteAt;
+    std::optional<Time> m_received, m_commandAt, m_remoteAt;
     DriveVelocity m_command, m_remote;
 };
 

@@ -28,9 +28,9 @@ struct SafeVelocity {
     std::string reason;       ///< why it is slowed down, in words; empty: it is not
 };
 
-/// Limits @p wish by what the virtual scan saw in the way and by how long ago that was. Keeps the curve; the
-/// robot may always creep away from what it touches.
-[[nodiscard]] SafeVelocity safeVelocity(const DriveVelocity& wish, const VirtualScanView& view,
+/// Limits @p requested by what the virtual scan saw in the way and by how long ago that was. Keeps the curve;
+/// the robot may always creep away from what it touches.
+[[nodiscard]] SafeVelocity safeVelocity(const DriveVelocity& requested, const VirtualScanView& view,
                                         const SafeTeleoperationSettings& settings);
 
 }  // namespace leitstand

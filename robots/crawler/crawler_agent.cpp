@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/base/time.h"
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 
 namespace leitstand {
 namespace {
@@ -114,16 +114,16 @@ DriveVelocity CrawlerAgent::think(const ModeDecision& decision, const Pose& here
         return SelfDrivingAgent::think(decision, here, now);
     }
     if (m_danger == DiagnosticStatus::Level::Error) {
-        told().failed = true;
-        told().text = robot_says::RolledOverStands;
+        reported().failed = true;
+        reported().text = robot_format::RolledOverStands;
         return {};
     }
     const EvasionStep away = m_evasion.step(velocity(), here, now);
     if (away.felt) remember(away, here, now);
     if (!away.velocity && !away.failed) return SelfDrivingAgent::think(decision, here, now);
     explorer().see(view(), here, now);
-    told().failed = away.failed;
-    told().text = away.reason;
+    reported().failed = away.failed;
+    reported().text = away.reason;
     if (away.failed) return {};
     return safeVelocity(*away.velocity, view(), safety()).velocity;
 }
@@ -161,7 +161,7 @@ void CrawlerAgent::feel(const ImuSample& imu) {
     const DiagnosticStatus::Level now = danger(rate);
     if (now == m_danger) return;
     m_danger = now;
-    say(StreamRole::Diagnostics, DiagnosticsSample{header(), {warning()}});
+    publish(StreamRole::Diagnostics, DiagnosticsSample{header(), {warning()}});
 }
 
 /// Returns how far it leans, or will soon when turning at @p rate [rad/s], as a share of the tip-over limit.
@@ -186,10 +186,10 @@ DiagnosticStatus CrawlerAgent::warning() const {
     const auto inDegrees = [](double angle) { return fmt::format("{:.0f}", angle * 180 / std::numbers::pi); };
     DiagnosticStatus status;
     status.level = m_danger;
-    status.name = robot_says::RollOver;
-    status.message = m_danger == DiagnosticStatus::Level::Ok        ? robot_says::Upright
-                     : m_danger == DiagnosticStatus::Level::Warning ? robot_says::AboutToRollOver
-                                                                    : robot_says::RolledOver;
+    status.name = robot_format::RollOver;
+    status.message = m_danger == DiagnosticStatus::Level::Ok        ? robot_format::Upright
+                     : m_danger == DiagnosticStatus::Level::Warning ? robot_format::AboutToRollOver
+                                                                    : robot_format::RolledOver;
     status.hardwareId = stream != nullptr && !stream->hardwareId.empty() ? stream->hardwareId : robot().name;
     status.values = {{"roll", inDegrees(m_roll)}, {"pitch", inDegrees(m_pitch)}};
     return status;

@@ -85,7 +85,7 @@ void Kurt3dAgent::consider(VirtualScanView& view, const Pose& here, Time now) {
         }
     }
     m_cue = m_approach.pick(m_cues, view, here);
-    told().cue = m_cue && m_approach.isNew(*m_cue, view, here);
+    reported().cue = m_cue && m_approach.isNew(*m_cue, view, here);
 }
 
 void Kurt3dAgent::takeOver(Driver before, Driver now) {
@@ -160,18 +160,18 @@ DriveVelocity Kurt3dAgent::approach(const Pose& here, Time now) {
     if (!m_approach.isActive() && m_cue) m_approach.start(*m_cue, now);
     const ApproachStep step = m_approach.step(m_cue, view(), here, now);
     m_heat = m_approach.heat();
-    told().done = step.done;
-    told().failed = step.failed;
-    told().text = step.reason;
+    reported().done = step.done;
+    reported().failed = step.failed;
+    reported().text = step.reason;
     if (step.done || step.failed) m_passed.forget(*m_heat, BeenTo);
     if (step.failed) {  // what it has just left is no reason to begin again
-        told().cue = false;
+        reported().cue = false;
         m_cue.reset();
     }
     if (m_approach.sightings().size() != m_sightings) {
         m_sightings = m_approach.sightings().size();
         explorer().shun(m_approach.sightings().back().position, 0.6);
-        say(StreamRole::Sightings, SightingSample{{now, robot().odomFrame}, m_approach.sightings()});
+        publish(StreamRole::Sightings, SightingSample{{now, robot().odomFrame}, m_approach.sightings()});
     }
     return step.velocity;
 }

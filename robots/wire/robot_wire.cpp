@@ -44,23 +44,23 @@ struct RobotWire::State {
     explicit State(const RobotDescription& description) : robot(description) {}
 
     Result<void> open(Node& node);
-    void hear(const StreamDescription& stream, const ReceivedSample& sample);
-    void hearGrant(const ReceivedSample& sample);
-    [[nodiscard]] Result<void> say(const StreamDescription& stream, const Sample& sample) const;
-    void put(HeardCommand command);
+    void receive(const StreamDescription& stream, const ReceivedSample& sample);
+    void receiveGrant(const ReceivedSample& sample);
+    [[nodiscard]] Result<void> publish(const StreamDescription& stream, const Sample& sample) const;
+    void put(ReceivedCommand command);
     void countBroken();
 
     const RobotDescription robot;
     std::map<std::string, std::unique_ptr<Publisher>> publishers;  ///< by topic; not changed after open()
     mutable std::mutex mutex;                                      ///< guards the two that follow
-    std::vector<HeardCommand> waiting;
+    std::vector<ReceivedCommand> waiting;
     RobotWireCounts counts;
     std::vector<std::unique_ptr<Subscription>> subscriptions;  ///< last: they call back
 };
 
-void RobotWire::State::put(HeardCommand command) {
+void RobotWire::State::put(ReceivedCommand command) {
     const std::lock_guard lock(mutex);
-    ++counts.heard;
+    ++counts.accepted;
     if (waiting.size() >= MostWaiting && !std::holds_alternative<StopCommandSample>(command.sample)) {
         ++counts.dropped;
         return;
@@ -73,7 +73,7 @@ void RobotWire::State::countBroken() {
     ++counts.broken;
 }
 
-void RobotWire::State::hear(const StreamDescription& stream, const ReceivedSample& sample) {
+void RobotWire::State::receive(const StreamDescription& stream, const ReceivedSample& sample) {
     auto decoded = decode(sample.event, stream);
     if (!decoded) countBroken();
     if (!decoded && !drives(stream.role)) return;
@@ -81,7 +81,7 @@ void RobotWire::State::hear(const StreamDescription& stream, const ReceivedSampl
          senderOf(sample.writer), sample.event.received});
 }
 
-void RobotWire::State::hearGrant(const ReceivedSample& sample) {
+void RobotWire::State::receiveGrant(const ReceivedSample& sample) {
     const auto event = decodeStationEvent(sample.event);
     if (!event || !std::holds_alternative<GrantSample>(event->sample)) return countBroken();
     put({{}, true, event->sample, senderOf(sample.writer), sample.event.received});
@@ -92,7 +92,7 @@ Result<void> RobotWire::State::open(Node& node) {
         if (isCommand(stream.role)) {
             auto made =
                 node.subscribe({stream.topic, stream.type, stream.qos, Lane::Small},
-                               [this, stream](const ReceivedSample& sample) { hear(stream, sample); });
+                               [this, stream](const ReceivedSample& sample) { receive(stream, sample); });
             if (!made) return made.error();
             subscriptions.push_back(std::move(made).value());
         } else if (!publishers.contains(stream.topic)) {
@@ -103,7 +103,7 @@ Result<void> RobotWire::State::open(Node& node) {
     }
     auto made = node.subscribe(
         {std::string(station_topic::Grants), "leitstand_msgs/msg/Grant", grantQos(), Lane::Small},
-        [this](const ReceivedSample& sample) { hearGrant(sample); });
+        [this](const ReceivedSample& sample) { receiveGrant(sample); });
     if (!made) return made.error();
     subscriptions.push_back(std::move(made).value());
     return {};
@@ -121,12 +121,12 @@ Result<std::unique_ptr<RobotWire>> RobotWire::create(Node& node, const RobotDesc
     return made;
 }
 
-std::vector<HeardCommand> RobotWire::take() {
+std::vector<ReceivedCommand> RobotWire::take() {
     const std::lock_guard lock(m_state->mutex);
     return std::exchange(m_state->waiting, {});
 }
 
-Result<void> RobotWire::State::say(const StreamDescription& stream, const Sample& sample) const {
+Result<void> RobotWire::State::publish(const StreamDescription& stream, const Sample& sample) const {
     Publisher& publisher = *publishers.at(stream.topic);
     const auto* picture = std::get_if<PictureSample>(&sample);
     if (picture == nullptr || !picture->compressed || stream.type != RawPictures) {
@@ -140,14 +140,14 @@ Result<void> RobotWire::State::say(const StreamDescription& stream, const Sample
     return cdr ? publisher.write(*cdr) : Result<void>(cdr.error());
 }
 
-void RobotWire::say(const HardwareSample& sample) {
+void RobotWire::publish(const HardwareSample& sample) {
     const StreamDescription* first = m_state->robot.stream(sample.role, sample.sensor);
     if (first == nullptr) return;
     for (const StreamDescription& stream : m_state->robot.streams) {
         if (stream.role != first->role || stream.sensor != first->sensor) continue;
-        const bool said = m_state->say(stream, sample.sample).ok();
+        const bool published = m_state->publish(stream, sample.sample).ok();
         const std::lock_guard lock(m_state->mutex);
-        ++(said ? m_state->counts.said : m_state->counts.unsaid);
+        ++(published ? m_state->counts.published : m_state->counts.unpublished);
     }
 }
 

@@ -14,7 +14,7 @@
 namespace leitstand {
 
 /// A command or grant that came over the wire for a robot.
-struct HeardCommand {
+struct ReceivedCommand {
     StreamRole role = StreamRole::DriveCommand;  ///< of the command stream; unused for grants
     bool grant = false;                          ///< sample is a GrantSample
     Sample sample;
@@ -23,11 +23,11 @@ struct HeardCommand {
 };
 
 struct RobotWireCounts {
-    std::uint64_t heard = 0;
+    std::uint64_t accepted = 0;
     std::uint64_t broken = 0;   ///< could not be read
     std::uint64_t dropped = 0;  ///< nobody took them in time; never stops
-    std::uint64_t said = 0;
-    std::uint64_t unsaid = 0;  ///< could not be encoded or written
+    std::uint64_t published = 0;
+    std::uint64_t unpublished = 0;  ///< could not be encoded or written
 };
 
 /// A robot's end of the wire: receives commands and grants, publishes samples with the topics, types and QoS
@@ -42,11 +42,11 @@ public:
 
     /// Returns what came since the last call, in order. A drive command that cannot be read becomes NaN,
     /// which stops the robot.
-    [[nodiscard]] std::vector<HeardCommand> take();
+    [[nodiscard]] std::vector<ReceivedCommand> take();
     /// Publishes @p sample on all streams of its role and sensor; does nothing when the robot has none. Never
     /// waits. Compressed pictures become raw ones on streams of sensor_msgs/msg/Image, while somebody
     /// listens.
-    void say(const HardwareSample& sample);
+    void publish(const HardwareSample& sample);
     [[nodiscard]] RobotWireCounts counts() const;
 
 private:

@@ -103,14 +103,14 @@ bool isReached(const QWidget& one, const std::set<const QWidget*>& reached) {
 
 /// What a screen reader says of a row.
 QString spoken(const QAbstractItemView& view, int row) {
-    QStringList said;
+    QStringList reported;
     const QAbstractItemModel& model = *view.model();
     for (int column = 0; column < model.columnCount(view.rootIndex()); ++column) {
         const QModelIndex cell = model.index(row, column, view.rootIndex());
         const QString own = cell.data(Qt::AccessibleTextRole).toString();
-        said += own.isEmpty() ? cell.data().toString() : own;
+        reported += own.isEmpty() ? cell.data().toString() : own;
     }
-    return said.join(QLatin1Char(' ')).trimmed();
+    return reported.join(QLatin1Char(' ')).trimmed();
 }
 
 /// What is wrong with the rows of @p view: they are walked by arrows, and each says something.

@@ -16,7 +16,7 @@ struct Rule {
 };
 
 const std::vector<Rule>& rules() {
-    static const std::vector<std::string_view> coreLibraries = {"Eigen",  "tbb",  "fmt", "pcl",
+    static const std::vector<std::string_view> coreLibraries = {"Eigen",  "tbb",  "fmt",
                                                                 "opencv", "zbar", "zlib"};
     static const std::vector<std::string_view> core = {
         "core/base",    "core/cloud",      "core/event",    "core/registration",
@@ -28,7 +28,7 @@ const std::vector<Rule>& rules() {
     };
     static const std::vector<Rule> all = {
         {"core", core, coreLibraries},
-        {"core/io", with(core, {"core/io"}), {"Eigen", "fmt", "pcl", "sqlite3", "yaml-cpp", "nlohmann"}},
+        {"core/io", with(core, {"core/io"}), {"Eigen", "fmt", "lzf", "sqlite3", "yaml-cpp", "nlohmann"}},
         {"core/io/handin", with(core, {"core/io"}), {"Eigen", "fmt", "gdal", "octomap", "openssl"}},
         {"transport", with(core, {"transport"}), {"Eigen", "fmt", "fastdds", "openssl"}},
         {"robots",
@@ -231,6 +231,7 @@ std::string_view libraryOf(std::string_view header) {
         {"embree3/", "embree"},  {"embree4/", "embree"},
         {"SDL2/", "SDL"},        {"Qt", "Qt"},
         {"boost/", "boost"},     {"rclcpp/", "ROS"},
+        {"lzf.h", "lzf"},
     };
     for (const auto& [prefix, library] : prefixes) {
         if (header.starts_with(prefix)) return library;

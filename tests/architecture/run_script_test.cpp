@@ -25,6 +25,7 @@ protected:
         fs::copy_file(fs::path(sourceFolder()) / "packaging/leitstand", script());
         writeText(m_root / "packaging/debian-packages.txt", "cmake\n");
         program("build/release/bin/leitstand", "echo \"started with: $*\"");
+        program("packaging/tidy", "exit 0");
         program("tools/cmake", "exit 0");
         program("tools/dpkg-query", "printf 'install ok installed'");
     }
@@ -87,6 +88,20 @@ TEST_F(RunScript, ATestThatNeedsASecondChanceInTwoRunsInARowHasFailed) {
 TEST_F(RunScript, ADeafStartHasNoSecondChance) {
     failingBesideOthers("StartLatency.RobotRecorderAndStation");
     EXPECT_NE(run({"test"}).exitCode, 0);
+}
+
+TEST(Tidy, FailsForAPlantedDefectAndNamesIt) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "planted.cpp").string();
+    writeText(file,
+              "#include <string>\n#include <utility>\n"
+              "std::size_t f(std::string a) {\n    const std::string b = std::move(a);\n"
+              "    return a.size() + b.size();\n}\n");
+    const ProcessOutcome planted = runProcess(sourceFolder() + "/packaging/tidy", {"--alone", file});
+    EXPECT_NE(planted.exitCode, 0);
+    EXPECT_THAT(planted.out, testing::HasSubstr("planted.cpp:5:12: error: 'a' used after it was moved"));
+    writeText(file, "int f(int a) { return a; }\n");
+    EXPECT_EQ(runProcess(sourceFolder() + "/packaging/tidy", {"--alone", file}).exitCode, 0);
 }
 
 }  // namespace

@@ -39,10 +39,10 @@ TEST(Snapshots, WhoLooksAtAPartHoldsTheWhole) {
 }
 
 TEST(Snapshots, UnheldOnesAreSeen) {
-    EXPECT_THAT(unheldSnapshots("for (const auto& one : *mission->state()->victims) {"), SizeIs(1));
+    EXPECT_THAT(unheldSnapshots("for (const auto& one : *mission->state()->finds) {"), SizeIs(1));
     EXPECT_THAT(unheldSnapshots("for (const RobotInMap& one : *mapping->robots()) {"), SizeIs(1));
     EXPECT_THAT(unheldSnapshots("if (const auto& clock = m_mission.state()->clock; clock)"), SizeIs(1));
-    EXPECT_THAT(unheldSnapshots("const auto state = mission->state();\nfor (auto& one : *state->victims) {"),
+    EXPECT_THAT(unheldSnapshots("const auto state = mission->state();\nfor (auto& one : *state->finds) {"),
                 IsEmpty());
     EXPECT_THAT(unheldSnapshots("for (const RobotDescription& one : station.robots()) {"), IsEmpty());
     EXPECT_THAT(unheldSnapshots("const std::size_t count = mapping.scans()->scans.size();"), IsEmpty());

@@ -131,10 +131,10 @@ TEST_P(CompatMission, CloudsWaysAndListsAreExportedTheSame) {
 }
 
 TEST_P(CompatMission, ListsOfFindsInTheReportAreTheSame) {
-    const auto told = json::parse(
+    const auto reported = json::parse(
         run({"report", m_mission.string(), "--out", (m_folder / "hand-in").string(), "--no-pdf", "--json"}));
     int lists = 0;
-    for (const auto& file : told.at("files")) {
+    for (const auto& file : reported.at("files")) {
         const std::string name = file.at("file");
         EXPECT_TRUE(file.at("whole").get<bool>()) << name;
         const bool finds = testing::Matches(testing::EndsWith("_victims.csv"))(name) ||
@@ -149,9 +149,9 @@ TEST_P(CompatMission, ListsOfFindsInTheReportAreTheSame) {
 
 TEST_P(CompatMission, IsReplayed) {
     const TestDomain domain;
-    const std::string told = run({"replay", m_mission.string(), "--json", "--rate", "10", "--domain",
-                                  std::to_string(domain.number()), "--interface", "lo"});
-    EXPECT_TRUE(isAsExpected(expected("replay.json"), told));
+    const std::string reported = run({"replay", m_mission.string(), "--json", "--rate", "10", "--domain",
+                                      std::to_string(domain.number()), "--interface", "lo"});
+    EXPECT_TRUE(isAsExpected(expected("replay.json"), reported));
 }
 
 TEST_P(CompatMission, AnotherSessionGoesOnWithItAndLeavesItsFiles) {
@@ -165,8 +165,8 @@ TEST_P(CompatMission, AnotherSessionGoesOnWithItAndLeavesItsFiles) {
         const auto mission = LiveMission::open(settings).value();
         const auto resumed = stateText(*mission->state());
         EXPECT_THAT(goneFrom(expected("state.txt"), resumed), testing::Each(isOfTheWhole()));
-        ASSERT_TRUE(mission->say(NoteSample{Time(std::chrono::seconds(1'800'000'000)), "a", "", "gone on"},
-                                 station_topic::Notes));
+        ASSERT_TRUE(mission->record(
+            NoteSample{Time(std::chrono::seconds(1'800'000'000)), "a", "", "gone on"}, station_topic::Notes));
         ASSERT_TRUE(mission->close());
     }
     for (const auto& [name, content] : before)
@@ -179,7 +179,7 @@ TEST_P(CompatMission, AnotherSessionGoesOnWithItAndLeavesItsFiles) {
     BagHistory history(*bag, decoder);
     const MissionState state = stateAt(history, bag->lastSequence());
     EXPECT_EQ(state.notes->back().sample.text, "gone on");
-    EXPECT_GT(state.victims->size(), 3U);
+    EXPECT_GT(state.finds->size(), 3U);
 }
 
 TEST_P(CompatMission, CheckpointsOfEarlierVersionsAreRead) {

@@ -139,10 +139,10 @@ TEST_F(CompatNames, JsonOfTheNetworkHasItsKeys) {
                                 60'000));
     recording.signal(SIGINT);
     EXPECT_EQ(recording.wait(), 0);
-    const std::string told = recording.out();
-    const std::size_t begin = told.find("\n{") + 1, end = told.rfind('}') + 1;
-    ASSERT_LT(begin, end) << told;
-    addKeys("record ", json::parse(told.substr(begin, end - begin), nullptr, false), names);
+    const std::string reported = recording.out();
+    const std::size_t begin = reported.find("\n{") + 1, end = reported.rfind('}') + 1;
+    ASSERT_LT(begin, end) << reported;
+    addKeys("record ", json::parse(reported.substr(begin, end - begin), nullptr, false), names);
     expectAllOf("json-keys-network.txt", names);
 }
 

@@ -83,7 +83,7 @@ void put(const Lines& to, const VictimSign& sign) {
 void put(const Lines& to, const VictimEvidence& one) {
     to("kind", one.kind), to("topic", one.topic), to("sequence", one.sequence), to("stamp", one.stamp);
 }
-void put(const Lines& to, const VictimSample& one) {
+void put(const Lines& to, const FindSample& one) {
     to("stamp", one.stamp), to("station", one.station), to("kind", one.kind), to("number", one.number);
     to("status", one.status), to("found", one.found), to("robot", one.robot),
         to("autonomous", one.autonomous);
@@ -142,7 +142,7 @@ void put(const Lines& to, const Decision& decision) {
     to("kind", decision.content.index());
     std::visit([&](const auto& content) { to("content", content); }, decision.content);
 }
-void put(const Lines& to, const VictimState& one) {
+void put(const Lines& to, const FindState& one) {
     to("sequence", one.sequence), to("filed", one.filed), to("victim", one.victim);
 }
 void put(const Lines& to, const Cue& cue) {
@@ -157,8 +157,9 @@ void put(const Lines& to, const CandidateSample& one) {
     to("dismissed", one.dismissed), to("cues", one.cues);
 }
 void put(const Lines& to, const CandidateState& one) {
-    to("sequence", one.sequence), to("first", one.first), to("toldAt", one.told.stamp);
-    to("toldBy", one.told.robot), to("toldAutonomous", one.told.autonomous), to("candidate", one.candidate);
+    to("sequence", one.sequence), to("first", one.first), to("toldAt", one.firstReport.stamp);
+    to("toldBy", one.firstReport.robot), to("toldAutonomous", one.firstReport.autonomous),
+        to("candidate", one.candidate);
 }
 void put(const Lines& to, const KeyScanState& scan) {
     to("sequence", scan.sequence), to("entry", scan.entry), to("pose", scan.pose);
@@ -293,7 +294,7 @@ std::vector<std::string> stateText(const MissionState& state) {
     for (const auto& [name, robot] : state.robots) to("robots." + name, *robot);
     to("ownTopics", *state.ownTopics);
     to("decisions", *state.decisions);
-    for (const auto& [key, find] : *state.victims) to("finds." + nameOf(key.first, key.second), find);
+    for (const auto& [key, find] : *state.finds) to("finds." + nameOf(key.first, key.second), find);
     for (const auto& [id, candidate] : *state.candidates) to(fmt::format("candidates.{}", id), candidate);
     for (const auto& [id, scan] : *state.keyScans) to(fmt::format("keyScans.{}", id), scan);
     to("notes", *state.notes), to("crop", state.crop);

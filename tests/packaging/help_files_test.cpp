@@ -42,7 +42,7 @@ std::string unescaped(std::string text) {
 /// Options that stand as such in the man page of @p name.
 ToldOptions toldByManPage(const std::string& name) {
     static const std::regex heading("\\.SS \"(.*)\""), option("\\\\fB(-[^\\\\]*)\\\\fR");
-    ToldOptions told;
+    ToldOptions reported;
     std::istringstream page(readText(share() / "man/man1" / (name + ".1")));
     std::string words = name, before;
     for (std::string line; std::getline(page, line); before = line) {
@@ -51,9 +51,9 @@ ToldOptions toldByManPage(const std::string& name) {
         if (std::regex_match(line, found, heading)) words = found[1];
         if (before != ".TP") continue;
         for (std::sregex_iterator one(line.begin(), line.end(), option), end; one != end; ++one)
-            told[words].insert((*one)[1].str());
+            reported[words].insert((*one)[1].str());
     }
-    return told;
+    return reported;
 }
 
 /// What bash offers behind @p words where the user has begun to write @p begun.
@@ -64,9 +64,9 @@ std::set<std::string> offeredByBash(const std::string& name, const std::string& 
         "_{}; printf '%s\\n' \"${{COMPREPLY[@]}}\"",
         (share() / "bash-completion/completions" / name).string(), words, begun,
         std::regex_replace(name, std::regex("-"), "_"));
-    std::istringstream said(runProcess("/bin/bash", {"--norc", "-c", script}).out);
+    std::istringstream reported(runProcess("/bin/bash", {"--norc", "-c", script}).out);
     std::set<std::string> offered;
-    for (std::string line; std::getline(said, line);) {
+    for (std::string line; std::getline(reported, line);) {
         if (!line.empty()) offered.insert(line);
     }
     return offered;
@@ -75,12 +75,12 @@ std::set<std::string> offeredByBash(const std::string& name, const std::string& 
 class EachProgram : public testing::TestWithParam<std::string> {};
 
 TEST_P(EachProgram, TellsItsVersionAndCommit) {
-    const ProcessOutcome told = runProcess(program(GetParam()), {"--version"});
-    EXPECT_EQ(told.exitCode, 0) << told.err;
-    EXPECT_EQ(told.out, versionOf(GetParam().c_str()) + "\n");
-    EXPECT_TRUE(std::regex_match(told.out, std::regex("leitstand\\S* \\d+\\.\\d+\\.\\d+( \\([0-9a-f]{12}"
-                                                      "(\\+changes)?\\))?\n")))
-        << told.out;
+    const ProcessOutcome reported = runProcess(program(GetParam()), {"--version"});
+    EXPECT_EQ(reported.exitCode, 0) << reported.err;
+    EXPECT_EQ(reported.out, versionOf(GetParam().c_str()) + "\n");
+    EXPECT_TRUE(std::regex_match(reported.out, std::regex("leitstand\\S* \\d+\\.\\d+\\.\\d+( \\([0-9a-f]{12}"
+                                                          "(\\+changes)?\\))?\n")))
+        << reported.out;
 }
 
 TEST_P(EachProgram, HasAManPageThatTellsAllItsOptionsAndNoOthers) {

@@ -21,15 +21,15 @@ std::string helpOf(const std::string& words) {
     return runProcess(program(name), arguments).out;
 }
 
-void ask(const std::string& words, ToldOptions& told) {
+void ask(const std::string& words, ToldOptions& reported) {
     // Not the reader that man pages are made with: what that overlooks must be seen here.
     static const std::regex option("\n  (-[^ :{]+)");
     const std::string help = helpOf(words);
     for (std::sregex_iterator one(help.begin(), help.end(), option), end; one != end; ++one) {
         std::istringstream names((*one)[1].str());
-        for (std::string name; std::getline(names, name, ',');) told[words].insert(name);
+        for (std::string name; std::getline(names, name, ',');) reported[words].insert(name);
     }
-    for (const std::string& below : commandsBelow(words)) ask(words + ' ' + below, told);
+    for (const std::string& below : commandsBelow(words)) ask(words + ' ' + below, reported);
 }
 
 }  // namespace
@@ -43,9 +43,9 @@ std::vector<std::string> programs() {
 }
 
 ToldOptions askedForHelp(const std::string& name) {
-    ToldOptions told;
-    ask(name, told);
-    return told;
+    ToldOptions reported;
+    ask(name, reported);
+    return reported;
 }
 
 std::set<std::string> commandsBelow(const std::string& words) {

@@ -64,7 +64,7 @@ public:
             odometry.childFrame = "base_link";
             odometry.linear.x() = m_robot.tracks().left;
             m_robot.samples.push_back({StreamRole::Odometry, {}, odometry});
-            for (HardwareSample& sample : m_agent.step()) heard(std::move(sample));
+            for (HardwareSample& sample : m_agent.step()) received(std::move(sample));
         }
     }
     /// Drives for a while, renewing the grant and the command as a station does.

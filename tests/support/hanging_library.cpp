@@ -40,8 +40,8 @@ bool HangingLibrary::endsWithin(std::chrono::milliseconds atMost) {
         [&] {
             std::erase_if(m_threads, [](pid_t thread) {
                 int status = 0;
-                const pid_t heard = waitpid(thread, &status, __WALL | WNOHANG);
-                return heard == thread && (WIFEXITED(status) || WIFSIGNALED(status));
+                const pid_t received = waitpid(thread, &status, __WALL | WNOHANG);
+                return received == thread && (WIFEXITED(status) || WIFSIGNALED(status));
             });
             return m_threads.empty();
         },

@@ -91,13 +91,13 @@ BatterySample battery() {
     return battery;
 }
 
-VictimSample victim() {
+FindSample victim() {
     using State = VictimSign::State;
-    VictimSample victim;
+    FindSample victim;
     victim.stamp = at(1'700'000'100, 5);
     victim.station = "station-1";
     victim.number = 3;
-    victim.status = VictimSample::Status::Confirmed;
+    victim.status = FindSample::Status::Confirmed;
     victim.found = at(1'700'000'090, 6);
     victim.robot = "kurt3d";
     victim.autonomous = true;
@@ -116,7 +116,7 @@ VictimSample victim() {
     victim.text = "beneath the stairs";
     victim.evidence = {{"picture", "/kurt3d/left/image/compressed", 4711, at(1'700'000'089, 7)},
                        {"gas", "/kurt3d/co2", 4712, at(1'700'000'090, 8)}};
-    victim.kind = VictimSample::Kind::Object;
+    victim.kind = FindSample::Kind::Object;
     victim.mergedInto = 2;
     return victim;
 }
@@ -126,7 +126,7 @@ CandidateSample candidate() {
     candidate.stamp = at(1'700'000'101, 5);
     candidate.station = "station-1";
     candidate.id = 5;
-    candidate.kind = VictimSample::Kind::Hazard;
+    candidate.kind = FindSample::Kind::Hazard;
     candidate.scan = 13;
     candidate.positionInScan = {2.5, 3.5, -1.5};
     candidate.positionInMap = {12.5, 13.5, 0.75};

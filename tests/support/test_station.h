@@ -24,32 +24,32 @@ public:
         GrantSample grant;
         grant.station = m_name;
         grant.robot = m_robot;
-        m_agent.hear(grant, m_me);
+        m_agent.receive(grant, m_me);
     }
     void drive(double forward, double turn = 0.0) {
         TwistSample twist;
         twist.linear.x() = forward;
         twist.angular.z() = turn;
-        say(StreamRole::DriveCommand, twist);
+        publish(StreamRole::DriveCommand, twist);
     }
     void stop(std::uint64_t number, bool stop = true, std::uint64_t releases = 0) {
-        say(StreamRole::StopCommand, StopCommandSample{{}, m_name, number, stop, releases});
+        publish(StreamRole::StopCommand, StopCommandSample{{}, m_name, number, stop, releases});
     }
     void mode(const std::string& wanted) {
-        say(StreamRole::ModeCommand, ModeCommandSample{{}, m_name, wanted});
+        publish(StreamRole::ModeCommand, ModeCommandSample{{}, m_name, wanted});
     }
-    void say(StreamRole role, const Sample& sample) { m_agent.hear(role, sample, m_me); }
+    void publish(StreamRole role, const Sample& sample) { m_agent.receive(role, sample, m_me); }
 
-    void heard(HardwareSample sample) { said.push_back(std::move(sample)); }
+    void received(HardwareSample sample) { reported.push_back(std::move(sample)); }
     template <class Kind>
     [[nodiscard]] std::vector<Kind> all() const {
         std::vector<Kind> found;
-        for (const HardwareSample& sample : said) {
+        for (const HardwareSample& sample : reported) {
             if (const auto* one = std::get_if<Kind>(&sample.sample)) found.push_back(*one);
         }
         return found;
     }
-    std::vector<HardwareSample> said;  ///< by the agent
+    std::vector<HardwareSample> reported;  ///< by the agent
 
 private:
     RobotAgent& m_agent;

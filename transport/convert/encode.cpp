@@ -84,7 +84,7 @@ const std::vector<Entry>& entries() {
         entry<StreamCommandSample, leitstand_msgs::StreamCommand>(),
         entry<PingSample, leitstand_msgs::Ping>(),
         entry<GrantSample, leitstand_msgs::Grant>(),
-        entry<VictimSample, leitstand_msgs::Victim>(),
+        entry<FindSample, leitstand_msgs::Victim>(),
         entry<CandidateSample, leitstand_msgs::Candidate>(),
         entry<KeyScanSample, leitstand_msgs::KeyScan>(),
         entry<ScanPosesSample, leitstand_msgs::ScanPoses>(),

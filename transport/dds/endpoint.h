@@ -38,15 +38,15 @@ struct RemoteEndpoint {
 /// A writer of another participant on a topic that we subscribe to.
 struct OfferedWriter {
     Guid guid, participant;
-    std::string topic;     ///< ROS name
-    double seconds = 0.0;  ///< since it was discovered [s]
-    bool matched = false;  ///< with a reader of ours
-    bool steady = false;   ///< it offers best effort, as streams do and events do not
-    bool heard = false;    ///< a sample of it was received
+    std::string topic;      ///< ROS name
+    double seconds = 0.0;   ///< since it was discovered [s]
+    bool matched = false;   ///< with a reader of ours
+    bool steady = false;    ///< it offers best effort, as streams do and events do not
+    bool received = false;  ///< a sample of it was received
 };
 
 /// What is announced in the domain, and what of it we receive.
-struct DomainHearing {
+struct DomainReception {
     struct Process {
         RemoteParticipant participant;
         double seconds = 0.0;  ///< since it was discovered [s]

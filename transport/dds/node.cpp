@@ -99,8 +99,8 @@ std::vector<RemoteEndpoint> Node::endpoints() const {
 std::vector<Mismatch> Node::mismatches() const {
     return m_impl->participant->discovery().mismatches();
 }
-DomainHearing Node::hearing() const {
-    return m_impl->participant->hearing();
+DomainReception Node::reception() const {
+    return m_impl->participant->reception();
 }
 Result<void> Node::rejoin(const std::function<void(const Guid&)>& entered) {
     return m_impl->participant->rejoin(entered);

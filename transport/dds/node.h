@@ -93,9 +93,9 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// A process's place in a DDS domain: one participant over UDP, two threads that call back (design, section
-/// 4). Subscriptions and publishers may outlive it: they then receive and send nothing more. Any thread, but
-/// it must not be destroyed by one of its own callbacks.
+/// A process's place in a DDS domain: one participant over UDP, two threads that call back (docs/design.md,
+/// "The wire"). Subscriptions and publishers may outlive it: they then receive and send nothing more. Any
+/// thread, but it must not be destroyed by one of its own callbacks.
 class Node {
 public:
     /// Joins the domain. Errors name the setting: unknown interface, unreadable file, no such domain.
@@ -112,7 +112,7 @@ public:
         const;                                               ///< of all topics, also those that are not ROS
     [[nodiscard]] std::vector<Mismatch> mismatches() const;  ///< of our readers and writers, in words
     /// Returns what is announced on the topics that we subscribe to, and what of it was received.
-    [[nodiscard]] DomainHearing hearing() const;
+    [[nodiscard]] DomainReception reception() const;
     /// Leaves the domain and joins it again as another participant, with another guid(). Subscriptions and
     /// publishers stay, transient local samples are written again, samples sent meanwhile are lost. Takes
     /// some 0.1 s. Not for callbacks of this node. @p entered receives the new guid() before anything is sent

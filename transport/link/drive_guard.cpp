@@ -21,7 +21,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::milliseconds LooksForRobot(100);  ///< period of checks that the robot still hears it
-constexpr std::chrono::milliseconds TellsAgain(500);
+constexpr std::chrono::milliseconds RepeatsAfter(500);
 
 SteadyTime moment() {
     return std::chrono::steady_clock::now();
@@ -45,16 +45,16 @@ struct DriveGuard::State {
           rules(settings.robot, settings.station, settings.timing) {}
 
     Result<void> open();
-    [[nodiscard]] bool isHeard() const;
+    [[nodiscard]] bool isReceived() const;
     /// Notifies the station whether the robot hears the guard, on change and periodically.
-    void tell(int pipe, bool heard, SteadyTime now);
+    void notify(int pipe, bool heard, SteadyTime now);
     /// Reads all that came through @p pipe; returns whether its other end is still open.
     bool read(int pipe);
 
     Node& node;
     const DriveGuardSettings settings;
-    std::optional<bool> told;  ///< last notification: whether the robot hears the guard
-    SteadyTime toldAt = {};
+    std::optional<bool> reported;  ///< last notification: whether the robot hears the guard
+    SteadyTime notifiedAt = {};
     std::mutex mutex;
     // Under the mutex:
     bool piped = true;         ///< the pipe is open
@@ -91,7 +91,7 @@ Result<void> DriveGuard::State::open() {
             // The station has joined the domain again, as another participant. A restarted station is another
             // driver: the pipe of the one before is closed.
             if (piped && grant->station == settings.station) drivers.insert(senderOf(sample.writer));
-            rules.hear(*grant, senderOf(sample.writer), moment());
+            rules.receive(*grant, senderOf(sample.writer), moment());
         });
     if (!held) return held.error();
     grants = std::move(held).value();
@@ -100,7 +100,7 @@ Result<void> DriveGuard::State::open() {
 
 /// A reader of the commands is the robot's unless it belongs to a recording station (known by its grants) or
 /// to another guard.
-bool DriveGuard::State::isHeard() const {
+bool DriveGuard::State::isReceived() const {
     const auto readers = publisher->readers();
     const auto endpoints = node.endpoints();
     std::set<Sender> others = {senderOf(node.guid()), settings.driver};
@@ -112,12 +112,12 @@ bool DriveGuard::State::isHeard() const {
                        [&](const Guid& reader) { return !others.contains(senderOf(reader)); });
 }
 
-void DriveGuard::State::tell(int pipe, bool heard, SteadyTime now) {
-    if (told == heard && now - toldAt < TellsAgain) return;
+void DriveGuard::State::notify(int pipe, bool heard, SteadyTime now) {
+    if (reported == heard && now - notifiedAt < RepeatsAfter) return;
     const std::string_view word = heard ? guard_word::Ready : guard_word::Waits;
     static_cast<void>(send(pipe, word.data(), word.size(), MSG_NOSIGNAL | MSG_DONTWAIT));
-    told = heard;
-    toldAt = now;
+    reported = heard;
+    notifiedAt = now;
 }
 
 bool DriveGuard::State::read(int pipe) {
@@ -169,7 +169,7 @@ void DriveGuard::serve(int pipe) {
         const SteadyTime now = moment();
         if (open && now >= looks) {
             looks = now + LooksForRobot;
-            m_state->tell(pipe, m_state->isHeard(), now);
+            m_state->notify(pipe, m_state->isReceived(), now);
         }
         waitFor(pipe, open, std::min(step.next.value_or(now + LooksForRobot), now + LooksForRobot) - now);
     }

@@ -27,9 +27,9 @@ int othersOf(const Publisher& publisher) {
 }  // namespace
 
 struct DriveStreamer::State {
-    State(const RobotDescription& robot, DriveMessage said, DriveStreamerSettings given)
+    State(const RobotDescription& robot, DriveMessage decoded, DriveStreamerSettings given)
         : settings(std::move(given)),
-          message(std::move(said)),
+          message(std::move(decoded)),
           setpoint(limitsOf(robot), settings.lifetime),
           schedule(settings.rhythm) {}
 

@@ -56,9 +56,9 @@ struct DriveStatus {
     friend bool operator==(const DriveStatus&, const DriveStatus&) = default;
 };
 
-/// Sends drive commands to one robot from a thread of its own (design, section 4), on change and at 40 Hz.
-/// Sends a Twist, a TwistStamped (with the stamp that the robot's file wants) or, when the robot has no
-/// drive_command, speeds of its tracks [m/s] in a JointState. Sends zero when the sticks were not set for
+/// Sends drive commands to one robot from a thread of its own (docs/design.md, "The wire"), on change and at
+/// 40 Hz. Sends a Twist, a TwistStamped (with the stamp that the robot's file wants) or, when the robot has
+/// no drive_command, speeds of its tracks [m/s] in a JointState. Sends zero when the sticks were not set for
 /// 200 ms, without focus, without grant, or while a stop stands. After driving, sends zeros for a second, and
 /// then nothing more. Whatever the input device, what the driver sees caps the speed. Sticks that were held
 /// while nothing was seen must be neutral before the robot moves again. Any thread; no call waits for the

@@ -26,8 +26,8 @@ Qos grantQos() {
 }
 
 struct GrantKeeper::State {
-    State(const StationIdentity& me, const Sender& sender, GrantListener told, const GrantTiming& timing)
-        : listener(std::move(told)), book(me, sender, steadyNow(), timing), remembered(book.held()) {}
+    State(const StationIdentity& me, const Sender& sender, GrantListener notify, const GrantTiming& timing)
+        : listener(std::move(notify)), book(me, sender, steadyNow(), timing), remembered(book.held()) {}
 
     using Views = std::map<GrantId, std::pair<GrantView, bool>>;
 
@@ -40,20 +40,21 @@ struct GrantKeeper::State {
         }
         woken.notify_all();
     }
-    void hear(const ReceivedSample& sample) {
+    void receive(const ReceivedSample& sample) {
         const auto event = decodeStationEvent(sample.event);
         if (!event) return;
-        if (const auto* said = std::get_if<GrantSample>(&event->sample)) {
-            change([&](GrantBook& one, SteadyTime now) { one.hear(*said, senderOf(sample.writer), now); });
+        if (const auto* decoded = std::get_if<GrantSample>(&event->sample)) {
+            change(
+                [&](GrantBook& one, SteadyTime now) { one.receive(*decoded, senderOf(sample.writer), now); });
         }
     }
-    void say(const std::vector<GrantSample>& samples) const {
+    void send(const std::vector<GrantSample>& samples) const {
         for (const GrantSample& sample : samples) {
             // A write fails only when the node has left; nobody misses heartbeats then.
             if (const auto cdr = encode(sample, GrantType)) static_cast<void>(publisher->write(*cdr));
         }
     }
-    void tell(const Views& now, std::vector<HeldGrant> held) {
+    void notify(const Views& now, std::vector<HeldGrant> held) {
         const bool news = std::exchange(views, now) != now;
         if (held != remembered) {
             remembered = held;
@@ -89,8 +90,8 @@ void GrantKeeper::State::run(const std::stop_token& stop) {
             }
             held = book.held();
         }
-        say(samples);
-        tell(now, std::move(held));
+        send(samples);
+        notify(now, std::move(held));
         std::unique_lock lock(mutex);
         woken.wait_for(lock, stop, Tick, [this] { return changed; });
         changed = false;
@@ -104,7 +105,7 @@ GrantKeeper::~GrantKeeper() {
     if (m_state->thread.joinable()) m_state->thread.join();
     m_state->subscription.reset();
     m_state->book.leave(steadyNow());
-    m_state->say(m_state->book.due(steadyNow(), std::chrono::system_clock::now()));
+    m_state->send(m_state->book.due(steadyNow(), std::chrono::system_clock::now()));
     // A node that goes at once takes unsent samples with it.
     static_cast<void>(m_state->publisher->waitForAcknowledgments(std::chrono::milliseconds(200)));
 }
@@ -119,7 +120,7 @@ Result<std::unique_ptr<GrantKeeper>> GrantKeeper::create(Node& node, const Stati
     state->publisher = std::move(publisher).value();
     auto subscription =
         node.subscribe({topic, GrantType, grantQos(), Lane::Small},
-                       [self = state.get()](const ReceivedSample& sample) { self->hear(sample); });
+                       [self = state.get()](const ReceivedSample& sample) { self->receive(sample); });
     if (!subscription) return subscription.error();
     state->subscription = std::move(subscription).value();
     state->thread = std::jthread([self = state.get()](const std::stop_token& stop) { self->run(stop); });
@@ -130,16 +131,16 @@ void GrantKeeper::rejoined(const Guid& participant) {
     m_state->change([&](GrantBook& book, SteadyTime) { book.rejoined(senderOf(participant)); });
 }
 
-void GrantKeeper::ask(const GrantId& id) {
-    m_state->change([&](GrantBook& book, SteadyTime) { book.ask(id); });
+void GrantKeeper::requestGrant(const GrantId& id) {
+    m_state->change([&](GrantBook& book, SteadyTime) { book.requestGrant(id); });
 }
 
 void GrantKeeper::release(const GrantId& id) {
     m_state->change([&](GrantBook& book, SteadyTime now) { book.release(id, now); });
 }
 
-void GrantKeeper::answer(const GrantId& id, bool consent) {
-    m_state->change([&](GrantBook& book, SteadyTime now) { book.answer(id, consent, now); });
+void GrantKeeper::answerRequest(const GrantId& id, bool consent) {
+    m_state->change([&](GrantBook& book, SteadyTime now) { book.answerRequest(id, consent, now); });
 }
 
 GrantView GrantKeeper::view(const GrantId& id) const {

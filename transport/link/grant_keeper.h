@@ -36,9 +36,9 @@ public:
 
     /// See GrantBook::rejoined(). Call it before anything of this process is received under its new identity.
     void rejoined(const Guid& participant);
-    void ask(const GrantId& id);
+    void requestGrant(const GrantId& id);
     void release(const GrantId& id);  ///< also withdraws a request
-    void answer(const GrantId& id, bool consent);
+    void answerRequest(const GrantId& id, bool consent);
 
     [[nodiscard]] GrantView view(const GrantId& id) const;
     [[nodiscard]] bool mayAct(const GrantId& id) const;

@@ -148,29 +148,29 @@ const Option* find(std::string_view name) {
 
 std::vector<std::string> wordsOf(const GuardArguments& arguments) {
     std::vector<std::string> words;
-    const auto say = [&words](const char* name, const std::string& value) {
+    const auto addWord = [&words](const char* name, const std::string& value) {
         if (!value.empty()) words.insert(words.end(), {name, value});
     };
     const NodeSettings& network = arguments.network;
-    say("--domain", std::to_string(network.domain));
-    for (const std::string& one : network.interfaces) say("--interface", one);
-    for (const std::string& one : network.initialPeers) say("--peer", one);
-    say("--discovery-server", network.discoveryServer);
-    say("--keys", arguments.keys.string());
+    addWord("--domain", std::to_string(network.domain));
+    for (const std::string& one : network.interfaces) addWord("--interface", one);
+    for (const std::string& one : network.initialPeers) addWord("--peer", one);
+    addWord("--discovery-server", network.discoveryServer);
+    addWord("--keys", arguments.keys.string());
     const DriveGuardSettings& guard = arguments.guard;
-    say("--robot", guard.robot);
-    say("--station", guard.station);
-    say("--driver", hexOf(guard.driver));
+    addWord("--robot", guard.robot);
+    addWord("--station", guard.station);
+    addWord("--driver", hexOf(guard.driver));
     const StreamDescription& stream = guard.message.stream;
-    say("--role", toString(stream.role));
-    say("--topic", stream.topic);
-    say("--type", stream.type);
-    say("--reliability", toString(stream.qos.reliability));
-    say("--lifespan", fmt::format("{}", stream.qos.lifespan));
-    say("--stamp", toString(stream.stamp));
-    say("--frame", guard.message.frame);
-    say("--left-track", guard.message.leftTrack);
-    say("--right-track", guard.message.rightTrack);
+    addWord("--role", toString(stream.role));
+    addWord("--topic", stream.topic);
+    addWord("--type", stream.type);
+    addWord("--reliability", toString(stream.qos.reliability));
+    addWord("--lifespan", fmt::format("{}", stream.qos.lifespan));
+    addWord("--stamp", toString(stream.stamp));
+    addWord("--frame", guard.message.frame);
+    addWord("--left-track", guard.message.leftTrack);
+    addWord("--right-track", guard.message.rightTrack);
     return words;
 }
 

@@ -31,26 +31,26 @@ StreamArrival arrivalOf(const ReceivedSample& sample) {
 }
 
 /// Returns whether @p now differs enough from the last logged status to be logged.
-bool isNews(const ClockStatus& told, const ClockStatus& now) {
-    const auto moved = std::chrono::abs(now.ahead - told.ahead);
+bool isNews(const ClockStatus& before, const ClockStatus& now) {
+    const auto moved = std::chrono::abs(now.ahead - before.ahead);
     const auto bounds =
-        std::max<nanoseconds>(std::min(told.uncertainty, now.uncertainty) / 4, milliseconds(1));
-    return now.steps != told.steps || now.source != told.source || moved > bounds ||
-           2 * now.uncertainty < told.uncertainty || now.uncertainty > 2 * told.uncertainty;
+        std::max<nanoseconds>(std::min(before.uncertainty, now.uncertainty) / 4, milliseconds(1));
+    return now.steps != before.steps || now.source != before.source || moved > bounds ||
+           2 * now.uncertainty < before.uncertainty || now.uncertainty > 2 * before.uncertainty;
 }
 
 }  // namespace
 
 struct LinkClient::State {
-    State(const RobotDescription& robot, LinkClientSettings chosen, LinkListener told)
-        : settings(std::move(chosen)), listener(std::move(told)), monitor(robot, settings.rules) {
+    State(const RobotDescription& robot, LinkClientSettings chosen, LinkListener before)
+        : settings(std::move(chosen)), listener(std::move(before)), monitor(robot, settings.rules) {
         if (const StreamDescription* found = robot.stream(StreamRole::Ping)) ping = *found;
         if (const StreamDescription* found = robot.stream(StreamRole::Pong)) pong = *found;
     }
 
     void sendPing();
     void takePong(const ReceivedSample& sample);
-    void tell();
+    void notify();
     void run(const std::stop_token& stop);
 
     const LinkClientSettings settings;
@@ -63,7 +63,7 @@ struct LinkClient::State {
     std::uint64_t number = 0;
     LinkState state = LinkState::NeverSeen;
     std::optional<ClockStatus> clock;  ///< as logged last
-    SteadyTime clockTold;
+    SteadyTime clockPublished;
     std::unique_ptr<Publisher> pings;
     std::unique_ptr<Subscription> pongs;
     std::jthread thread;  ///< last: joined first
@@ -98,7 +98,7 @@ void LinkClient::State::takePong(const ReceivedSample& sample) {
     if (listener.onPong) listener.onPong(sample);
 }
 
-void LinkClient::State::tell() {
+void LinkClient::State::notify() {
     LinkStatus status;
     {
         const std::lock_guard lock(mutex);
@@ -108,9 +108,9 @@ void LinkClient::State::tell() {
     if (std::exchange(state, status.state) != status.state && listener.onState) listener.onState(status);
     if (listener.onStatus) listener.onStatus(status);
     if (!listener.onClockOffset || !status.clock) return;
-    if (clock && (now - clockTold < std::chrono::seconds(1) || !isNews(*clock, *status.clock))) return;
+    if (clock && (now - clockPublished < std::chrono::seconds(1) || !isNews(*clock, *status.clock))) return;
     clock = status.clock;
-    clockTold = now;
+    clockPublished = now;
     listener.onClockOffset(*clockOffsetOf(status, std::chrono::system_clock::now()));
 }
 
@@ -126,7 +126,7 @@ void LinkClient::State::run(const std::stop_token& stop) {
             nextPing = std::max(nextPing + settings.pingEvery, now);
         }
         if (now >= nextStatus) {
-            tell();
+            notify();
             nextStatus = std::max(nextStatus + settings.statusEvery, now);
         }
         std::unique_lock lock(idle);

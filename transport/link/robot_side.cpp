@@ -46,58 +46,58 @@ struct RobotCommands::State {
 
     Result<void> open(Node& node);
     Result<void> listen(Node& node, const StreamDescription& stream);
-    void hearGrant(const ReceivedSample& sample);
-    void hear(const StreamDescription& stream, const ReceivedSample& sample);
+    void receiveGrant(const ReceivedSample& sample);
+    void receive(const StreamDescription& stream, const ReceivedSample& sample);
     [[nodiscard]] DriveVelocity velocityOf(const Sample& command) const;
     /// Publishes the state of the stop. @p before changes the rules first; no other state is published in
     /// between.
     template <class Change>
-    void say(Change before);
-    void sayWhenItStands();
+    void publishAfter(Change before);
+    void publishWhenItStands();
 
     const RobotCommandSettings settings;
     const RobotDescription robot;
     const double distance;  ///< between the tracks [m]
     StreamDescription stopState;
-    std::mutex saying;  ///< states are published in order; taken before the other mutex
-    std::mutex mutex;   ///< guards all that follows; never held while anything is written
+    std::mutex pending;  ///< states are published in order; taken before the other mutex
+    std::mutex mutex;    ///< guards all that follows; never held while anything is written
     RobotRules rules;
     RobotCommandCounts counts;
-    bool toldStanding = false;
+    bool publishedStanding = false;
     std::unique_ptr<Publisher> publisher;
     std::vector<std::unique_ptr<Subscription>> subscriptions;  ///< last: they call back
 };
 
 template <class Change>
-void RobotCommands::State::say(Change before) {
-    const std::lock_guard order(saying);
+void RobotCommands::State::publishAfter(Change before) {
+    const std::lock_guard order(pending);
     StopStateSample state;
     {
         const std::lock_guard lock(mutex);
         before();
         state = rules.stopState(steadyNow());
-        toldStanding = state.standing;
+        publishedStanding = state.standing;
     }
     state.header = {settings.clock ? settings.clock() : wallNow(), robot.baseFrame};
     if (const auto cdr = encode(state, stopState.type)) static_cast<void>(publisher->write(*cdr));
 }
 
-void RobotCommands::State::sayWhenItStands() {
+void RobotCommands::State::publishWhenItStands() {
     {
         const std::lock_guard lock(mutex);
-        if (rules.stopState(steadyNow()).standing == toldStanding) return;
+        if (rules.stopState(steadyNow()).standing == publishedStanding) return;
     }
-    say([] {});
+    publishAfter([] {});
 }
 
-void RobotCommands::State::hearGrant(const ReceivedSample& sample) {
+void RobotCommands::State::receiveGrant(const ReceivedSample& sample) {
     const auto event = decodeStationEvent(sample.event);
-    const auto* said = event ? std::get_if<GrantSample>(&event->sample) : nullptr;
+    const auto* grantSample = event ? std::get_if<GrantSample>(&event->sample) : nullptr;
     const std::lock_guard lock(mutex);
-    if (said == nullptr) {
+    if (grantSample == nullptr) {
         ++counts.broken;
     } else {
-        rules.hear(*said, senderOf(sample.writer), steadyNow());
+        rules.receive(*grantSample, senderOf(sample.writer), steadyNow());
     }
 }
 
@@ -114,13 +114,13 @@ DriveVelocity RobotCommands::State::velocityOf(const Sample& command) const {
     return leitstand::velocityOf(tracks, distance);
 }
 
-void RobotCommands::State::hear(const StreamDescription& stream, const ReceivedSample& sample) {
+void RobotCommands::State::receive(const StreamDescription& stream, const ReceivedSample& sample) {
     const Sender from = senderOf(sample.writer);
     const auto decoded = decode(sample.event, stream);
     if (decoded && std::holds_alternative<StopCommandSample>(*decoded)) {
-        return say([&] {
+        return publishAfter([&] {
             ++counts.stops;
-            static_cast<void>(rules.hear(std::get<StopCommandSample>(*decoded), from, steadyNow()));
+            static_cast<void>(rules.receive(std::get<StopCommandSample>(*decoded), from, steadyNow()));
         });
     }
     const std::lock_guard lock(mutex);
@@ -136,7 +136,7 @@ void RobotCommands::State::hear(const StreamDescription& stream, const ReceivedS
 
 Result<void> RobotCommands::State::listen(Node& node, const StreamDescription& stream) {
     auto made = node.subscribe({stream.topic, stream.type, stream.qos, Lane::Small},
-                               [this, stream](const ReceivedSample& sample) { hear(stream, sample); });
+                               [this, stream](const ReceivedSample& sample) { receive(stream, sample); });
     if (!made) return made.error();
     subscriptions.push_back(std::move(made).value());
     return {};
@@ -170,10 +170,10 @@ Result<void> RobotCommands::State::open(Node& node) {
     auto made = node.publisher({state->topic, state->type, state->qos, Flow::Immediate});
     if (!made) return made.error();
     publisher = std::move(made).value();
-    say([] {});  // stations learn that there is somebody to stop
+    publishAfter([] {});  // stations learn that there is somebody to stop
     const std::string grants(station_topic::Grants);
     auto heard = node.subscribe({grants, "leitstand_msgs/msg/Grant", grantQos(), Lane::Small},
-                                [this](const ReceivedSample& sample) { hearGrant(sample); });
+                                [this](const ReceivedSample& sample) { receiveGrant(sample); });
     if (!heard) return heard.error();
     subscriptions.push_back(std::move(heard).value());
     if (auto listening = listen(node, *stop); !listening) return listening;
@@ -195,7 +195,7 @@ Result<std::unique_ptr<RobotCommands>> RobotCommands::create(Node& node, const R
 }
 
 DriveVelocity RobotCommands::commanded() const {
-    m_state->sayWhenItStands();
+    m_state->publishWhenItStands();
     const std::lock_guard lock(m_state->mutex);
     return m_state->rules.commanded(steadyNow());
 }
@@ -211,7 +211,7 @@ std::string RobotCommands::holder() const {
 }
 
 void RobotCommands::press() {
-    m_state->say([&] { m_state->rules.press(); });
+    m_state->publishAfter([&] { m_state->rules.press(); });
 }
 
 void RobotCommands::moved(double speed, double turnRate) {
@@ -219,7 +219,7 @@ void RobotCommands::moved(double speed, double turnRate) {
         const std::lock_guard lock(m_state->mutex);
         m_state->rules.moved(speed, turnRate, steadyNow());
     }
-    m_state->sayWhenItStands();
+    m_state->publishWhenItStands();
 }
 
 RobotCommandCounts RobotCommands::counts() const {

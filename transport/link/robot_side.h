@@ -31,9 +31,9 @@ struct RobotCommandCounts {
     std::uint64_t stops = 0;    ///< stops and releases, repetitions too
 };
 
-/// The robot's end of the commands (design, section 4; RobotRules). Receives grants, cmd_vel or track_cmd,
-/// and stop_cmd, answers on stop_state, and returns how fast the robot has to move now. For robots that are
-/// written with Leitstand; simulated ones and the tests use it too. Any thread.
+/// The robot's end of the commands (docs/design.md, "The wire"; RobotRules). Receives grants, cmd_vel or
+/// track_cmd, and stop_cmd, answers on stop_state, and returns how fast the robot has to move now. For robots
+/// that are written with Leitstand; simulated ones and the tests use it too. Any thread.
 ///
 /// A Twist carries no identity: a command counts when the participant (the first 12 bytes of the writer's
 /// GUID) is the one whose heartbeats hold the grant. In a secured domain nobody can pretend to be another

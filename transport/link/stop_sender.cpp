@@ -20,7 +20,7 @@ namespace {
 using std::chrono::milliseconds;
 
 /// Clears what changes by itself all the time: it is no news.
-StopStatus told(StopStatus status) {
+StopStatus reported(StopStatus status) {
     status.unanswered = {};
     return status;
 }
@@ -32,7 +32,7 @@ struct StopSender::State {
         StreamDescription command = {}, state = {}, odometry = {};
         StopControl control;
         std::unique_ptr<Publisher> publisher = {};
-        StopStatus told = {};  ///< of the sender's own thread
+        StopStatus reported = {};  ///< of the sender's own thread
         std::vector<std::unique_ptr<Subscription>> subscriptions = {};
     };
     using Robots = std::map<std::string, Robot>;
@@ -59,7 +59,7 @@ struct StopSender::State {
         using Answer = decltype(question(found->second.control));
         return found == robots.end() ? Answer{} : question(found->second.control);
     }
-    void hear(const std::string& robot, const StreamDescription& stream, const ReceivedSample& sample);
+    void receive(const std::string& robot, const StreamDescription& stream, const ReceivedSample& sample);
     void step();
     void run(const std::stop_token& stop);
 
@@ -71,12 +71,12 @@ struct StopSender::State {
     std::jthread thread;  ///< last: joined first
 };
 
-void StopSender::State::hear(const std::string& robot, const StreamDescription& stream,
-                             const ReceivedSample& sample) {
+void StopSender::State::receive(const std::string& robot, const StreamDescription& stream,
+                                const ReceivedSample& sample) {
     const auto decoded = decode(sample.event, stream);
     if (!decoded) return;
     if (const auto* state = std::get_if<StopStateSample>(&*decoded)) {
-        change(robot, [&](StopControl& control) { control.hear(*state); });
+        change(robot, [&](StopControl& control) { control.receive(*state); });
     } else if (const auto* odometry = std::get_if<OdometrySample>(&*decoded)) {
         // Reported with the next tick: the thread is not woken 50 times a second for it.
         const std::lock_guard lock(mutex);
@@ -98,11 +98,13 @@ Result<void> StopSender::State::add(Node& node, const RobotDescription& descript
         const StreamDescription* found = description.stream(role);
         if (found == nullptr) return {};
         to = *found;
-        auto heard = node.subscribe({to.topic, to.type, to.qos, Lane::Small},
-                                    [this, name = description.name, stream = to](
-                                        const ReceivedSample& sample) { hear(name, stream, sample); });
-        if (!heard) return heard.error();
-        robot.subscriptions.push_back(std::move(heard).value());
+        auto subscribed =
+            node.subscribe({to.topic, to.type, to.qos, Lane::Small},
+                           [this, name = description.name, stream = to](const ReceivedSample& sample) {
+                               receive(name, stream, sample);
+                           });
+        if (!subscribed) return subscribed.error();
+        robot.subscriptions.push_back(std::move(subscribed).value());
         return {};
     };
     if (command != nullptr) {
@@ -116,7 +118,7 @@ Result<void> StopSender::State::add(Node& node, const RobotDescription& descript
         auto writer = node.publisher({command->topic, command->type, qos, Flow::Immediate});
         if (!writer) return writer.error();
         robot.publisher = std::move(writer).value();
-        if (auto heard = listen(StreamRole::StopState, robot.state); !heard) return heard;
+        if (auto subscribed = listen(StreamRole::StopState, robot.state); !subscribed) return subscribed;
     }
     return listen(StreamRole::Odometry, robot.odometry);
 }
@@ -128,14 +130,14 @@ void StopSender::State::step() {
         {
             const std::lock_guard lock(mutex);
             command = robot.control.due(steadyNow(), std::chrono::system_clock::now());
-            status = told(robot.control.status(steadyNow()));
+            status = reported(robot.control.status(steadyNow()));
         }
         if (command && robot.publisher) {
             // What is not written now is written with the next repetition.
             if (const auto cdr = encode(*command, robot.command.type))
                 static_cast<void>(robot.publisher->write(*cdr));
         }
-        if (std::exchange(robot.told, status) != status && settings.onChange) settings.onChange(name);
+        if (std::exchange(robot.reported, status) != status && settings.onChange) settings.onChange(name);
     }
 }
 

@@ -34,9 +34,9 @@ Remote::ReaderWindows* Remote::windowsOf(EntityId reader, EntityId ours) {
 
 bool Remote::leads(const Voice& voice, const Place& place, Moment now) const {
     if (!voice.port || place.port == *voice.port) return true;
-    if (place == home && now - voice.heard > limits::Silence) return true;
+    if (place == home && now - voice.received > limits::Silence) return true;
     return std::none_of(places.begin(), places.end(), [&](const Bound& bound) {
-        return bound.place.port == *voice.port && now - bound.heard <= limits::Silence;
+        return bound.place.port == *voice.port && now - bound.received <= limits::Silence;
     });
 }
 
@@ -51,7 +51,7 @@ Remote* Participants::find(const Prefix& prefix) {
     return found == m_remotes.end() ? nullptr : &found->second;
 }
 
-Remote* Participants::admit(const Announcement& said, const Address& host, Moment now) {
+Remote* Participants::admit(const Announcement& declared, const Address& host, Moment now) {
     const auto full = [&] {
         if (m_remotes.size() >= limits::Participants) return true;
         const auto use = m_hosts.find(host);
@@ -61,9 +61,9 @@ Remote* Participants::admit(const Announcement& said, const Address& host, Momen
     };
     if (full()) forgetSilent(now);
     if (full()) return nullptr;
-    Remote& remote = m_remotes[said.participant];
+    Remote& remote = m_remotes[declared.participant];
     remote.host = host;
-    remote.first = remote.heard = now;
+    remote.first = remote.received = now;
     ++m_hosts[host].participants;
     return &remote;
 }
@@ -71,7 +71,7 @@ Remote* Participants::admit(const Announcement& said, const Address& host, Momen
 Participants::Use Participants::presentUse(const Address& host, Moment now) const {
     Use use;
     for (const auto& [prefix, remote] : m_remotes) {
-        if (remote.host != host || now - remote.heard > limits::Present) continue;
+        if (remote.host != host || now - remote.received > limits::Present) continue;
         ++use.participants;
         use.endpoints += remote.endpoints.size();
     }
@@ -99,7 +99,7 @@ void Participants::forgetSilent(Moment now) {
     constexpr Seconds Late{1.0};  // the library looks at its clock later than we at ours
     for (auto one = m_remotes.begin(); one != m_remotes.end();) {
         const auto next = std::next(one);
-        if (Seconds(now - one->second.heard) > one->second.lease + Late) forget(one);
+        if (Seconds(now - one->second.received) > one->second.lease + Late) forget(one);
         one = next;
     }
 }
@@ -118,9 +118,9 @@ bool Participants::bind(Remote& remote, const Place& place, bool speaks, Moment 
         // Keeps home and the places where it speaks from: else a handful of ports would displace them.
         auto oldest = remote.places.end();
         for (auto one = remote.places.begin(); one != remote.places.end(); ++one) {
-            const bool silent = now - one->heard > limits::Silence;
+            const bool silent = now - one->received > limits::Silence;
             if (!silent && (one->place == remote.home || remote.isVoice(one->place))) continue;
-            if (oldest == remote.places.end() || one->heard < oldest->heard) oldest = one;
+            if (oldest == remote.places.end() || one->received < oldest->received) oldest = one;
         }
         if (oldest == remote.places.end()) return false;
         if (const auto known = m_places.find(oldest->place); --known->second == 0) m_places.erase(known);
@@ -136,13 +136,14 @@ bool Participants::mayComeFrom(Remote& remote, const Place& place, bool speaks, 
     const auto known = std::find_if(places.begin(), places.end(),
                                     [&](const Remote::Bound& bound) { return bound.place == place; });
     if (known != places.end()) {
-        known->heard = remote.heard = now;
+        known->received = remote.received = now;
         if (place == remote.home) remote.atHome = now;
         known->speaks = known->speaks || speaks;
         return true;
     }
     const auto all = [&](auto holds) { return std::all_of(places.begin(), places.end(), holds); };
-    const bool silent = all([&](const Remote::Bound& bound) { return now - bound.heard > limits::Silence; });
+    const bool silent =
+        all([&](const Remote::Bound& bound) { return now - bound.received > limits::Silence; });
     const bool mute = all([](const Remote::Bound& bound) { return !bound.speaks; });
     const bool sameHost = std::any_of(places.begin(), places.end(), [&](const Remote::Bound& bound) {
         return bound.place.address == place.address;
@@ -151,12 +152,12 @@ bool Participants::mayComeFrom(Remote& remote, const Place& place, bool speaks, 
         silent || sameHost || isLoopback(place.address) || contains(remote.announced, place.address);
     if (!itsOwn || !(silent || mute || now - remote.first < limits::Introduction)) return false;
     if (!bind(remote, place, speaks, now)) return false;
-    remote.heard = now;
+    remote.received = now;
     return true;
 }
 
-bool Participants::hearDiscoveryOnly(std::uint16_t port) const {
-    const auto one = [&](auto hears) { return std::any_of(m_remotes.begin(), m_remotes.end(), hears); };
+bool Participants::receiveDiscoveryOnly(std::uint16_t port) const {
+    const auto one = [&](auto receives) { return std::any_of(m_remotes.begin(), m_remotes.end(), receives); };
     return one([&](const auto& remote) { return contains(remote.second.discoveryPorts, port); }) &&
            !one([&](const auto& remote) { return contains(remote.second.samplePorts, port); });
 }

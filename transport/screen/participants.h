@@ -15,13 +15,13 @@ namespace leitstand::screen {
 struct Remote {
     struct Bound {
         Place place;
-        Moment heard;
+        Moment received;
         bool speaks = false;  ///< it does not only announce itself from there
     };
     Address host{};  ///< the host whose limits it counts against
     Place home;      ///< where it announces itself from; changes only after silence there
     Moment atHome;   ///< when it was last heard at home
-    Moment first, heard;
+    Moment first, received;
     Seconds lease{0.0};
     bool refused = false;            ///< it exceeded what a host may have: nothing of it passes
     std::vector<Address> announced;  ///< addresses that it claims to have
@@ -33,7 +33,7 @@ struct Remote {
     /// port at all of them, and nobody else on its host has that port.
     struct Voice {
         std::optional<std::uint16_t> port;
-        Moment heard;
+        Moment received;
     };
     struct Writer {
         Voice voice;
@@ -65,9 +65,9 @@ struct Remote {
 class Participants {
 public:
     [[nodiscard]] Remote* find(const Prefix& prefix);
-    /// Lets in the participant that @p said announces; null when its host, or all hosts together, have too
-    /// many.
-    Remote* admit(const Announcement& said, const Address& host, Moment now);
+    /// Lets in the participant that @p declared announces; null when its host, or all hosts together, have
+    /// too many.
+    Remote* admit(const Announcement& declared, const Address& host, Moment now);
     void remove(const Prefix& prefix);
     /// Forgets those that were silent for their lease, as the library does.
     void forgetSilent(Moment now);
@@ -85,7 +85,7 @@ public:
     [[nodiscard]] bool isKnown(const Place& place) const { return m_places.contains(place); }
 
     /// Returns whether one of them receives discovery on @p port, and none receives samples there.
-    [[nodiscard]] bool hearDiscoveryOnly(std::uint16_t port) const;
+    [[nodiscard]] bool receiveDiscoveryOnly(std::uint16_t port) const;
 
     /// Notes an endpoint; false when its host has too many: then the participant is refused.
     [[nodiscard]] bool addEndpoint(Remote& remote, EntityId endpoint, std::size_t bytes, Moment now);

@@ -84,19 +84,19 @@ Screen::Verdict Screen::judgeStranger(const Place& place, Moment now) {
 }
 
 Screen::Verdict Screen::judgeAnnouncement(const Submessage& next, const Place& place, Moment now) {
-    static thread_local Announcement said;
-    if (const Fault fault = read(next, said); !fault.empty()) return {false, Why::NoRtps, fault};
-    const bool own = said.participant == next.source;
+    static thread_local Announcement declared;
+    if (const Fault fault = read(next, declared); !fault.empty()) return {false, Why::NoRtps, fault};
+    const bool own = declared.participant == next.source;
     if (!own && !m_settings.relayed) return {false, Why::Impostor, "one participant announces another"};
-    Remote* remote = m_participants.find(said.participant);
+    Remote* remote = m_participants.find(declared.participant);
     if (remote == nullptr) {
-        if (said.ends) return judgeStranger(place, now);
-        if (remote = m_participants.admit(said, place.address, now); remote == nullptr)
+        if (declared.ends) return judgeStranger(place, now);
+        if (remote = m_participants.admit(declared, place.address, now); remote == nullptr)
             return {false, Why::TooMany, "more participants than a host may have"};
     }
     if (remote->refused) return {false, Why::TooMany, "a participant that was refused"};
     const std::uint64_t hash = hashOf(next.payload);
-    const bool changes = said.ends || hash != remote->announcement;
+    const bool changes = declared.ends || hash != remote->announcement;
     if (own && changes && !Participants::isHome(*remote, place, now))
         return {false, Why::Impostor, "a participant changes or ends from a place that is not its own"};
     if (own && !m_participants.mayComeFrom(*remote, place, false, now)) {
@@ -105,32 +105,32 @@ Screen::Verdict Screen::judgeAnnouncement(const Submessage& next, const Place& p
         return {false, Why::Impostor, "a participant announced from a place that is not its own"};
     }
     if (own && changes) Participants::setHome(*remote, place, now);
-    if (said.ends) {
-        m_participants.remove(said.participant);
+    if (declared.ends) {
+        m_participants.remove(declared.participant);
         return {};
     }
-    if (!own) remote->heard = now;
-    remote->lease = said.lease;
-    remote->announced = said.addresses;
-    remote->discoveryPorts = said.discoveryPorts;
-    remote->samplePorts = said.samplePorts;
+    if (!own) remote->received = now;
+    remote->lease = declared.lease;
+    remote->announced = declared.addresses;
+    remote->discoveryPorts = declared.discoveryPorts;
+    remote->samplePorts = declared.samplePorts;
     remote->announcement = hash;
     return {};
 }
 
 Screen::Verdict Screen::judgeEndpoint(const Submessage& next, Moment now) {
-    EndpointAnnouncement said;
-    if (const Fault fault = read(next, said); !fault.empty()) return {false, Why::NoRtps, fault};
-    const Prefix owner = participantOf(said.endpoint);
+    EndpointAnnouncement declared;
+    if (const Fault fault = read(next, declared); !fault.empty()) return {false, Why::NoRtps, fault};
+    const Prefix owner = participantOf(declared.endpoint);
     if (owner != next.source && !m_settings.relayed)
         return {false, Why::Impostor, "one participant announces another's endpoint"};
     Remote* const remote = m_participants.find(owner);
     if (remote == nullptr) return {};
-    if (said.ends) {
-        m_participants.removeEndpoint(*remote, entityOf(said.endpoint));
+    if (declared.ends) {
+        m_participants.removeEndpoint(*remote, entityOf(declared.endpoint));
         return {};
     }
-    if (m_participants.addEndpoint(*remote, entityOf(said.endpoint), next.payload.size(), now)) return {};
+    if (m_participants.addEndpoint(*remote, entityOf(declared.endpoint), next.payload.size(), now)) return {};
     return {false, Why::TooMany, "more endpoints than a host may have"};
 }
 
@@ -198,11 +198,11 @@ bool Screen::count(const Verdict& verdict, const Place& place, Moment now) {
         ++m_passed;
     } else {
         m_drops.note(verdict.why, place.address, verdict.fault);
-        m_untold = true;
+        m_unreported = true;
     }
-    if (!m_untold || now - m_told < std::chrono::seconds(1)) return false;
-    m_untold = false;
-    m_told = now;
+    if (!m_unreported || now - m_reported < std::chrono::seconds(1)) return false;
+    m_unreported = false;
+    m_reported = now;
     return true;
 }
 
@@ -210,19 +210,19 @@ bool Screen::passes(std::span<const std::byte> bytes, const Place& place, Moment
     static thread_local Datagram datagram;
     const Fault fault = parse(bytes, datagram);
     Verdict verdict{false, Why::NoRtps, fault};
-    bool tell = false;
+    bool due = false;
     {
         const std::lock_guard lock(m_mutex);
         if (fault.empty()) verdict = judge(datagram, place, now);
-        tell = count(verdict, place, now);
+        due = count(verdict, place, now);
     }
-    if (tell && m_dropped) m_dropped();
+    if (due && m_dropped) m_dropped();
     return verdict.passes;
 }
 
 bool Screen::isDiscoveryPort(std::uint16_t port) const {
     const std::lock_guard lock(m_mutex);
-    return m_participants.hearDiscoveryOnly(port);
+    return m_participants.receiveDiscoveryOnly(port);
 }
 
 std::vector<ScreenDrop> Screen::drops() const {

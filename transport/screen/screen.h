@@ -61,8 +61,8 @@ private:
     std::unordered_map<Place, Budget, BytesHash> m_strangers;
     DropBook m_drops;
     std::uint64_t m_passed = 0;
-    Moment m_swept{}, m_told{};
-    bool m_untold = false;
+    Moment m_swept{}, m_reported{};
+    bool m_unreported = false;
 };
 
 }  // namespace leitstand::screen

@@ -11,7 +11,7 @@ namespace {
 
 using Topics = std::vector<std::string>;
 
-/// Last parts of the topics that command a robot (design, section 4).
+/// Last parts of the topics that command a robot (docs/design.md, "The wire").
 constexpr std::array<const char*, 8> Commands = {"cmd_vel",   "track_cmd", "stop_cmd",   "mode_cmd",
                                                  "goal_pose", "ptu_cmd",   "stream_cmd", "ping"};
 

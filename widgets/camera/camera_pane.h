@@ -11,7 +11,7 @@
 #include "core/perception/heat/heat.h"
 #include "core/perception/pictures/picture.h"
 #include "widgets/camera/picture_image.h"
-#include "widgets/models/camera/camera_words.h"
+#include "widgets/models/camera/camera_text.h"
 #include "widgets/models/live/robots/proximity.h"
 #include "widgets/models/live/texts/mode_label.h"
 #include "widgets/painting/pane_paint.h"
@@ -21,14 +21,14 @@ namespace leitstand {
 /// What is drawn over a camera's picture. Unknown values are empty and not drawn.
 struct CameraOverlay {
     std::optional<ModeLabel> mode;
-    std::optional<double> roll, pitch;  ///< of the robot: right side down, nose down [rad]
-    PanWords turn;                      ///< of the camera
-    std::optional<double> wishedPan;    ///< pan that the camera is turning to [rad]
-    double panLimit = 1.75;             ///< to each side [rad]
-    double viewAngle = 0.9;             ///< from the left to the right border of the picture [rad]
-    QStringList notes;                  ///< how the picture was processed: "contrast raised"
-    std::vector<Proximity> ring;        ///< proximityRing(); empty: none
-    bool moving = false;                ///< the robot moves; a camera turned aside is then highlighted
+    std::optional<double> roll, pitch;   ///< of the robot: right side down, nose down [rad]
+    PanWords turn;                       ///< of the camera
+    std::optional<double> requestedPan;  ///< pan that the camera is turning to [rad]
+    double panLimit = 1.75;              ///< to each side [rad]
+    double viewAngle = 0.9;              ///< from the left to the right border of the picture [rad]
+    QStringList notes;                   ///< how the picture was processed: "contrast raised"
+    std::vector<Proximity> ring;         ///< proximityRing(); empty: none
+    bool moving = false;                 ///< the robot moves; a camera turned aside is then highlighted
 };
 
 /// Shows a camera of a robot: its picture as large as it fits, the picture's age, and an overlay for the

@@ -9,7 +9,7 @@
 #include <QPolygonF>
 
 #include "widgets/camera/camera_overlay.h"
-#include "widgets/models/camera/camera_words.h"
+#include "widgets/models/camera/camera_text.h"
 #include "widgets/painting/pane_paint.h"
 
 namespace leitstand {

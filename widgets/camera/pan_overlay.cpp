@@ -72,7 +72,7 @@ void paintLine(QPainter& painter, const QRectF& picture, const CameraOverlay& ov
     const auto tipOf = [&](double pan) {  // positive pan is left
         return QPointF(x - half * std::clamp(pan / limit, -1.0, 1.0), y - 10.0);
     };
-    if (overlay.wishedPan) paintMark(painter, tipOf(*overlay.wishedPan), overlayInks().select, false);
+    if (overlay.requestedPan) paintMark(painter, tipOf(*overlay.requestedPan), overlayInks().select, false);
     paintMark(painter, tipOf(overlay.turn.pan.value_or(0.0)), colour, true);
 }
 

@@ -48,9 +48,10 @@ void ModeCell::show(const DriveState& state) {
     m_state = state;
     if (otherChoice) placeButtons();
     setAccessibleName(tr("Mode of %1").arg(state.face.title));
-    QStringList said = {state.mode.text, state.hint, state.grant.text, state.tracks.note, state.tracks.text};
-    said.removeAll(QString());
-    setAccessibleDescription(said.join(QStringLiteral(". ")));
+    QStringList reported = {state.mode.text, state.hint, state.grant.text, state.tracks.note,
+                            state.tracks.text};
+    reported.removeAll(QString());
+    setAccessibleDescription(reported.join(QStringLiteral(". ")));
     setToolTip(QStringList{state.mode.text, state.mode.reason, state.hint, state.grant.text,
                            state.tracks.note, state.tracks.text}
                    .filter(QRegularExpression(QStringLiteral(".")))
@@ -66,16 +67,16 @@ void ModeCell::placeButtons() {
     const Choice choice = m_state.grant.choice;
     switch (choice) {
         case Choice::Ask:
-            m_first->setText(tr("Ask"));
-            m_first->setToolTip(tr("Asks for the grant to drive this robot"));
+            m_first->setText(tr("Request"));
+            m_first->setToolTip(tr("Requests drive control of this robot"));
             break;
         case Choice::Asked:
             m_first->setText(tr("Cancel"));
-            m_first->setToolTip(tr("Asks no more"));
+            m_first->setToolTip(tr("Withdraws the request"));
             break;
         case Choice::GiveUp:
-            m_first->setText(tr("Give up"));
-            m_first->setToolTip(tr("Gives the grant to drive up: others may take it"));
+            m_first->setText(tr("Release"));
+            m_first->setToolTip(tr("Releases drive control: others may take it"));
             break;
         case Choice::Answer:
             m_first->setText(tr("Give"));

@@ -118,21 +118,21 @@ void LinkPane::showChosen() {
     m_rate->setEnabled(settable);
     m_quality->setEnabled(picture);
     m_width->setEnabled(picture);
-    const StreamWish wish = row == nullptr ? StreamWish{} : row->own;
-    m_enabled->setChecked(wish.enabled);
-    m_rate->setValue(wish.rate);
-    m_quality->setValue(wish.quality);
-    m_width->setValue(wish.maxWidth);
+    const StreamRequest request = row == nullptr ? StreamRequest{} : row->own;
+    m_enabled->setChecked(request.enabled);
+    m_rate->setValue(request.rate);
+    m_quality->setValue(request.quality);
+    m_width->setValue(request.maxWidth);
 }
 
 void LinkPane::takeOver() {
     const StreamRow* row = m_list->chosen();
     if (m_showing || row == nullptr || !row->settable) return;
-    emit wished(row->face.name, QString::fromStdString(row->stream.topic),
-                StreamWish{.enabled = m_enabled->isChecked(),
-                           .rate = m_rate->value(),
-                           .quality = static_cast<int>(m_quality->value()),
-                           .maxWidth = static_cast<int>(m_width->value())});
+    emit requested(row->face.name, QString::fromStdString(row->stream.topic),
+                   StreamRequest{.enabled = m_enabled->isChecked(),
+                                 .rate = m_rate->value(),
+                                 .quality = static_cast<int>(m_quality->value()),
+                                 .maxWidth = static_cast<int>(m_width->value())});
 }
 
 }  // namespace leitstand

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "core/robot/streams/stream_wish.h"
+#include "core/robot/streams/stream_request.h"
 #include "widgets/models/live/robots/stream_table.h"
 
 class QAction;
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const StreamTable& table() const;
 
 signals:
-    void wished(const QString& robot, const QString& topic, const leitstand::StreamWish& wish);
+    void requested(const QString& robot, const QString& topic, const leitstand::StreamRequest& request);
     void budgetChosen(double megabits);
 
 private:

@@ -120,8 +120,8 @@ QWidget* DecisionsPanel::worldLine() {
     rows->addLayout(line);
     rows->addLayout(m_area);
     rows->addWidget(m_areaText);
-    connect(m_cut, &QCheckBox::toggled, this, &DecisionsPanel::tellCeiling);
-    connect(m_ceiling, &QDoubleSpinBox::editingFinished, this, &DecisionsPanel::tellCeiling);
+    connect(m_cut, &QCheckBox::toggled, this, &DecisionsPanel::publishCeiling);
+    connect(m_ceiling, &QDoubleSpinBox::editingFinished, this, &DecisionsPanel::publishCeiling);
     return group;
 }
 
@@ -187,7 +187,7 @@ void DecisionsPanel::setAreaText(const QString& text) {
     m_areaText->setText(text);
 }
 
-void DecisionsPanel::tellCeiling() {
+void DecisionsPanel::publishCeiling() {
     m_ceiling->setEnabled(m_cut->isChecked());
     emit ceilingWanted(m_cut->isChecked() ? std::optional(m_ceiling->value()) : std::nullopt);
 }
@@ -198,8 +198,8 @@ void DecisionsPanel::showChosen() {
     m_details->setText(scan == nullptr ? tr("Choose a scan, or go to the newest doubtful one")
                                        : keyScanDetails(*scan));
     const std::uint64_t now = chosen();
-    if (now == m_told) return;
-    m_told = now;
+    if (now == m_reported) return;
+    m_reported = now;
     emit chosenChanged(now);
 }
 

@@ -52,7 +52,7 @@ private:
     [[nodiscard]] QWidget* worldLine();
     void addButtons(QGridLayout& grid, const std::vector<QAction*>& commands);
     void showChosen();
-    void tellCeiling();
+    void publishCeiling();
 
     KeyScanModel& m_scans;
     QLabel *m_title, *m_details, *m_areaText;
@@ -61,7 +61,7 @@ private:
     QCheckBox* m_cut;
     NumberBox* m_ceiling;
     QGridLayout *m_decisions, *m_area;
-    std::uint64_t m_told = 0;
+    std::uint64_t m_reported = 0;
 };
 
 }  // namespace leitstand

@@ -78,7 +78,7 @@ void MapView::State::describe() {
     const QString text = lines.join(QLatin1Char('\n'));
     // Percentages change all the time: screen readers are notified only when the words change.
     static const QRegularExpression figures(QStringLiteral("\\d[\\d.,]*"));
-    const auto words = [](QString told) { return told.remove(figures); };
+    const auto words = [](QString reported) { return reported.remove(figures); };
     if (words(text) != words(view.accessibleDescription())) view.setAccessibleDescription(text);
 }
 

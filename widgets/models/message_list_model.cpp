@@ -13,8 +13,8 @@ constexpr int MostMessages = 500;
 
 }  // namespace
 
-void MessageListModel::add(Severity severity, const QString& said) {
-    const QString text = othersLine(said);
+void MessageListModel::add(Severity severity, const QString& reported) {
+    const QString text = othersLine(reported);
     const bool known = std::any_of(m_messages.begin(), m_messages.end(),
                                    [&text](const Message& message) { return message.text == text; });
     if (known) return;
@@ -24,8 +24,8 @@ void MessageListModel::add(Severity severity, const QString& said) {
     endInsertRows();
 }
 
-void MessageListModel::tell(const QString& said) {
-    const QString text = othersLine(said);
+void MessageListModel::addReported(const QString& reported) {
+    const QString text = othersLine(reported);
     const auto known = std::find_if(m_messages.begin(), m_messages.end(),
                                     [&text](const Message& message) { return message.text == text; });
     if (known != m_messages.end()) dismiss(static_cast<int>(known - m_messages.begin()));

@@ -17,9 +17,9 @@ public:
 
     /// Adds a message with the present time of day. A text that is already in the list is not repeated;
     /// beyond 500 the oldest are removed. Several lines become one, with dots between.
-    void add(Severity severity, const QString& said);
+    void add(Severity severity, const QString& reported);
     /// Adds a warning. A text that is already in the list moves to the end, with the present time.
-    void tell(const QString& said);
+    void addReported(const QString& reported);
     /// Removes the message in @p row.
     void dismiss(int row);
     void clear();

@@ -27,8 +27,8 @@ QString figureText(double value, int decimals) {
     return numberText(value, decimals);
 }
 
-QString saidFigureText(const std::string& said) {
-    const QString text = QString::fromStdString(said);
+QString loggedFigureText(const std::string& reported) {
+    const QString text = QString::fromStdString(reported);
     bool isNumber = false;
     const double number = text.toDouble(&isNumber);
     const auto point = text.indexOf(QLatin1Char('.'));

@@ -14,8 +14,8 @@ namespace leitstand {
 [[nodiscard]] QString numberText(double value, int decimals);
 /// @p value with as many digits after the point as it needs, @p decimals at most: "10", "2.5".
 [[nodiscard]] QString figureText(double value, int decimals);
-/// Returns @p said, a number such as "0.40", with as many digits; any other text as it is.
-[[nodiscard]] QString saidFigureText(const std::string& said);
+/// Returns @p reported, a number such as "0.40", with as many digits; any other text as it is.
+[[nodiscard]] QString loggedFigureText(const std::string& reported);
 /// A whole number, thousands grouped.
 [[nodiscard]] QString countText(std::size_t count);
 /// A number of points in short: "812", "7.6 k", "0.24 M".

@@ -78,7 +78,7 @@ QWidget* PreflightPage::head() {
     m_verdict->setFont(sized(m_verdict->font(), 18, true));
     auto* again = new QPushButton(tr("Check again"), row);
     again->setObjectName(QStringLiteral("again"));
-    again->setToolTip(tr("Measures the disk anew; all else is looked at once a second"));
+    again->setToolTip(tr("Measures the disk again; everything else is checked once a second"));
     connect(again, &QPushButton::clicked, this, &PreflightPage::checkAgainWanted);
     auto* tones = new QPushButton(tr("Try the tones"), row);
     tones->setObjectName(QStringLiteral("tones"));

@@ -16,7 +16,7 @@ ScorePane::ScorePane(QWidget* parent)
       m_score(new QLabel(this)),
       m_left(new QLabel(this)),
       m_rules(new QLabel(this)),
-      m_calm(new QLabel(tr("Nothing to score yet: what a find brings is told here"), this)),
+      m_calm(new QLabel(tr("Nothing to score yet: what a find brings is listed here"), this)),
       m_more(new QLabel(tr("More would bring"))),
       m_lines(new QScrollArea(this)),
       m_finds(new QFormLayout),

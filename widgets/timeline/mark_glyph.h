@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QPointF>
 
-#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/timeline/timeline_text.h"
 
 namespace leitstand {
 

@@ -6,7 +6,7 @@
 #include <QWidget>
 
 #include "widgets/models/timeline/timeline_axis.h"
-#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/timeline/timeline_text.h"
 
 namespace leitstand {
 

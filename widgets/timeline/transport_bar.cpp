@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/timeline/timeline_text.h"
 #include "widgets/models/times.h"
 #include "widgets/painting/pane_paint.h"
 

@@ -174,7 +174,7 @@ QLineEdit* VictimForm::line(const QString& name, const QStringList& hints, bool 
 }
 
 void VictimForm::setEnabledParts(bool on) {
-    const bool victim = on && m_find->kind == VictimSample::Kind::Victim;
+    const bool victim = on && m_find->kind == FindSample::Kind::Victim;
     for (const Sign& sign : m_signs) {
         sign.state->setEnabled(victim);
         sign.text->setEnabled(victim);
@@ -184,7 +184,7 @@ void VictimForm::setEnabledParts(bool on) {
     for (QWidget* field : std::initializer_list<QWidget*>{m_area, m_tag, m_text}) field->setEnabled(on);
 }
 
-void VictimForm::show(const std::optional<VictimSample>& find) {
+void VictimForm::show(const std::optional<FindSample>& find) {
     const bool same = m_find && find && m_find->kind == find->kind && m_find->number == find->number;
     if (same && m_edited && find->stamp == *m_edited) return;  // older than the edit
     // Typed text belongs to the old find: it is applied before another one is shown.
@@ -197,7 +197,7 @@ void VictimForm::show(const std::optional<VictimSample>& find) {
                           : tr("Choose a find to fill in its form"));
     if (!same) setPictures({});
     setEnabledParts(find.has_value());
-    const VictimSample shown = find.value_or(VictimSample());
+    const FindSample shown = find.value_or(FindSample());
     for (const Sign& sign : m_signs) {
         const VictimSign& value = shown.*sign.field.sign;
         sign.state->setCurrentIndex(sign.state->findData(static_cast<int>(value.state)));
@@ -227,7 +227,7 @@ void VictimForm::hideEvent(QHideEvent* event) {
 
 void VictimForm::read() {
     if (m_showing || !m_find) return;
-    VictimSample now = *m_find;
+    FindSample now = *m_find;
     bool changed = false;
     const auto put = [&changed](auto& to, const auto& from) {
         changed = changed || to != from;

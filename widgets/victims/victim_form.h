@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "core/event/victim_sample.h"
+#include "core/event/find_sample.h"
 #include "widgets/models/victims/victim_choices.h"
 
 class QComboBox;
@@ -28,7 +28,7 @@ public:
     ~VictimForm() override;
 
     /// Shows the current state of @p find; text being typed stays. Empty: none is chosen.
-    void show(const std::optional<VictimSample>& find);
+    void show(const std::optional<FindSample>& find);
     using QWidget::show;
 
     /// Focuses the next field, or the previous one when @p step is negative.
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
-    void edited(const leitstand::VictimSample& find);
+    void edited(const leitstand::FindSample& find);
     void done();  ///< the operator closed the form
 
 protected:
@@ -70,7 +70,7 @@ private:
     /// @p hints: suggested words; @p more: other words are possible, too.
     [[nodiscard]] QLineEdit* line(const QString& name, const QStringList& hints, bool more = false);
 
-    std::optional<VictimSample> m_find;
+    std::optional<FindSample> m_find;
     std::optional<Time>
         m_edited;  ///< stamp of the entry that an edit is based on, until a newer one is shown
     bool m_showing = false;

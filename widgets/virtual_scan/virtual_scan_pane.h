@@ -10,9 +10,9 @@
 
 namespace leitstand {
 
-/// Shows the local virtual 2D scan, robot up (paper, section 2.3; design, section 7). It draws walls,
-/// obstacles, footprint, range rings, the path as commanded, and the nearest obstacle with its distance.
-/// Older data is fainter. The wheel, + and - zoom; a double click resets.
+/// Shows the local virtual 2D scan, robot up (paper, section 2.3; docs/design.md, "The window"). It draws
+/// walls, obstacles, footprint, range rings, the path as commanded, and the nearest obstacle with its
+/// distance. Older data is fainter. The wheel, + and - zoom; a double click resets.
 class VirtualScanPane final : public QWidget {
     Q_OBJECT
 public:

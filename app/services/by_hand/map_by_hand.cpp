@@ -44,18 +44,18 @@ Result<std::unique_ptr<MapByHand>> MapByHand::open(const std::filesystem::path& 
     log.station = station;
     log.title = "Map by hand";
     log.version = version;
-    LiveMissionListener heard;
-    heard.onAlarm = listener.onMessage;
-    heard.onEvent = [raw = hand.get()](const Event& event) {
-        if (StationMapping* const mapping = raw->m_hears) mapping->onEvent(event);
+    LiveMissionListener missionListener;
+    missionListener.onAlarm = listener.onMessage;
+    missionListener.onEvent = [raw = hand.get()](const Event& event) {
+        if (StationMapping* const mapping = raw->m_listening) mapping->onEvent(event);
     };
-    auto mission = openAgain(*read, log, std::move(heard));
+    auto mission = openAgain(*read, log, std::move(missionListener));
     if (!mission) return mission.error();
     hand->m_mission = std::move(mission).value();
     hand->m_before = read->state.sequence;
     hand->m_mapping = std::make_unique<StationMapping>(
         *hand->m_mission, [] { return true; }, std::move(setup), std::move(listener));
-    hand->m_hears = hand->m_mapping.get();
+    hand->m_listening = hand->m_mapping.get();
     return hand;
 }
 
@@ -70,7 +70,7 @@ bool MapByHand::decided() const {
 }
 
 Result<void> MapByHand::close() {
-    if (!m_mission || !m_mapping || m_hears == nullptr) return {};
+    if (!m_mission || !m_mapping || m_listening == nullptr) return {};
     // What the mapping publishes comes back as events, and may be followed by more.
     std::uint64_t before = 0;
     Result<void> written = m_mission->flush();
@@ -81,7 +81,7 @@ Result<void> MapByHand::close() {
         calm.get_future().wait();
         written = m_mission->flush();
     } while (written && state()->sequence != before);
-    m_hears = nullptr;
+    m_listening = nullptr;
     m_mapping->close();
     const Result<void> closed = m_mission->close();
     return written ? closed : written;

@@ -48,7 +48,7 @@ private:
 
     const std::filesystem::path m_folder;
     const std::vector<RobotDescription> m_robots;
-    std::atomic<StationMapping*> m_hears = nullptr;  ///< receives what is logged
+    std::atomic<StationMapping*> m_listening = nullptr;  ///< receives what is logged
     std::unique_ptr<LiveMission> m_mission;
     std::unique_ptr<StationMapping> m_mapping;  ///< last: it logs into the mission
     std::uint64_t m_before = 0;                 ///< sequence number of the mission when it was opened

@@ -21,15 +21,15 @@ namespace {
 std::vector<ComparedScan> scansOf(const ReviewIndex& index, int& rejected) {
     std::vector<ComparedScan> scans;
     for (const auto& [id, kept] : *index.finished->keyScans) {
-        const auto said = index.keyScans.find(id);
-        if (said == index.keyScans.end() || !said->second.scan) continue;
+        const auto reported = index.keyScans.find(id);
+        if (reported == index.keyScans.end() || !reported->second.scan) continue;
         if (kept.pose.trust == ScanTrust::SetAside) {
             ++rejected;
             continue;
         }
         ComparedScan one;
         one.id = id;
-        one.scan = said->second.scan;
+        one.scan = reported->second.scan;
         one.robot = kept.entry.robot.empty() ? one.scan->robot : kept.entry.robot;
         one.end = one.scan->end == Time{} ? kept.entry.stamp : one.scan->end;
         one.sensorInBase = kept.entry.sensorInBase;
@@ -60,10 +60,9 @@ std::optional<FindsError> findsOf(const MissionState& state, const MapComparison
                                   Pose ComparedScan::*pose) {
     if (truth.victims.empty()) return std::nullopt;
     std::vector<Eigen::Vector3d> places;
-    for (const auto& [key, kept] : *state.victims) {
-        const VictimSample& find = kept.victim;
-        if (find.kind != VictimSample::Kind::Victim || find.status == VictimSample::Status::Discarded)
-            continue;
+    for (const auto& [key, kept] : *state.finds) {
+        const FindSample& find = kept.victim;
+        if (find.kind != FindSample::Kind::Victim || find.status == FindSample::Status::Discarded) continue;
         const auto scan = std::find_if(whole.scans.begin(), whole.scans.end(),
                                        [&](const ComparedScan& one) { return one.id == find.scan; });
         const bool hangs = find.scan != 0 && scan != whole.scans.end();
@@ -142,7 +141,7 @@ struct MapComparing::State {
                           remembered};
         return std::make_shared<const ComparedMaps>(std::move(maps));
     }
-    void tell(const std::string& text) const {
+    void notify(const std::string& text) const {
         if (listener.onMessage) listener.onMessage(text);
     }
 
@@ -153,7 +152,7 @@ struct MapComparing::State {
             const auto made = compareMaps(folder, index, settings, {listener.onProgress, cancelled});
             if (made && *made && !isOfOthers(folder)) {
                 if (const auto kept = saveComparison(**made, comparisonFileOf(folder)); !kept)
-                    tell(kept.error().text);
+                    notify(kept.error().text);
             }
             result = shown(made, false);
         } catch (const std::exception& broken) {
@@ -165,10 +164,10 @@ struct MapComparing::State {
     void recall(const std::filesystem::path& folder, const ReviewIndex& index) {
         try {
             const auto result = shown(keptComparison(folder, index), true);
-            if (!result) return tell(result.error().text);
+            if (!result) return notify(result.error().text);
             if (*result && listener.onFinished) listener.onFinished(result);
         } catch (const std::exception& broken) {
-            tell(broken.what());
+            notify(broken.what());
         }
     }
 };

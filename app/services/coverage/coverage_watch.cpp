@@ -57,11 +57,11 @@ struct CoverageWatch::Work {
         }
         search.onEvent(event);
         for (const SearchView& view : search.found()) changed = book.add(view) || changed;
-        if (book.leftOut() == 0 || told || !setup.tell) return;
-        told = true;
-        setup.tell(translate("leitstand::Station",
-                             "Cameras looked from more places than can be kept: what they look at from now "
-                             "on may not count as searched"));
+        if (book.leftOut() == 0 || notified || !setup.notify) return;
+        notified = true;
+        setup.notify(translate("leitstand::Station",
+                               "Cameras looked from more places than can be kept: what they look at from now "
+                               "on may not count as searched"));
     }
 
     void followRobots() {
@@ -113,7 +113,7 @@ struct CoverageWatch::Work {
     RobotsInMapPtr places;
     std::vector<ScanPose> poses;                   ///< as of the newest coverage
     std::map<std::string, Eigen::Vector3d> stood;  ///< each robot, as of the newest coverage [m]
-    bool changed = false, told = false;
+    bool changed = false, notified = false;
     Clock::time_point next{};
 };
 
@@ -156,10 +156,10 @@ void CoverageWatch::onEvent(const Event& event) {
             }
             return m_came.notify_all();
         }
-        if (std::exchange(m_toldOfPictures, true)) return;
+        if (std::exchange(m_mentionsPictures, true)) return;
     }
-    if (m_setup.tell) {
-        m_setup.tell(translate(
+    if (m_setup.notify) {
+        m_setup.notify(translate(
             "leitstand::Station",
             "This computer is too slow for all that cameras look at: some of it does not count as searched"));
     }

@@ -33,7 +33,7 @@ struct CoverageWatchSetup {
     /// asked to stop. May be empty.
     std::function<std::vector<SearchView>(const std::stop_token&)> earlierViews = {};
     /// Reports once, in words, when something cannot be counted; on any of the threads. May be empty.
-    std::function<void(const std::string&)> tell = {};
+    std::function<void(const std::string&)> notify = {};
 };
 
 /// Keeps what was searched while a mission runs, on its own thread. Computes it again after a change, at most
@@ -62,7 +62,7 @@ private:
     std::deque<Event> m_waiting;
     std::map<std::pair<std::string, std::string>, Time> m_taken;  ///< newest picture, by robot and sensor
     std::size_t m_pictures = 0;                                   ///< waiting pictures
-    bool m_toldOfPictures = false;
+    bool m_mentionsPictures = false;
     SearchedFloorPtr m_searched;
     std::jthread m_thread;  ///< last: joined first
 };

@@ -41,7 +41,7 @@ private:
 };
 
 /// Whether streams of @p role describe where a camera was, or how it sees.
-bool tellsOfViews(StreamRole role) {
+bool describesViews(StreamRole role) {
     constexpr std::array Roles = {StreamRole::Odometry, StreamRole::Imu, StreamRole::Transforms,
                                   StreamRole::StaticTransforms, StreamRole::CameraInfo};
     return std::find(Roles.begin(), Roles.end(), role) != Roles.end();
@@ -58,7 +58,7 @@ LoggedViews loggedViews(BagReader& bag, EventDecoder& decoder, const Progress& p
         for (const StreamDescription& stream : robot.streams) {
             const bool picture = streamFacts(stream.role).picture;
             if (picture) pictures[stream.topic] = Time{};
-            if (picture || tellsOfViews(stream.role)) query.topics.push_back(stream.topic);
+            if (picture || describesViews(stream.role)) query.topics.push_back(stream.topic);
         }
     }
     LoggedSearch search(decoder.robots());

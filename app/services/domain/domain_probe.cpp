@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// A topic listened to.
-struct Heard {
+struct Probe {
     ProbedTopic probed;
     std::set<std::string> hosts;
     std::unique_ptr<Subscription> subscription;
@@ -36,54 +36,54 @@ public:
     [[nodiscard]] std::vector<ProbedTopic> topics();
 
 private:
-    void listen(Heard& heard);
+    void listen(Probe& probe);
 
     Node& m_node;
-    std::map<std::string, Heard> m_heard;  ///< by topic
+    std::map<std::string, Probe> m_probes;  ///< by topic
 };
 
-void Listening::listen(Heard& heard) {
-    const SeenTopic& topic = heard.probed.topic;
+void Listening::listen(Probe& probe) {
+    const SeenTopic& topic = probe.probed.topic;
     Qos qos = topic.qos;
     qos.depth = 100;
     qos.lifespan = qos.deadline = 0.0;
     auto subscription =
         m_node.subscribe({.topic = topic.name, .type = topic.type, .qos = qos, .lane = laneOf(topic.type)},
                          [](const ReceivedSample&) {});
-    if (subscription) heard.subscription = std::move(subscription).value();
-    heard.since = Clock::now();
+    if (subscription) probe.subscription = std::move(subscription).value();
+    probe.since = Clock::now();
 }
 
 void Listening::look() {
-    for (auto& [name, heard] : m_heard) {
-        heard.probed.writers = heard.probed.readers = 0;
-        heard.probed.topic.read = false;
+    for (auto& [name, probe] : m_probes) {
+        probe.probed.writers = probe.probed.readers = 0;
+        probe.probed.topic.read = false;
     }
     for (const RemoteEndpoint& endpoint : m_node.endpoints()) {
         const bool writes = endpoint.kind == RemoteEndpoint::Kind::Writer;
-        auto [place, isNew] = m_heard.try_emplace(endpoint.topic);
-        Heard& heard = place->second;
-        SeenTopic& topic = heard.probed.topic;
-        if (see(topic, isNew, endpoint)) heard.hosts.clear();
-        ++(writes ? heard.probed.writers : heard.probed.readers);
-        if (writes == topic.written) heard.hosts.insert(endpoint.host);
-        if (writes && endpoint.ros && topic.obstacle.empty() && !heard.subscription) listen(heard);
+        auto [place, isNew] = m_probes.try_emplace(endpoint.topic);
+        Probe& probe = place->second;
+        SeenTopic& topic = probe.probed.topic;
+        if (see(topic, isNew, endpoint)) probe.hosts.clear();
+        ++(writes ? probe.probed.writers : probe.probed.readers);
+        if (writes == topic.written) probe.hosts.insert(endpoint.host);
+        if (writes && endpoint.ros && topic.obstacle.empty() && !probe.subscription) listen(probe);
     }
 }
 
 std::vector<ProbedTopic> Listening::topics() {
     std::vector<ProbedTopic> topics;
-    for (auto& [name, heard] : m_heard) {
-        ProbedTopic& probed = heard.probed;
-        if (heard.subscription) {
-            const SubscriptionCounts counts = heard.subscription->counts();
-            const double seconds = toSeconds(Clock::now() - heard.since);
+    for (auto& [name, probe] : m_probes) {
+        ProbedTopic& probed = probe.probed;
+        if (probe.subscription) {
+            const SubscriptionCounts counts = probe.subscription->counts();
+            const double seconds = toSeconds(Clock::now() - probe.since);
             probed.rate = static_cast<double>(counts.samples) / seconds;
             probed.bytesPerSecond = static_cast<double>(counts.bytes) / seconds;
             probed.lost = counts.lost;
         }
         probed.hosts.clear();
-        for (const std::string& host : heard.hosts) probed.hosts += (probed.hosts.empty() ? "" : " ") + host;
+        for (const std::string& host : probe.hosts) probed.hosts += (probed.hosts.empty() ? "" : " ") + host;
         topics.push_back(probed);
     }
     return topics;

@@ -41,14 +41,14 @@ bool hasPart(std::string_view name, std::span<const std::string_view> words) {
 }
 
 /// Whether @p topic, whose type @p row has, matches the row by name, words or type.
-bool isToldBy(const StreamFacts& row, const SeenTopic& topic) {
+bool isGuessedBy(const StreamFacts& row, const SeenTopic& topic) {
     const std::string_view leaf = leafOf(topic.name);
-    switch (row.toldBy) {
-        case ToldBy::Name:
+    switch (row.guessedBy) {
+        case GuessedBy::Name:
             return leaf == row.topic;
-        case ToldBy::Words:
+        case GuessedBy::Words:
             return hasPart(isCommand(row.role) ? leaf : std::string_view(topic.name), row.words);
-        case ToldBy::Type:
+        case GuessedBy::Type:
             break;
     }
     return row.words.empty() || topic.type == row.types.front() || hasPart(topic.name, row.words);
@@ -60,8 +60,9 @@ std::optional<StreamRole> roleInTable(const SeenTopic& topic, bool commands) {
     const StreamFacts* found = nullptr;
     for (const StreamFacts& row : streamTable()) {
         const bool known = std::find(row.types.begin(), row.types.end(), topic.type) != row.types.end();
-        if (isCommand(row.role) != commands || !known || !isToldBy(row, topic)) continue;
-        if (found == nullptr || (found->toldBy == ToldBy::Type && row.toldBy != ToldBy::Type)) found = &row;
+        if (isCommand(row.role) != commands || !known || !isGuessedBy(row, topic)) continue;
+        if (found == nullptr || (found->guessedBy == GuessedBy::Type && row.guessedBy != GuessedBy::Type))
+            found = &row;
     }
     return found == nullptr ? std::nullopt : std::optional(found->role);
 }
@@ -75,10 +76,10 @@ std::string sensorOf(const std::string& name, const std::string& robot) {
 }
 
 /// Whether topics of this name mark their namespace as a robot's.
-bool tellsARobot(std::string_view leaf) {
+bool namesARobot(std::string_view leaf) {
     const auto table = streamTable();
     return std::any_of(table.begin(), table.end(),
-                       [leaf](const StreamFacts& row) { return row.tellsRobot && row.topic == leaf; });
+                       [leaf](const StreamFacts& row) { return row.namesRobot && row.topic == leaf; });
 }
 
 std::string letterFor(const std::string& name, std::set<std::string>& taken) {
@@ -163,7 +164,7 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
         return command;
     }
     const auto role = roleInTable(topic, false);
-    if (ours && role && streamFacts(*role).toldBy == ToldBy::Name) return role;
+    if (ours && role && streamFacts(*role).guessedBy == GuessedBy::Name) return role;
     if (!topic.written) {
         remark = "nobody publishes it, and the station has nothing to say there";
         return std::nullopt;
@@ -190,7 +191,7 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
         const std::string space = namespaceOf(topic.name);
         const bool direct = !space.empty() && topic.name.size() > space.size() + 2 &&
                             topic.name.find('/', space.size() + 2) == std::string::npos;
-        if (direct && space != "leitstand" && tellsARobot(leafOf(topic.name))) names.insert(space);
+        if (direct && space != "leitstand" && namesARobot(leafOf(topic.name))) names.insert(space);
     }
     const bool prefixed = !names.empty();
     std::string rest = names.size() == 1 ? *names.begin() : std::string();

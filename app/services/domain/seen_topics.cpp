@@ -7,7 +7,7 @@
 namespace leitstand {
 
 std::string obstacleOf(const RemoteEndpoint& endpoint) {
-    if (endpoint.keyed) return "its samples are told apart by keys, which ROS 2 never does";
+    if (endpoint.keyed) return "its samples are distinguished by keys, which ROS 2 never does";
     if (endpoint.exclusiveOwnership) return "exclusive ownership, which no reader of ROS 2 matches";
     if (!endpoint.partitions.empty()) {
         return fmt::format("it lives in partition \"{}\", outside the default one",
@@ -18,8 +18,8 @@ std::string obstacleOf(const RemoteEndpoint& endpoint) {
 
 bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint) {
     const bool writes = endpoint.kind == RemoteEndpoint::Kind::Writer;
-    const bool anew = isNew || (writes && !topic.written);
-    if (anew) {
+    const bool again = isNew || (writes && !topic.written);
+    if (again) {
         topic = {.name = endpoint.topic,
                  .type = endpoint.type,
                  .qos = endpoint.qos,
@@ -28,7 +28,7 @@ bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint) {
                  .obstacle = obstacleOf(endpoint)};
     }
     topic.read |= !writes;
-    return anew;
+    return again;
 }
 
 std::vector<SeenTopic> seenTopics(const std::vector<RemoteEndpoint>& endpoints) {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <variant>
 
+#include "app/services/finds/evidence_in_log.h"
 #include "app/services/finds/freezing.h"
-#include "app/services/finds/told_evidence.h"
 #include "app/services/log/event_decoder.h"
 #include "app/services/log/mission_robots.h"
 #include "core/io/bag/bag_reader.h"
@@ -22,7 +22,7 @@ EvidenceReader::EvidenceReader(std::filesystem::path mission, Answer answer)
       m_answer(std::move(answer)),
       m_thread([this](const std::stop_token& stop) { m_queue.work(stop); }) {}
 
-void EvidenceReader::want(const VictimSample& find) {
+void EvidenceReader::want(const FindSample& find) {
     m_queue.cancel();
     m_queue.submit([this, find](const std::stop_token& cancelled) {
         if (cancelled.stop_requested()) return;
@@ -31,7 +31,7 @@ void EvidenceReader::want(const VictimSample& find) {
     });
 }
 
-ReadEvidence readEvidence(const std::filesystem::path& mission, const VictimSample& find) {
+ReadEvidence readEvidence(const std::filesystem::path& mission, const FindSample& find) {
     ReadEvidence read;
     auto bag = BagReader::open(mission);
     if (!bag) return read;

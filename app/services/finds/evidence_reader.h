@@ -7,7 +7,7 @@
 
 #include "app/services/finds/evidence_picture.h"
 #include "app/services/job_queue.h"
-#include "core/event/victim_sample.h"
+#include "core/event/find_sample.h"
 
 namespace leitstand {
 
@@ -20,12 +20,12 @@ struct ReadEvidence {
 /// Reads pictures of finds from a mission's log, which may still be recording, on its own thread.
 class EvidenceReader {
 public:
-    using Answer = std::function<void(const VictimSample& find, const ReadEvidence& read)>;
+    using Answer = std::function<void(const FindSample& find, const ReadEvidence& read)>;
 
     /// @p answer is called on the reader's thread.
     EvidenceReader(std::filesystem::path mission, Answer answer);
     /// Reads the pictures of @p find; cancels any earlier request.
-    void want(const VictimSample& find);
+    void want(const FindSample& find);
 
 private:
     const std::filesystem::path m_mission;
@@ -35,6 +35,6 @@ private:
 };
 
 /// Reads the first four pictures of @p find from the log @p mission; leaves out what cannot be read.
-[[nodiscard]] ReadEvidence readEvidence(const std::filesystem::path& mission, const VictimSample& find);
+[[nodiscard]] ReadEvidence readEvidence(const std::filesystem::path& mission, const FindSample& find);
 
 }  // namespace leitstand

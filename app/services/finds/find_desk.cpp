@@ -10,7 +10,7 @@
 #include "core/base/words.h"
 #include "core/mission/finds/dismissal.h"
 #include "core/mission/state/decisions.h"
-#include "core/mission/state/undo_says.h"
+#include "core/mission/state/undo_format.h"
 
 namespace leitstand {
 namespace {
@@ -37,7 +37,7 @@ const RobotDescription* FindDesk::robot(const std::string& name) const {
     return nullptr;
 }
 
-void FindDesk::freeze(const std::string& name, VictimSample::Kind kind, const std::string& looksThrough,
+void FindDesk::freeze(const std::string& name, FindSample::Kind kind, const std::string& looksThrough,
                       const std::optional<PicturePoint>& at) {
     const RobotDescription* const found = robot(name);
     if (found == nullptr) return;
@@ -51,7 +51,7 @@ void FindDesk::freeze(const std::string& name, VictimSample::Kind kind, const st
     });
 }
 
-void FindDesk::freezeAt(const std::string& name, VictimSample::Kind kind, const Eigen::Vector3d& placeInMap) {
+void FindDesk::freezeAt(const std::string& name, FindSample::Kind kind, const Eigen::Vector3d& placeInMap) {
     const RobotDescription* const found = robot(name);
     if (found == nullptr) return;
     const Time pressed = m_setup.now();
@@ -81,7 +81,7 @@ void FindDesk::submitFiling(std::function<void()> filing) {
         /*cancellable=*/false);
 }
 
-void FindDesk::locate(ChosenEvidence chosen, VictimSample::Kind kind) {
+void FindDesk::locate(ChosenEvidence chosen, FindSample::Kind kind) {
     std::optional<PlacedFind> placed;
     if (chosen.picture) {
         // The callee may end before it answers.
@@ -101,8 +101,8 @@ void FindDesk::locate(ChosenEvidence chosen, VictimSample::Kind kind) {
     }
     const auto baseInMap = m_setup.robotInMap(frozen.robot);
     if (!baseInMap) {
-        m_setup.tell(fill(translate("leitstand::Station", "{} is not in the map yet: nothing was filed"),
-                          robot(frozen.robot)->title));
+        m_setup.notify(fill(translate("leitstand::Station", "{} is not in the map yet: nothing was filed"),
+                            robot(frozen.robot)->title));
         return;
     }
     // A rough place is better than none: the operator moves it.
@@ -110,33 +110,33 @@ void FindDesk::locate(ChosenEvidence chosen, VictimSample::Kind kind) {
     const Eigen::Vector3d ahead = *baseInMap * Eigen::Vector3d(Nearby, 0.0, 0.0);
     hang(frozen, *state, scanBeside(*state, frozen.robot, ahead), ahead);
     file(std::move(frozen), kind);
-    m_setup.tell(
+    m_setup.notify(
         translate("leitstand::Station", "no range there: filed ahead of the robot; move it on the map"));
 }
 
 MissionStatePtr FindDesk::known() {
     MissionStatePtr now = m_setup.mission();
-    const auto arrived = [&](const VictimSample& said) {
+    const auto arrived = [&](const FindSample& recorded) {
         return std::any_of(now->decisions->rbegin(), now->decisions->rend(), [&](const Decision& decision) {
-            const auto* one = std::get_if<VictimSample>(&decision.content);
-            return one != nullptr && one->station == said.station && one->kind == said.kind &&
-                   one->number == said.number && one->stamp == said.stamp;
+            const auto* one = std::get_if<FindSample>(&decision.content);
+            return one != nullptr && one->station == recorded.station && one->kind == recorded.kind &&
+                   one->number == recorded.number && one->stamp == recorded.stamp;
         });
     };
-    std::erase_if(m_said, arrived);
-    if (m_said.empty()) return now;
+    std::erase_if(m_recorded, arrived);
+    if (m_recorded.empty()) return now;
     auto ahead = std::make_shared<MissionState>(*now);
-    for (const VictimSample& one : m_said) decide(*ahead, {++ahead->sequence, one.stamp, false, one});
+    for (const FindSample& one : m_recorded) decide(*ahead, {++ahead->sequence, one.stamp, false, one});
     return ahead;
 }
 
-Result<void> FindDesk::keep(const VictimSample& sample) {
-    auto said = m_setup.say(sample);
-    if (said) m_said.push_back(sample);
-    return said;
+Result<void> FindDesk::keep(const FindSample& sample) {
+    auto recorded = m_setup.record(sample);
+    if (recorded) m_recorded.push_back(sample);
+    return recorded;
 }
 
-void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
+void FindDesk::file(FrozenEvidence frozen, FindSample::Kind kind) {
     const std::scoped_lock filing(m_filing);
     const MissionStatePtr state = known();
     const auto robot = state->robots.find(frozen.robot);
@@ -147,37 +147,39 @@ void FindDesk::file(FrozenEvidence frozen, VictimSample::Kind kind) {
     // Candidates of the station that are there are the same thing.
     const auto candidates = candidatesNear(*state, kind, frozen.positionInMap);
     for (const CandidateSample& one : candidates) addCues(frozen, one);
-    const VictimSample sample = filed(*state, kind, frozen, m_setup.station, m_setup.now());
-    const bool joined = state->victims->contains({sample.kind, sample.number});
-    if (const auto said = enter(sample, joined, candidates); !said) m_setup.tell(said.error().text);
+    const FindSample sample = filed(*state, kind, frozen, m_setup.station, m_setup.now());
+    const bool joined = state->finds->contains({sample.kind, sample.number});
+    if (const auto recorded = enter(sample, joined, candidates); !recorded)
+        m_setup.notify(recorded.error().text);
 }
 
 void FindDesk::file(const CandidateSample& candidate, const FrozenEvidence& seen) {
     const std::scoped_lock filing(m_filing);
     const MissionStatePtr state = known();
-    const VictimSample sample = filedFrom(*state, candidate, m_setup.station, m_setup.now(), seen);
-    const bool joined = state->victims->contains({sample.kind, sample.number});
-    if (const auto said = enter(sample, joined, {candidate}); !said) m_setup.tell(said.error().text);
+    const FindSample sample = filedFrom(*state, candidate, m_setup.station, m_setup.now(), seen);
+    const bool joined = state->finds->contains({sample.kind, sample.number});
+    if (const auto recorded = enter(sample, joined, {candidate}); !recorded)
+        m_setup.notify(recorded.error().text);
 }
 
-Result<void> FindDesk::enter(const VictimSample& sample, bool joined,
+Result<void> FindDesk::enter(const FindSample& sample, bool joined,
                              const std::vector<CandidateSample>& candidates) {
-    if (auto said = keep(sample); !said) return said;
+    if (auto recorded = keep(sample); !recorded) return recorded;
     const FindKey key{sample.kind, sample.number};
     {
         const std::scoped_lock lock(m_mutex);
         m_newest = key;
         ++m_filings;
     }
-    const bool confirmed = sample.status == VictimSample::Status::Confirmed;
-    m_setup.tell(
+    const bool confirmed = sample.status == FindSample::Status::Confirmed;
+    m_setup.notify(
         fill(confirmed ? translate("leitstand::Station", "{} has new evidence; it is confirmed already")
              : joined  ? translate("leitstand::Station", "{} has new evidence: press again to confirm")
                        : translate("leitstand::Station", "{} filed: press again to confirm"),
              nameOf(key.first, key.second)));
     for (const CandidateSample& one : candidates) {
-        auto said = m_setup.sayCandidate(filedAs(one, sample.number, m_setup.station, m_setup.now()));
-        if (!said) return said;
+        auto recorded = m_setup.recordCandidate(filedAs(one, sample.number, m_setup.station, m_setup.now()));
+        if (!recorded) return recorded;
     }
     return {};
 }
@@ -192,7 +194,7 @@ std::optional<FindKey> FindDesk::newest() const {
     return m_newest;
 }
 
-Result<void> FindDesk::say(const std::optional<VictimSample>& sample, const FindKey& find) {
+Result<void> FindDesk::record(const std::optional<FindSample>& sample, const FindKey& find) {
     if (!sample)
         return Error{fill(translate("leitstand::Station", "{}: the mission has no such find to change so"),
                           nameOf(find.first, find.second))};
@@ -202,7 +204,7 @@ Result<void> FindDesk::say(const std::optional<VictimSample>& sample, const Find
 std::optional<FrozenEvidence> FindDesk::look(const RobotDescription& robot, const RobotEvidence& recent,
                                              const Eigen::Vector3d& inMap, Time pressed) const {
     const FrozenEvidence frozen =
-        chooseEvidence(robot, recent, VictimSample::Kind::Victim, {}, std::nullopt).frozen;
+        chooseEvidence(robot, recent, FindSample::Kind::Victim, {}, std::nullopt).frozen;
     const auto pictures = picturesOf(frozen, recent, pressed - RecentEvidence::Pictures);
     if (pictures.empty()) return std::nullopt;
     const auto promise = std::make_shared<std::promise<std::vector<bool>>>();
@@ -253,22 +255,22 @@ Result<void> FindDesk::dismiss(std::uint32_t candidate) {
     const auto entry = state->candidates->find(candidate);
     if (entry == state->candidates->end())
         return Error{translate("leitstand::Station", "the mission has no such candidate")};
-    return m_setup.sayCandidate(judged(entry->second.candidate, true, m_setup.station, m_setup.now()));
+    return m_setup.recordCandidate(judged(entry->second.candidate, true, m_setup.station, m_setup.now()));
 }
 
 Result<void> FindDesk::confirm(const FindKey& find) {
     const std::scoped_lock filing(m_filing);
-    return say(withStatus(*known(), find, VictimSample::Status::Confirmed, m_setup.station, m_setup.now()),
-               find);
+    return record(withStatus(*known(), find, FindSample::Status::Confirmed, m_setup.station, m_setup.now()),
+                  find);
 }
 
 std::optional<FindKey> FindDesk::unconfirmed() {
     const std::scoped_lock filing(m_filing);
     const auto key = newest();
     const MissionStatePtr state = known();
-    const auto entry = key ? state->victims->find(*key) : state->victims->end();
+    const auto entry = key ? state->finds->find(*key) : state->finds->end();
     const bool open =
-        entry != state->victims->end() && entry->second.victim.status == VictimSample::Status::Hypothesis;
+        entry != state->finds->end() && entry->second.victim.status == FindSample::Status::Hypothesis;
     return open ? key : std::nullopt;
 }
 
@@ -290,7 +292,7 @@ Result<void> FindDesk::confirmNewest() {
                 // place.
                 const auto key = filedLast() ? unconfirmed() : std::nullopt;
                 if (!key) return;
-                if (const auto done = confirm(*key); !done) m_setup.tell(done.error().text);
+                if (const auto done = confirm(*key); !done) m_setup.notify(done.error().text);
             },
             /*cancellable=*/false);
         return {};
@@ -304,37 +306,37 @@ Result<void> FindDesk::confirmNewest() {
 
 Result<void> FindDesk::discard(const FindKey& find) {
     const std::scoped_lock filing(m_filing);
-    return say(withStatus(*known(), find, VictimSample::Status::Discarded, m_setup.station, m_setup.now()),
-               find);
+    return record(withStatus(*known(), find, FindSample::Status::Discarded, m_setup.station, m_setup.now()),
+                  find);
 }
 
 Result<void> FindDesk::merge(const FindKey& find, std::uint32_t into) {
     const std::scoped_lock filing(m_filing);
-    return say(mergedInto(*known(), find, into, m_setup.station, m_setup.now()), find);
+    return record(mergedInto(*known(), find, into, m_setup.station, m_setup.now()), find);
 }
 
 Result<void> FindDesk::move(const FindKey& find, const Eigen::Vector3d& floorInMap) {
     const std::scoped_lock filing(m_filing);
-    return say(movedTo(*known(), find, floorInMap, m_setup.station, m_setup.now()), find);
+    return record(movedTo(*known(), find, floorInMap, m_setup.station, m_setup.now()), find);
 }
 
-Result<void> FindDesk::edit(const VictimSample& form) {
+Result<void> FindDesk::edit(const FindSample& form) {
     const std::scoped_lock filing(m_filing);
-    return say(filledIn(*known(), form, m_setup.station, m_setup.now()), {form.kind, form.number});
+    return record(filledIn(*known(), form, m_setup.station, m_setup.now()), {form.kind, form.number});
 }
 
 Result<void> FindDesk::undo() {
     const MissionStatePtr state = m_setup.mission();
     const auto& all = *state->decisions;
     const auto decision = std::find_if(all.rbegin(), all.rend(), [this](const Decision& one) {
-        const auto* sample = std::get_if<VictimSample>(&one.content);
+        const auto* sample = std::get_if<FindSample>(&one.content);
         return sample != nullptr && !one.undone && sample->station == m_setup.station;
     });
     const std::uint64_t newest = decision == all.rend() ? 0 : decision->sequence;
     if (const CandidateSample* candidate = newestDismissal(*state, m_setup.station, newest))
-        return m_setup.sayCandidate(judged(*candidate, false, m_setup.station, m_setup.now()));
+        return m_setup.recordCandidate(judged(*candidate, false, m_setup.station, m_setup.now()));
     if (decision != all.rend()) {
-        const auto& sample = std::get<VictimSample>(decision->content);
+        const auto& sample = std::get<FindSample>(decision->content);
         return m_setup.undo(
             {m_setup.now(), m_setup.station, decision->sequence,
              undoText({.kind = UndoneThing::Kind::Find, .find = nameOf(sample.kind, sample.number)})});

@@ -32,8 +32,8 @@ struct FindDeskSetup {
     std::vector<RobotDescription> robots = {};
     std::string station = {};  ///< persistent identity
     std::function<MissionStatePtr()> mission = {};
-    std::function<Result<void>(const VictimSample&)> say = {};
-    std::function<Result<void>(const CandidateSample&)> sayCandidate = {};
+    std::function<Result<void>(const FindSample&)> record = {};
+    std::function<Result<void>(const CandidateSample&)> recordCandidate = {};
     std::function<Result<void>(const UndoSample&)> undo = {};
     /// Requests the place of what @p chosen shows; answers once, on any thread. Empty answer: no place.
     std::function<void(const ChosenEvidence& chosen, Located answer)> locate = {};
@@ -42,8 +42,8 @@ struct FindDeskSetup {
     std::function<void(std::vector<Event> pictures, const Eigen::Vector3d& inMap, Shown answer)> shows = {};
     /// Pose of a robot in the map now; empty: unknown.
     std::function<std::optional<Pose>(const std::string& robot)> robotInMap = {};
-    std::function<void(const std::string&)> tell = {};  ///< for the operator, in words
-    std::function<Time()> now = {};                     ///< station's clock
+    std::function<void(const std::string&)> notify = {};  ///< for the operator, in words
+    std::function<Time()> now = {};                       ///< station's clock
 };
 
 /// Files what the operator finds: freezes evidence, confirms, changes and takes back. Everything is an entry
@@ -62,10 +62,10 @@ public:
     /// Freezes what @p robot saw in the last seconds as a find of @p kind. Its place is at @p at in a
     /// picture; else, for a victim, at the hot spot; else where the camera @p looksThrough looks. Evidence
     /// joins a find that is already there.
-    void freeze(const std::string& robot, VictimSample::Kind kind, const std::string& looksThrough,
+    void freeze(const std::string& robot, FindSample::Kind kind, const std::string& looksThrough,
                 const std::optional<PicturePoint>& at = std::nullopt);
     /// Freezes the same at a place on the map [m] that the operator pointed at.
-    void freezeAt(const std::string& robot, VictimSample::Kind kind, const Eigen::Vector3d& placeInMap);
+    void freezeAt(const std::string& robot, FindSample::Kind kind, const Eigen::Vector3d& placeInMap);
     /// The find that was frozen last; empty: none yet.
     [[nodiscard]] std::optional<FindKey> newest() const;
     /// The find that was frozen last, if nobody has confirmed or discarded it since.
@@ -85,18 +85,18 @@ public:
     Result<void> move(const FindKey& find, const Eigen::Vector3d& floorInMap);
     /// Sets the form of @p form's find as the operator filled it in: signs, situation, tag, area, text. All
     /// else of the find stays as it is.
-    Result<void> edit(const VictimSample& form);
+    Result<void> edit(const FindSample& form);
     /// Takes back this station's newest entry on a find or a candidate; error when there is none.
     Result<void> undo();
 
 private:
     /// The mission with all that was published here, which may not have reached it yet; with m_filing held.
     [[nodiscard]] MissionStatePtr known();
-    Result<void> keep(const VictimSample& sample);    ///< publishes it; with m_filing held
+    Result<void> keep(const FindSample& sample);      ///< publishes it; with m_filing held
     void submitFiling(std::function<void()> filing);  ///< for the worker; isFiling() is true until then
     [[nodiscard]] bool filedLast() const;
-    void file(FrozenEvidence frozen, VictimSample::Kind kind);
-    void locate(ChosenEvidence chosen, VictimSample::Kind kind);
+    void file(FrozenEvidence frozen, FindSample::Kind kind);
+    void locate(ChosenEvidence chosen, FindSample::Kind kind);
     void file(const CandidateSample& candidate, const FrozenEvidence& seen);
     /// What @p recent of @p robot shows of @p inMap [m]; empty: it looks elsewhere, or sent nothing recently.
     [[nodiscard]] std::optional<FrozenEvidence> look(const RobotDescription& robot,
@@ -104,10 +104,9 @@ private:
                                                      const Eigen::Vector3d& inMap, Time pressed) const;
     /// Publishes @p sample, notifies the operator, and marks @p candidates as filed by it; with m_filing
     /// held.
-    Result<void> enter(const VictimSample& sample, bool joined,
-                       const std::vector<CandidateSample>& candidates);
+    Result<void> enter(const FindSample& sample, bool joined, const std::vector<CandidateSample>& candidates);
     [[nodiscard]] const RobotDescription* robot(const std::string& name) const;
-    Result<void> say(const std::optional<VictimSample>& sample, const FindKey& find);
+    Result<void> record(const std::optional<FindSample>& sample, const FindKey& find);
 
     const FindDeskSetup m_setup;
     RecentEvidence m_recent;
@@ -116,9 +115,9 @@ private:
     std::mutex m_filing;  ///< entries are made one after another
     std::optional<FindKey> m_newest;
     std::uint64_t m_filings = 0;
-    int m_awaited = 0;                 ///< filings that the worker has not finished
-    bool m_filedLast = false;          ///< the last filing that it finished had a result
-    std::vector<VictimSample> m_said;  ///< may not have reached the mission yet; under m_filing
+    int m_awaited = 0;                   ///< filings that the worker has not finished
+    bool m_filedLast = false;            ///< the last filing that it finished had a result
+    std::vector<FindSample> m_recorded;  ///< may not have reached the mission yet; under m_filing
     JobQueue m_queue;
     std::jthread m_thread;  ///< last: joined first
 };

@@ -154,7 +154,7 @@ VictimEvidence evidenceOf(const char* kind, const Event& event) {
 }
 
 ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
-                              VictimSample::Kind kind, const std::string& looksThrough,
+                              FindSample::Kind kind, const std::string& looksThrough,
                               const std::optional<PicturePoint>& at) {
     ChosenEvidence chosen;
     bool atHotSpot = false;
@@ -192,7 +192,7 @@ ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence
         if (!hottest.blob) continue;
         chosen.frozen.heat = hottest.blob->peak;
         // For a sign or a code beside a body, the operator's aim counts, not the warmth.
-        if (at || kind != VictimSample::Kind::Victim || camera == recent.cameras.end()) continue;
+        if (at || kind != FindSample::Kind::Victim || camera == recent.cameras.end()) continue;
         atHotSpot = true;
         lookThrough(chosen, *hottest.event, hottest.width, hottest.height, hottest.blob->centre,
                     std::max(Crosshair, 0.4 * std::min(hottest.blob->width, hottest.blob->height)));

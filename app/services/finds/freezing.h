@@ -54,7 +54,7 @@ struct ChosenEvidence {
 /// may have moved since. Else it is searched through the hot spot if @p kind is a victim, else through the
 /// middle of the camera @p looksThrough. Takes some tens of milliseconds.
 [[nodiscard]] ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
-                                            VictimSample::Kind kind, const std::string& looksThrough,
+                                            FindSample::Kind kind, const std::string& looksThrough,
                                             const std::optional<PicturePoint>& at);
 
 }  // namespace leitstand

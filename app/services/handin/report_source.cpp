@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "app/services/coverage/logged_views.h"
-#include "app/services/finds/told_evidence.h"
+#include "app/services/finds/evidence_in_log.h"
 #include "app/services/handin/writing/relative_names.h"
 #include "app/services/log/decoded_log.h"
 #include "app/services/log/event_decoder.h"
@@ -71,12 +71,13 @@ Result<ReportSource> ReportSource::open(const fs::path& folder, const Progress& 
             fill(translate("leitstand::ReportText", "{} samples of {} make no sense, the last one: {}"),
                  errors.count, topic, errors.last));
     }
-    std::vector<std::string> told;  // registration reports damage too
+    std::vector<std::string> allWarnings;  // registration reports damage too
     for (std::string& warning : source.m_warnings) {
         std::string named = namedWithin(std::move(warning), folder);
-        if (std::find(told.begin(), told.end(), named) == told.end()) told.push_back(std::move(named));
+        if (std::find(allWarnings.begin(), allWarnings.end(), named) == allWarnings.end())
+            allWarnings.push_back(std::move(named));
     }
-    source.m_warnings = std::move(told);
+    source.m_warnings = std::move(allWarnings);
     return source;
 }
 
@@ -121,7 +122,7 @@ void ReportSource::readKeyScans(const fs::path& folder, const Progress& progress
         m_warnings.push_back(
             translate("leitstand::ReportText",
                       "there is no map: all scans of the mission were set aside or taken back"));
-        m_toldOfMap = true;
+        m_mentionsMap = true;
     }
     if (aside > 0) {
         m_warnings.push_back(fill(
@@ -143,7 +144,7 @@ void ReportSource::registerClouds(const fs::path& folder, const Progress& progre
     if (!map) {
         m_warnings.push_back(
             fill(translate("leitstand::ReportText", "there is no map: {}"), map.error().text));
-        m_toldOfMap = true;
+        m_mentionsMap = true;
         return;
     }
     for (const OfflineScan& one : map->scans) {
@@ -220,7 +221,7 @@ Result<Event> ReportSource::event(std::uint64_t sequence) {
     return std::move(*found);
 }
 
-Result<Event> ReportSource::event(const VictimEvidence& evidence, const VictimSample& find) {
+Result<Event> ReportSource::event(const VictimEvidence& evidence, const FindSample& find) {
     const std::uint64_t sequence = sequenceInLog(*m_bag, *m_decoder, evidence, find);
     if (sequence == 0) return Error{translate("leitstand::Error", "another station has it in its log")};
     return event(sequence);

@@ -32,13 +32,13 @@ public:
     [[nodiscard]] const ReportInput& input() const { return m_input; }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
     /// Whether warnings() contain why there is no map.
-    [[nodiscard]] bool toldOfMap() const { return m_toldOfMap; }
+    [[nodiscard]] bool mentionsMap() const { return m_mentionsMap; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const;
 
     /// Returns the decoded event of @p sequence; error when it is not there or makes no sense.
     [[nodiscard]] Result<Event> event(std::uint64_t sequence);
     /// Returns the event that is @p evidence of @p find, by sequenceInLog().
-    [[nodiscard]] Result<Event> event(const VictimEvidence& evidence, const VictimSample& find);
+    [[nodiscard]] Result<Event> event(const VictimEvidence& evidence, const FindSample& find);
     /// Returns the pose of the sensor that took the cloud or the ranges @p event in its robot's base at that
     /// time. Uses the transforms received about that time, else the robot's file. Empty for other events.
     [[nodiscard]] std::optional<Pose> sensorInBase(const Event& event);
@@ -55,7 +55,7 @@ private:
     std::unique_ptr<EventDecoder> m_decoder;
     ReportInput m_input;
     std::vector<std::string> m_warnings;
-    bool m_toldOfMap = false;
+    bool m_mentionsMap = false;
     bool m_hasKeyScans = false;  ///< some station mapped it, even if none of its scans remain
 };
 

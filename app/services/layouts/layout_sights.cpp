@@ -3,7 +3,7 @@
 namespace leitstand {
 
 MapSight LayoutSights::enter(const WindowLayout& layout, const MapSight& now) {
-    if (!layout.map.saysSomething()) return now;
+    if (!layout.map.isMeaningful()) return now;
     m_own = own(now);
     if (m_holder) m_kept[m_holder->name] = now;
     m_holder = Holder{layout.name, layout.map};
@@ -18,7 +18,8 @@ void LayoutSights::forget(const std::string& name) {
 
 MapSight LayoutSights::own(const MapSight& now) const {
     if (!m_holder) return m_own;
-    return {m_holder->says.look ? m_own.look : now.look, m_holder->says.follow ? m_own.follow : now.follow};
+    return {m_holder->ofLayout.look ? m_own.look : now.look,
+            m_holder->ofLayout.follow ? m_own.follow : now.follow};
 }
 
 }  // namespace leitstand

@@ -26,7 +26,7 @@ private:
     /// The layout that the current view belongs to; its name is empty before the first one.
     struct Holder {
         std::string name = {};
-        LayoutMap says = {};
+        LayoutMap ofLayout = {};
     };
 
     MapSight m_own;

@@ -56,15 +56,16 @@ Qos stationQos() {
         .reliability = Qos::Reliability::Reliable, .durability = Qos::Durability::TransientLocal, .depth = 0};
 }
 
-/// Returns the state at the end of the earlier sessions of @p folder; reports to @p tell what cannot be read.
+/// Returns the state at the end of the earlier sessions of @p folder; reports to @p notify what cannot be
+/// read.
 MissionState earlierState(const std::filesystem::path& folder, EventDecoder& decoder,
-                          const std::function<void(const std::string&)>& tell) {
+                          const std::function<void(const std::string&)>& notify) {
     const auto bag = BagReader::open(folder);
     if (!bag) return {};
     BagHistory history(**bag, decoder);
     MissionState state = stateAt(history, (*bag)->lastSequence());
     for (const std::string& problem : (*bag)->problems()) {
-        if (tell) tell(problem);
+        if (notify) notify(problem);
     }
     return state;
 }
@@ -96,9 +97,9 @@ struct LiveMission::State {
     std::optional<WhenLate> rescue;                ///< closes the log of a process that hangs
 
     State(LiveMissionSettings chosen, MissionState earlier, std::shared_ptr<AlarmRelay> alarms,
-          std::unique_ptr<BagWriter> writer, std::function<void(const Event&)> told)
+          std::unique_ptr<BagWriter> writer, std::function<void(const Event&)> onRecorded)
         : settings(std::move(chosen)),
-          onEvent(std::move(told)),
+          onEvent(std::move(onRecorded)),
           decoder(settings.robots),
           fold(std::move(earlier)),
           relay(std::move(alarms)),
@@ -119,7 +120,7 @@ struct LiveMission::State {
     void announce(const std::string& topic, const std::string& type, const Qos& qos);
     void take(const RawEvent& event);
     void addCheckpoint(Time now, std::chrono::nanoseconds interval);
-    Result<void> say(const Sample& sample, std::string_view topic);
+    Result<void> record(const Sample& sample, std::string_view topic);
     [[nodiscard]] SessionSample session(bool start) const;
 };
 
@@ -159,11 +160,11 @@ void LiveMission::State::take(const RawEvent& event) {
 
 void LiveMission::State::addCheckpoint(Time now, std::chrono::nanoseconds interval) {
     if (const auto checkpoint = fold.dueCheckpoint(now, interval)) {
-        (void)say(*checkpoint, station_topic::Checkpoints);  // a checkpoint can always be encoded
+        (void)record(*checkpoint, station_topic::Checkpoints);  // a checkpoint can always be encoded
     }
 }
 
-Result<void> LiveMission::State::say(const Sample& sample, std::string_view topic) {
+Result<void> LiveMission::State::record(const Sample& sample, std::string_view topic) {
     const std::string type(typeOf(sample));
     auto payload = encode(sample, type);
     if (!payload) return payload.error();
@@ -185,7 +186,7 @@ void LiveMission::AlarmRelay::raise(const BagAlarm& alarm) {
         .severity = filling ? AlarmSample::Severity::Warning : AlarmSample::Severity::Critical,
         .state = alarm.raised ? AlarmSample::State::Raised : AlarmSample::State::Cleared,
         .text = alarm.text};
-    (void)state->say(sample, station_topic::Alarms);  // the log has room for it once the disk has
+    (void)state->record(sample, station_topic::Alarms);  // the log has room for it once the disk has
 }
 
 SessionSample LiveMission::State::session(bool start) const {
@@ -216,8 +217,8 @@ Result<std::unique_ptr<LiveMission>> LiveMission::open(const LiveMissionSettings
     if (const auto kept = keepRobots(settings.folder, settings.robots); !kept) return kept.error();
     auto state = std::make_unique<State>(settings, std::move(earlier), std::move(relay),
                                          std::move(bag).value(), std::move(listener.onEvent));
-    if (const auto said = state->say(state->session(true), station_topic::Sessions); !said)
-        return said.error();
+    if (const auto recorded = state->record(state->session(true), station_topic::Sessions); !recorded)
+        return recorded.error();
     std::unique_ptr<LiveMission> mission(new LiveMission(std::move(state)));
     mission->m_state->rescue.emplace([raw = mission.get()] { (void)raw->close(); });
     return mission;
@@ -239,10 +240,10 @@ void LiveMission::receive(RawEvent event) {
     if (!m_state->ending) m_state->sequencer->push(std::move(event));
 }
 
-Result<void> LiveMission::say(const Sample& sample, std::string_view topic) {
+Result<void> LiveMission::record(const Sample& sample, std::string_view topic) {
     const std::lock_guard lock(m_state->taking);
     if (m_state->ending) return Error{m_state->settings.folder.string() + ": is closed"};
-    return m_state->say(sample, topic);
+    return m_state->record(sample, topic);
 }
 
 MissionStatePtr LiveMission::state() const {
@@ -278,11 +279,11 @@ Result<void> LiveMission::close() {
         const std::lock_guard lock(m_state->taking);
         if (m_state->ending.exchange(true)) return {};
     }
-    const auto said = m_state->say(m_state->session(false), station_topic::Sessions);
+    const auto recorded = m_state->record(m_state->session(false), station_topic::Sessions);
     m_state->sequencer->drain();  // the end of the session, which causes the last checkpoint
     m_state->sequencer->drain();
     const auto written = m_state->bag->close();
-    return !said ? said : written;
+    return !recorded ? recorded : written;
 }
 
 }  // namespace leitstand

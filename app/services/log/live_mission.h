@@ -43,8 +43,8 @@ struct LiveMissionListener {
     std::function<void(const Event&)> onEvent = {};
 };
 
-/// The one ordered stream of events of a mission (design, section 1). Events that are received or published
-/// are numbered, logged and folded, in that order. Any thread.
+/// The one ordered stream of events of a mission (docs/design.md, "A mission is its log"). Events that are
+/// received or published are numbered, logged and folded, in that order. Any thread.
 class LiveMission {
 public:
     using Listener = LiveMissionListener;
@@ -61,7 +61,7 @@ public:
     /// Takes a received event; never waits for the disk.
     void receive(RawEvent event);
     /// Publishes an event of the station itself, on one of station_topic. Error when it contradicts itself.
-    Result<void> say(const Sample& sample, std::string_view topic);
+    Result<void> record(const Sample& sample, std::string_view topic);
 
     /// The newest state.
     [[nodiscard]] MissionStatePtr state() const;

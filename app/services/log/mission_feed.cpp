@@ -50,8 +50,8 @@ std::vector<std::string> MissionFeed::listenTo(const RobotDescription& robot, Co
     std::vector<std::string> problems;
     for (const StreamDescription& stream : robot.streams) {
         if (!stream.record || (commands == Commands::Left && isCommand(stream.role))) continue;
-        if (const auto heard = listen(stream.topic, stream.type, stream.qos); !heard)
-            problems.push_back(heard.error().text);
+        if (const auto subscribed = listen(stream.topic, stream.type, stream.qos); !subscribed)
+            problems.push_back(subscribed.error().text);
     }
     return problems;
 }
@@ -60,14 +60,15 @@ std::vector<std::string> MissionFeed::listenToStations(const Gate& gate) {
     const Qos qos{.reliability = Qos::Reliability::Reliable, .durability = Qos::Durability::TransientLocal};
     std::vector<std::string> problems;
     for (const StationType& one : StationTypes) {
-        if (const auto heard = listen(std::string(one.topic), std::string(one.type), qos, gate); !heard)
-            problems.push_back(heard.error().text);
+        if (const auto subscribed = listen(std::string(one.topic), std::string(one.type), qos, gate);
+            !subscribed)
+            problems.push_back(subscribed.error().text);
     }
     return problems;
 }
 
-std::vector<HeardTopic> MissionFeed::topics() const {
-    std::vector<HeardTopic> topics;
+std::vector<RecordedTopic> MissionFeed::topics() const {
+    std::vector<RecordedTopic> topics;
     const std::lock_guard lock(m_mutex);
     for (const auto& [name, listening] : m_topics) {
         const SubscriptionCounts counts = listening.subscription->counts();

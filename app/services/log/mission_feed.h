@@ -19,7 +19,7 @@ class Subscription;
 struct ReceivedSample;
 
 /// Statistics of a topic that is received.
-struct HeardTopic {
+struct RecordedTopic {
     std::string name, type;
     std::uint64_t samples = 0, lost = 0;  ///< lost: never arrived, by the writers' numbers
     int writers = 0;                      ///< that are there now
@@ -34,7 +34,7 @@ public:
     /// Decides which samples enter the mission, on the node's threads.
     using Gate = std::function<void(ReceivedSample)>;
     /// Whether topics with stations' commands to robots are received too.
-    enum class Commands : std::uint8_t { Left, Heard };
+    enum class Commands : std::uint8_t { Left, Received };
 
     MissionFeed(Node& node, LiveMission& mission, Tap tap = {});
     ~MissionFeed();  ///< as end()
@@ -52,8 +52,8 @@ public:
     /// topics that cannot be received, in words.
     std::vector<std::string> listenToStations(const Gate& gate = {});
 
-    [[nodiscard]] std::vector<HeardTopic> topics() const;  ///< by name
-    void end();                                            ///< no sample comes after it has returned
+    [[nodiscard]] std::vector<RecordedTopic> topics() const;  ///< by name
+    void end();                                               ///< no sample comes after it has returned
 
 private:
     struct Listening {

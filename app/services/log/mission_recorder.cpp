@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/services/domain/hearing_watch.h"
+#include "app/services/domain/reception_watch.h"
 #include "app/services/log/link_line.h"
 #include "core/event/station_topics.h"
 #include "transport/dds/node.h"
@@ -31,37 +31,37 @@ bool isOfAnotherLog(const std::string& topic) {
 
 struct MissionRecorder::State {
     RecorderSettings settings;
-    Teller tell;
+    Notify onMessage;
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<Node> node;
     std::vector<std::unique_ptr<LinkClient>> links;  ///< of the robots in the settings; fixed after start
     std::unique_ptr<MissionFeed> feed;
-    std::unique_ptr<HearingWatch> hearing;
+    std::unique_ptr<ReceptionWatch> reception;
     std::mutex mutex;  ///< guards the next two
     bool discovered = false;
-    std::set<std::string> told;
+    std::set<std::string> notified;
     std::condition_variable_any changed;
-    ScreenTelling screened;  ///< used by the thread only
-    std::jthread discovery;  ///< last: joined first
+    ScreenMessages screened;  ///< used by the thread only
+    std::jthread discovery;   ///< last: joined first
 
-    void say(const std::string& text) {
-        if (tell) tell(text);
+    void notify(const std::string& text) {
+        if (onMessage) onMessage(text);
     }
     /// Reports @p text unless something was reported about @p key. Never called while locked, since the
     /// listener may query the state.
-    void sayOnce(const std::string& key, const std::string& text) {
+    void notifyOnce(const std::string& key, const std::string& text) {
         {
             const std::lock_guard lock(mutex);
-            if (!told.insert(key).second) return;
+            if (!notified.insert(key).second) return;
         }
-        say(text);
+        notify(text);
     }
     Result<void> watchLinks();
     void subscribeListed();
-    void subscribeHeard();
+    void subscribeReceived();
     void watch(const std::stop_token& stop);
-    void watchHearing();
-    [[nodiscard]] std::vector<std::string> unheard() const;
+    void watchReception();
+    [[nodiscard]] std::vector<std::string> notReceived() const;
 };
 
 Result<void> MissionRecorder::State::watchLinks() {
@@ -69,9 +69,9 @@ Result<void> MissionRecorder::State::watchLinks() {
     passive.pingEvery = std::chrono::milliseconds(0);
     for (const RobotDescription& robot : settings.mission.robots) {
         LinkListener listener;
-        listener.onState = [this](const LinkStatus& link) { say(linkLine(link)); };
+        listener.onState = [this](const LinkStatus& link) { notify(linkLine(link)); };
         listener.onClockOffset = [this](const ClockOffsetSample& offset) {
-            (void)mission->say(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
+            (void)mission->record(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
         };
         auto client = LinkClient::create(*node, robot, passive, std::move(listener));
         if (!client) return client.error();
@@ -82,18 +82,18 @@ Result<void> MissionRecorder::State::watchLinks() {
 
 void MissionRecorder::State::subscribeListed() {
     for (const RobotDescription& robot : settings.mission.robots) {
-        for (const std::string& problem : feed->listenTo(robot)) say(problem);
+        for (const std::string& problem : feed->listenTo(robot)) notify(problem);
     }
-    for (const std::string& problem : feed->listenToStations()) say(problem);
+    for (const std::string& problem : feed->listenToStations()) notify(problem);
 }
 
-void MissionRecorder::State::subscribeHeard() {
+void MissionRecorder::State::subscribeReceived() {
     for (const RemoteEndpoint& endpoint : node->endpoints()) {
         if (endpoint.kind != RemoteEndpoint::Kind::Writer || !endpoint.ros ||
             isHousekeeping(endpoint.topic) || isOfAnotherLog(endpoint.topic))
             continue;
-        const auto heard = feed->listen(endpoint.topic, endpoint.type, endpoint.qos);
-        if (!heard) sayOnce(endpoint.topic, heard.error().text);
+        const auto received = feed->listen(endpoint.topic, endpoint.type, endpoint.qos);
+        if (!received) notifyOnce(endpoint.topic, received.error().text);
     }
 }
 
@@ -104,17 +104,17 @@ void MissionRecorder::State::watch(const std::stop_token& stop) {
             if (!changed.wait(lock, stop, [this] { return discovered; })) return;
             discovered = false;
         }
-        if (settings.mission.robots.empty()) subscribeHeard();
+        if (settings.mission.robots.empty()) subscribeReceived();
         for (const Mismatch& mismatch : node->mismatches()) {
             const std::string text = toString(mismatch.complaint);
-            sayOnce(text, text);
+            notifyOnce(text, text);
         }
-        for (const ScreenDrop& drop : screened.due(node->dropped())) say(toString(drop));
+        for (const ScreenDrop& drop : screened.due(node->dropped())) notify(toString(drop));
     }
 }
 
-void MissionRecorder::State::watchHearing() {
-    HearingWatchSetup setup;
+void MissionRecorder::State::watchReception() {
+    ReceptionWatchSetup setup;
     setup.robots = settings.mission.robots;
     setup.link = [this](const std::string& robot) {
         for (const auto& link : links) {
@@ -123,42 +123,42 @@ void MissionRecorder::State::watchHearing() {
         return LinkState::NeverSeen;
     };
     setup.mayRejoin = [] { return true; };  // it listens, and commands nobody
-    setup.tell = [this](const std::string& text) { say(text); };
-    hearing = std::make_unique<HearingWatch>(*node, std::move(setup));
+    setup.notify = [this](const std::string& text) { notify(text); };
+    reception = std::make_unique<ReceptionWatch>(*node, std::move(setup));
 }
 
 /// Returns topics announced as steady streams for longer than it takes to receive them, without a sample.
 /// Counts since the domain was joined, and also before a rejoin for that reason.
-std::vector<std::string> MissionRecorder::State::unheard() const {
-    std::set<std::string> unheard, heard;
-    for (const OfferedWriter& one : node->hearing().writers) {
-        if (one.heard) heard.insert(one.topic);
-        if (!one.heard && one.steady && one.seconds >= HearWithin) unheard.insert(one.topic);
+std::vector<std::string> MissionRecorder::State::notReceived() const {
+    std::set<std::string> notReceived, received;
+    for (const OfferedWriter& one : node->reception().writers) {
+        if (one.received) received.insert(one.topic);
+        if (!one.received && one.steady && one.seconds >= ReceivedWithin) notReceived.insert(one.topic);
     }
     for (const RobotDescription& robot : settings.mission.robots) {
-        const auto fault = hearing->fault(robot.name);
-        if (!fault || fault->kind == HearingFault::Kind::Mute) continue;
+        const auto fault = reception->fault(robot.name);
+        if (!fault || fault->kind == ReceptionFault::Kind::Mute) continue;
         for (const std::string& topic : fault->names) {
-            if (!heard.contains(topic)) unheard.insert(topic);
+            if (!received.contains(topic)) notReceived.insert(topic);
         }
     }
-    return {unheard.begin(), unheard.end()};
+    return {notReceived.begin(), notReceived.end()};
 }
 
 Result<std::unique_ptr<MissionRecorder>> MissionRecorder::start(const RecorderSettings& settings,
-                                                                Teller tell) {
+                                                                Notify notify) {
     const auto network = nodeSettings(settings.domain, "leitstandctl record");
     if (!network) return network.error();
     auto node = Node::create(*network);
     if (!node) return node.error();
-    auto mission = LiveMission::open(settings.mission, {.onAlarm = tell});
+    auto mission = LiveMission::open(settings.mission, {.onAlarm = notify});
     if (!mission) return mission.error();
     auto state = std::make_unique<State>();
     state->settings = settings;
-    state->tell = std::move(tell);
+    state->onMessage = std::move(notify);
     state->mission = std::move(mission).value();
     state->node = std::move(node).value();
-    for (const std::string& warning : state->node->warnings()) state->say(warning);
+    for (const std::string& warning : state->node->warnings()) state->notify(warning);
     if (const auto watched = state->watchLinks(); !watched) return watched.error();
     state->feed = std::make_unique<MissionFeed>(*state->node, *state->mission,
                                                 [raw = state.get()](const ReceivedSample& sample) {
@@ -174,7 +174,7 @@ Result<std::unique_ptr<MissionRecorder>> MissionRecorder::start(const RecorderSe
         }
         raw->changed.notify_all();
     });
-    state->watchHearing();
+    state->watchReception();
     return std::unique_ptr<MissionRecorder>(new MissionRecorder(std::move(state)));
 }
 
@@ -182,7 +182,7 @@ MissionRecorder::MissionRecorder(std::unique_ptr<State> state) : m_state(std::mo
 
 MissionRecorder::~MissionRecorder() {
     (void)stop();
-    m_state->hearing.reset();
+    m_state->reception.reset();
     m_state->discovery.request_stop();
     if (m_state->discovery.joinable()) m_state->discovery.join();
     m_state->feed->end();
@@ -195,7 +195,7 @@ RecorderStatus MissionRecorder::status() const {
                           .topics = {},
                           .links = {},
                           .mismatches = {},
-                          .unheard = {},
+                          .notReceived = {},
                           .screened = {}};
     if (m_state->node) {
         for (const Mismatch& mismatch : m_state->node->mismatches())
@@ -203,7 +203,7 @@ RecorderStatus MissionRecorder::status() const {
         status.screened = m_state->node->dropped();
     }
     for (const auto& link : m_state->links) status.links.push_back(link->status());
-    if (m_state->node) status.unheard = m_state->unheard();
+    if (m_state->node) status.notReceived = m_state->notReceived();
     status.topics = m_state->feed->topics();
     return status;
 }

@@ -23,11 +23,11 @@ struct RecorderSettings {
 /// Status of a recording.
 struct RecorderStatus {
     LiveMissionStatus log;
-    std::vector<HeardTopic> topics;
+    std::vector<RecordedTopic> topics;
     std::vector<LinkStatus> links;        ///< of the robots whose files were given
     std::vector<std::string> mismatches;  ///< in words
     /// Topics announced as steady streams (best effort) for 2 s or more without a sample.
-    std::vector<std::string> unheard;
+    std::vector<std::string> notReceived;
     std::vector<ScreenDrop> screened;  ///< packets that were kept from the DDS library
 };
 
@@ -37,10 +37,10 @@ class MissionRecorder {
 public:
     /// Receives texts for the operator: alarms, changed links, topics that cannot be received. Called on
     /// threads of the recorder.
-    using Teller = std::function<void(const std::string&)>;
+    using Notify = std::function<void(const std::string&)>;
 
     [[nodiscard]] static Result<std::unique_ptr<MissionRecorder>> start(const RecorderSettings& settings,
-                                                                        Teller tell = {});
+                                                                        Notify notify = {});
     ~MissionRecorder();
     MissionRecorder(const MissionRecorder&) = delete;
     MissionRecorder& operator=(const MissionRecorder&) = delete;

@@ -11,10 +11,11 @@
 
 namespace leitstand {
 
-/// Puts all events that reach the station into one order (design, section 1). Numbers them and passes them to
-/// a sink on its own thread. Events that wait together are ordered by receive time. Receive times never run
-/// backwards, even when the station's clock is set back. The sink must not wait for the disk or the network,
-/// so that the queue stays short. The queue is unbounded, since nothing may be lost here.
+/// Puts all events that reach the station into one order (docs/design.md, "A mission is its log"). Numbers
+/// them and passes them to a sink on its own thread. Events that wait together are ordered by receive time.
+/// Receive times never run backwards, even when the station's clock is set back. The sink must not wait for
+/// the disk or the network, so that the queue stays short. The queue is unbounded, since nothing may be lost
+/// here.
 class Sequencer {
 public:
     using Sink = std::function<void(const RawEvent&)>;

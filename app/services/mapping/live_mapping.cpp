@@ -9,7 +9,7 @@
 #include "app/services/log/sequencer.h"
 #include "app/services/mapping/scanner_advice.h"
 #include "core/mapping/live/scan_doubts.h"
-#include "core/mapping/placement/placement_says.h"
+#include "core/mapping/placement/placement_format.h"
 
 namespace leitstand {
 
@@ -101,12 +101,12 @@ LiveMapping::LiveMapping(const std::vector<RobotDescription>& robots, const std:
             if (place != earlier.places.end() && !m_mapper.fix(name)) robot.laser.restore(place->second);
         }
         followFixes();
-        tellMap();
+        publishMap();
         std::vector<MatchedCloudPtr> matched;
         for (const LiveKeyScan& scan : m_map->scans) matched.push_back(scan.reduced);
         makeMatched(std::move(matched));
     }
-    tellRobots();
+    publishRobots();
     m_solver = std::jthread([this](const std::stop_token& stop) { m_solving.work(stop); });
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -197,8 +197,8 @@ void LiveMapping::work(const Task& task) {
     task(m_mapper);
     followFixes();
     const LiveMapPtr before = m_map;
-    tellRobots();  // before the map: whoever is notified of it asks where they are in it
-    tellMap();
+    publishRobots();  // before the map: whoever is notified of it asks where they are in it
+    publishMap();
     if (scansMoved(before, *m_map)) layTrails();
 }
 
@@ -217,10 +217,10 @@ void LiveMapping::registerDone(Time now) {
                 seekLost(name, robot, update);
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
                 if (update.keyScan || update.poses) {
-                    tellRobots();  // before the map: whoever is notified of it asks where they are in it
-                    tellMap();
+                    publishRobots();  // before the map: whoever is notified of it asks where they are in it
+                    publishMap();
                 }
-                if (update.keyScan) tellScanner(name, robot);
+                if (update.keyScan) publishScanner(name, robot);
                 if (update.keyScan && (!m_listener.makesMap || m_listener.makesMap()))
                     m_entered.push_back(update.keyScan->id);
                 placeOthers(now);  // also while this one stands: the others' lasers may have come since
@@ -230,7 +230,7 @@ void LiveMapping::registerDone(Time now) {
     }
 }
 
-void LiveMapping::tellScanner(const std::string& name, Robot& robot) {
+void LiveMapping::publishScanner(const std::string& name, Robot& robot) {
     if (robot.scanner.empty() || !m_listener.onScanner) return;
     const auto more = m_mapper.calibration(name).advised(robot.advised, robot.leftAsIs);
     if (more.has_value() == robot.advised.has_value() && (!more || asksAlike(*more, *robot.advised))) return;
@@ -243,7 +243,7 @@ void LiveMapping::correct(const std::string& name, const ScannerCorrection& corr
         Robot& robot = m_robots.at(name);
         // A turn gathered with the previous clock does not continue with the new one.
         if (robot.poses.correctionOf(robot.scanner, robot.scanner).clock != correction.clock) {
-            for (auto& [topic, cutter] : robot.cutters) cutter.startAnew();
+            for (auto& [topic, cutter] : robot.cutters) cutter.restart();
         }
         robot.poses.setCorrection(robot.scanner, robot.scanner, correction);
         robot.advised.reset();
@@ -256,7 +256,7 @@ void LiveMapping::leaveAsIs(const std::string& name, ScannerFault fault) {
     post([this, name, fault](LiveMapper&) {
         Robot& robot = m_robots.at(name);
         robot.leftAsIs.insert(fault);
-        tellScanner(name, robot);
+        publishScanner(name, robot);
     });
 }
 
@@ -346,17 +346,17 @@ void LiveMapping::followFixes() {
         const bool certain = fix->doubts == 0;
         robot.tracker.correct({fix->stamp, fix->baseInMap, certain ? fix->certainty : 0.0, certain,
                                !certain         ? inWords(fix->doubts)
-                               : fix->part != 0 ? std::string(placement_says::OwnPart)
-                                                : std::string(placement_says::FitsMap)});
+                               : fix->part != 0 ? std::string(placement_format::OwnPart)
+                                                : std::string(placement_format::FitsMap)});
     }
 }
 
-void LiveMapping::tellMap() {
+void LiveMapping::publishMap() {
     m_map = m_mapper.map();
     if (m_listener.onMap) m_listener.onMap(m_map);
 }
 
-void LiveMapping::tellRobots() {
+void LiveMapping::publishRobots() {
     auto places = std::make_shared<RobotsInMap>();
     for (const auto& [name, robot] : m_robots) {
         places->push_back(robot.tracker.now());
@@ -365,8 +365,8 @@ void LiveMapping::tellRobots() {
     }
     const std::lock_guard lock(m_mutex);
     for (RobotInMap& place : *places) {
-        const auto heard = m_heard.find(place.robot);
-        if (heard != m_heard.end()) place.matched = heard->second;
+        const auto scanReceived = m_received.find(place.robot);
+        if (scanReceived != m_received.end()) place.matched = scanReceived->second;
     }
     m_places = std::move(places);
 }
@@ -404,8 +404,8 @@ void LiveMapping::run(const std::stop_token& stop) {
         meetMore();
         seekPlace();
         lookForPassing();
-        if (leaveOutPlaced(stationTime())) tellMap();
-        tellRobots();
+        if (leaveOutPlaced(stationTime())) publishMap();
+        publishRobots();
         if (m_solves || m_mapper.meetsMore()) continue;
         for (const auto& calmed : std::exchange(m_calmed, {})) calmed();
     }

@@ -99,7 +99,7 @@ public:
     void follow(std::vector<ScanPose> poses);
     void follow(const RobotPlaceSample& place);
     /// Records that a 3D scan of @p robot came in, which another station registers.
-    void heard(const std::string& robot, Time received);
+    void scanReceived(const std::string& robot, Time received);
     /// Sets @p robot, by name one of ours, to @p baseInMap, for the operator.
     void place(const std::string& robot, const Pose& baseInMap);
     /// Computes what the map would become if its links were as in @p links. Calls @p done on another thread,
@@ -168,7 +168,7 @@ private:
     void makeMatched(std::vector<MatchedCloudPtr> left);
     void solveLoops();  ///< solves where the map meets itself, on the solver's thread
     void settle(const MapSolution& solution);
-    void tellScanner(const std::string& name, Robot& robot);
+    void publishScanner(const std::string& name, Robot& robot);
     void meetMore();        ///< links two parts that have met at one more of their scans
     void seekPlace();       ///< searches where the map may meet itself far off, on the solver's thread
     void lookForPassing();  ///< searches scans for passers-by, on the solver's thread
@@ -212,11 +212,11 @@ private:
     void leaveOut(const std::string& name, const std::optional<Time>& since,
                   std::map<std::uint64_t, std::vector<BodyInScan>>& found);
     /// Reports what is left out of scans now.
-    void tellBodies(std::map<std::uint64_t, std::vector<BodyInScan>> found, Time now);
+    void publishBodies(std::map<std::uint64_t, std::vector<BodyInScan>> found, Time now);
     [[nodiscard]] std::vector<Disc> othersThan(const Robot& robot, bool certain) const;
-    void tellPlace(const std::optional<RobotPlaceSample>& place);
-    void tellMap();
-    void tellRobots();
+    void publishPlace(const std::optional<RobotPlaceSample>& place);
+    void publishMap();
+    void publishRobots();
     [[nodiscard]] std::optional<Time> due() const;
     ScanCutter& cutterOf(Robot& robot, const Event& event);
 
@@ -228,10 +228,10 @@ private:
     std::map<std::string, Robot> m_robots;  ///< the set is fixed
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
-    std::deque<Work> m_waiting;           ///< under the mutex
-    RobotsInMapPtr m_places;              ///< under the mutex
-    std::map<std::string, Time> m_heard;  ///< under the mutex: newest scans that other stations register
-    bool m_solves = false;                ///< something is being solved; of the thread
+    std::deque<Work> m_waiting;              ///< under the mutex
+    RobotsInMapPtr m_places;                 ///< under the mutex
+    std::map<std::string, Time> m_received;  ///< under the mutex: newest scans that other stations register
+    bool m_solves = false;                   ///< something is being solved; of the thread
     std::vector<std::function<void()>> m_calmed;  ///< of whenCalm(); of the thread
     bool m_seeks = false;                         ///< a place is being looked for; of the thread
     MapCrop m_crop;                               ///< what of the world belongs into the map; of the thread

@@ -76,11 +76,11 @@ bool LiveMapping::leaveOutPlaced(Time now) {
         robot.wasSureBy = odomInMap;
     }
     if (found.empty()) return false;
-    tellBodies(std::move(found), now);
+    publishBodies(std::move(found), now);
     return true;
 }
 
-void LiveMapping::tellBodies(std::map<std::uint64_t, std::vector<BodyInScan>> found, Time now) {
+void LiveMapping::publishBodies(std::map<std::uint64_t, std::vector<BodyInScan>> found, Time now) {
     if (!m_listener.onBodies) return;
     for (ScanBodiesSample& sample : inSamples(std::move(found), now)) m_listener.onBodies(std::move(sample));
 }
@@ -110,7 +110,7 @@ void LiveMapping::leaveOutPassing(std::map<std::uint64_t, std::vector<BodyInScan
         bodies.insert(bodies.end(), passing.begin(), passing.end());
         if (m_mapper.leaveOut(id, bodies)) changed[id] = std::move(bodies);
     }
-    if (!changed.empty()) tellBodies(std::move(changed), stationTime());
+    if (!changed.empty()) publishBodies(std::move(changed), stationTime());
 }
 
 void LiveMapping::leaveOut(const std::string& name, const std::optional<Time>& since,
@@ -229,7 +229,7 @@ void LiveMapping::lookedFor(const std::string& name, const SeenScan& scan, const
         return;
     }
     m_mapper.place(name, goesOn ? then * before->baseInOdom.inverse() * here->baseInOdom : then);
-    tellPlace(robot.laser.foundByScan(then, end, place.overlap, stationTime()));
+    publishPlace(robot.laser.foundByScan(then, end, place.overlap, stationTime()));
 }
 
 void LiveMapping::seeing(const std::string& name, Robot& robot, LaserView view, Time now) {
@@ -238,11 +238,11 @@ void LiveMapping::seeing(const std::string& name, Robot& robot, LaserView view, 
         const Pose here = robot.tracker.placed() ? robot.tracker.now().baseInMap : first->pose.scanInMap;
         robot.laser.setCrop(partAt(m_map->scans, here) == 0 ? m_crop : MapCrop{});
     }
-    tellPlace(robot.laser.see(std::move(view), m_map, now, othersThan(robot, false)));
+    publishPlace(robot.laser.see(std::move(view), m_map, now, othersThan(robot, false)));
     placeBeside(name, robot, now);
 }
 
-void LiveMapping::tellPlace(const std::optional<RobotPlaceSample>& place) {
+void LiveMapping::publishPlace(const std::optional<RobotPlaceSample>& place) {
     if (place && m_listener.onPlace) m_listener.onPlace(*place);
 }
 
@@ -258,8 +258,8 @@ void LiveMapping::placeBeside(const std::string& name, Robot& robot, Time now) {
     if (!m_map || m_map->scans.empty()) return;
     const LiveKeyScan& first = *firstOfOurs();
     if (name == first.scan->robot || m_mapper.fix(name)) return;
-    tellPlace(robot.laser.placeBeside(first.pose.scanInMap * first.sensorInBase.inverse(), m_map, now,
-                                      othersThan(robot, false)));
+    publishPlace(robot.laser.placeBeside(first.pose.scanInMap * first.sensorInBase.inverse(), m_map, now,
+                                         othersThan(robot, false)));
 }
 
 void LiveMapping::placeOthers(Time now) {
@@ -277,7 +277,7 @@ void LiveMapping::placeSeen(const MapUpdate& update, const LiveMapPtr& before, T
         const RobotBody body{description.footprint, description.height};
         const LocalMap earlier = before ? localMap(before->scans, update.scanInMap) : LocalMap{};
         const auto seen = seenBodies(*update.ready, update.scanInMap, body, earlier, othersThan(robot, true));
-        tellPlace(robot.laser.placeSeen(seen, body, by->title, m_map, now, othersThan(robot, false)));
+        publishPlace(robot.laser.placeSeen(seen, body, by->title, m_map, now, othersThan(robot, false)));
     }
 }
 
@@ -329,15 +329,15 @@ void LiveMapping::adopt(const ScanBodiesSample& bodies) {
     });
 }
 
-void LiveMapping::heard(const std::string& robot, Time received) {
+void LiveMapping::scanReceived(const std::string& robot, Time received) {
     const std::lock_guard lock(m_mutex);
-    m_heard[robot] = received;
+    m_received[robot] = received;
 }
 
 void LiveMapping::matched(const std::string& name, Time now) {
     m_robots.at(name).matched = now;
     const std::lock_guard lock(m_mutex);
-    m_heard.erase(name);
+    m_received.erase(name);
 }
 
 void LiveMapping::follow(std::vector<ScanPose> poses) {
@@ -357,9 +357,9 @@ void LiveMapping::place(const std::string& name, const Pose& baseInMap) {
         ++robot.put;
         if (const auto fix = mapper.fix(name)) {
             mapper.place(name, baseInMap);
-            return tellPlace(robot.laser.putUntilScan(baseInMap, fix->stamp, stationTime()));
+            return publishPlace(robot.laser.putUntilScan(baseInMap, fix->stamp, stationTime()));
         }
-        tellPlace(robot.laser.place(baseInMap, m_map, stationTime()));
+        publishPlace(robot.laser.place(baseInMap, m_map, stationTime()));
     });
 }
 

@@ -6,7 +6,7 @@
 
 #include "app/services/log/live_mission.h"
 #include "app/services/mapping/live_mapping.h"
-#include "app/services/mapping/mapping_words.h"
+#include "app/services/mapping/mapping_text.h"
 #include "app/services/places/mission_map.h"
 #include "core/event/station_topics.h"
 
@@ -44,7 +44,7 @@ Result<void> MapLog::publish(const Sample& sample, std::string_view topic) {
         const std::lock_guard lock(m_mutex);
         ++m_published;  // first: it may come back at once
     }
-    auto kept = m_mission.say(sample, topic);
+    auto kept = m_mission.record(sample, topic);
     if (kept) return kept;
     const std::lock_guard lock(m_mutex);
     ++m_received;
@@ -56,7 +56,7 @@ void MapLog::publishOrNotify(const Sample& sample, std::string_view topic) {
 }
 
 void MapLog::publishAside(const Sample& sample, std::string_view topic) {
-    if (const auto kept = m_mission.say(sample, topic); !kept) m_setup.notify(kept.error().text);
+    if (const auto kept = m_mission.record(sample, topic); !kept) m_setup.notify(kept.error().text);
 }
 
 void MapLog::publish(const MapUpdate& update) {

@@ -182,7 +182,7 @@ void RobotSight::take(const KeyScanSample& sample, SteadyTime now) {
     m_scan.add(cloud, sample.sensorInBase, [&baseThen](Time) { return std::optional(baseThen); });
 }
 
-void RobotSight::lookThrough(const std::string& sensor) {
+void RobotSight::selectCamera(const std::string& sensor) {
     const std::lock_guard lock(m_mutex);
     m_driversCamera = sensor;
 }
@@ -214,11 +214,11 @@ const PictureWatch* RobotSight::driversPicture() const {
     return nullptr;
 }
 
-void RobotSight::tell(RobotView& robot) const {
-    tell(robot, std::chrono::steady_clock::now());
+void RobotSight::fillView(RobotView& robot) const {
+    fillView(robot, std::chrono::steady_clock::now());
 }
 
-void RobotSight::tell(RobotView& robot, SteadyTime now) const {
+void RobotSight::fillView(RobotView& robot, SteadyTime now) const {
     const std::lock_guard lock(m_mutex);
     for (const auto& [sensor, watch] : m_cameras) robot.cameras.push_back({sensor, watch.at(now)});
     robot.joints = m_joints;

@@ -31,13 +31,13 @@ public:
     /// hand.
     void take(const KeyScanSample& scan, SteadyTime now);
     /// Sets the driver's camera to @p sensor, infrared or not; at first it is the one named first.
-    void lookThrough(const std::string& sensor);
+    void selectCamera(const std::string& sensor);
     /// Returns how fast the robot may be driven where @p sticks lead.
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes) const;
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes, SteadyTime now) const;
     /// Fills cameras and joints.
-    void tell(RobotView& robot) const;
-    void tell(RobotView& robot, SteadyTime now) const;
+    void fillView(RobotView& robot) const;
+    void fillView(RobotView& robot, SteadyTime now) const;
     /// The surroundings seen from where the robot was by its newest odometry; ages grow while nothing comes.
     /// Empty before any odometry. Sectors' ages are on the robot's clock.
     [[nodiscard]] std::optional<VirtualScanView> view() const;

@@ -74,7 +74,7 @@ bool ScannerAdvice::follow(const std::string& robot, const std::optional<Scanner
         sensor == described->sensors.end() ? ScannerCorrection{} : sensor->second.correction;
     if (now.with(*more) == now) return false;  // the correction is at its limits
     m_advised.emplace(robot, *more);
-    return m_told.emplace(robot, faultOf(*more)).second;
+    return m_reported.emplace(robot, faultOf(*more)).second;
 }
 
 std::optional<ScannerQuestion> ScannerAdvice::question() const {
@@ -97,7 +97,7 @@ ScannerAdvice::Used ScannerAdvice::use(const ScannerQuestion& question) {
     {
         const std::lock_guard lock(m_mutex);
         m_advised.erase(question.robot);
-        m_told.erase({question.robot, faultOf(question.more)});
+        m_reported.erase({question.robot, faultOf(question.more)});
         const auto robot = find(question.robot);
         if (robot == m_robots.end()) return used;
         sensor = onlyScanner(*robot);

@@ -54,7 +54,7 @@ private:
     std::vector<RobotDescription> m_robots;
     const std::filesystem::path m_mission;
     std::map<std::string, ScannerCorrection> m_advised;  ///< by robot
-    std::set<std::pair<std::string, ScannerFault>> m_told;
+    std::set<std::pair<std::string, ScannerFault>> m_reported;
     [[nodiscard]] std::vector<RobotDescription>::iterator find(const std::string& robot);
 };
 

@@ -60,10 +60,10 @@ struct ScanSession::State {
         map = std::move(newMap);
         if (listener.onMap) listener.onMap(map);
     }
-    void tell(Severity severity, std::string text) const {
+    void notify(Severity severity, std::string text) const {
         if (listener.onMessage) listener.onMessage({severity, std::move(text)});
     }
-    void tell(const SessionProgress& progress) const {
+    void notify(const SessionProgress& progress) const {
         if (listener.onProgress) listener.onProgress(progress);
     }
 };
@@ -76,7 +76,7 @@ void ScanSession::State::submit(std::function<SessionOutcome(const std::stop_tok
             try {
                 outcome = job(cancelled);
             } catch (const std::exception& broken) {
-                tell(Severity::Error, broken.what());
+                notify(Severity::Error, broken.what());
                 publish(mapper ? mapper->map() : std::make_shared<const Map>());
             }
             outcome.seconds = toSeconds(Clock::now() - start);
@@ -96,7 +96,7 @@ std::vector<PendingScan> ScanSession::State::newScans(const std::vector<fs::path
         } else if (known.insert(fs::weakly_canonical(source)).second) {
             addMission(source, pending, cancelled);
         } else {
-            tell(Severity::Warning, fmt::format("{}: in the map already, left out", source.string()));
+            notify(Severity::Warning, fmt::format("{}: in the map already, left out", source.string()));
         }
     }
     return pending;
@@ -105,7 +105,7 @@ std::vector<PendingScan> ScanSession::State::newScans(const std::vector<fs::path
 void ScanSession::State::addFiles(const fs::path& source, std::vector<PendingScan>& pending,
                                   std::set<fs::path>& known) {
     const auto found = listScans({source});
-    if (!found) return tell(Severity::Error, found.error().text);
+    if (!found) return notify(Severity::Error, found.error().text);
     int repeated = 0;
     for (const fs::path& file : found.value()) {
         if (known.insert(fs::weakly_canonical(file)).second) {
@@ -115,19 +115,21 @@ void ScanSession::State::addFiles(const fs::path& source, std::vector<PendingSca
         }
     }
     if (repeated > 0) {
-        tell(Severity::Warning,
-             fmt::format("{}: {} in the map already, left out", source.string(),
-                         repeated == 1 ? "one scan is" : fmt::format("{} scans are", repeated)));
+        notify(Severity::Warning,
+               fmt::format("{}: {} in the map already, left out", source.string(),
+                           repeated == 1 ? "one scan is" : fmt::format("{} scans are", repeated)));
     }
 }
 
 void ScanSession::State::addMission(const fs::path& mission, std::vector<PendingScan>& pending,
                                     const std::stop_token& cancelled) {
     const std::string name = mission.filename().string();
-    const auto report = [&](double fraction) { tell({Step::Reading, name, 0, 0, ReadingShare * fraction}); };
+    const auto report = [&](double fraction) {
+        notify({Step::Reading, name, 0, 0, ReadingShare * fraction});
+    };
     auto read = readMissionScans(mission, {report, cancelled});
-    if (!read) return tell(Severity::Error, read.error().text);
-    for (const std::string& warning : read->warnings) tell(Severity::Warning, warning);
+    if (!read) return notify(Severity::Error, read.error().text);
+    for (const std::string& warning : read->warnings) notify(Severity::Warning, warning);
     for (const ScanPtr& scan : read->scans) pending.push_back({fs::weakly_canonical(mission), scan});
 }
 
@@ -136,10 +138,10 @@ ScanPtr ScanSession::State::read(const PendingScan& pending) {
     if (pending.known) return pending.known;
     auto reading = readScan(pending.key);
     if (!reading) {
-        tell(Severity::Error, reading.error().text);
+        notify(Severity::Error, reading.error().text);
         return nullptr;
     }
-    for (const std::string& warning : reading->warnings) tell(Severity::Warning, warning);
+    for (const std::string& warning : reading->warnings) notify(Severity::Warning, warning);
     return std::make_shared<const Scan>(std::move(reading).value().scan);
 }
 
@@ -147,7 +149,7 @@ Progress ScanSession::State::progressOf(const std::string& name, int scan, int s
                                         const std::stop_token& cancelled) {
     const auto report = [this, name, scan, scans](double fraction) {
         const double ofScan = ReadingShare + (1.0 - ReadingShare) * fraction;
-        tell({Step::Registering, name, scan, scans, (scan - 1 + ofScan) / scans});
+        notify({Step::Registering, name, scan, scans, (scan - 1 + ofScan) / scans});
     };
     return {report, cancelled};
 }
@@ -161,7 +163,7 @@ SessionOutcome ScanSession::State::open(const std::vector<fs::path>& sources,
     for (int i = 0; i < scans && !cancelled.stop_requested(); ++i) {
         const PendingScan& pending = fresh[static_cast<std::size_t>(i)];
         if (!pending.known) {
-            tell({Step::Reading, pending.key.filename().string(), i + 1, scans, double(i) / scans});
+            notify({Step::Reading, pending.key.filename().string(), i + 1, scans, double(i) / scans});
         }
         const ScanPtr scan = read(pending);
         if (!scan) continue;

@@ -3,14 +3,14 @@
 #include <limits>
 #include <variant>
 
-#include "core/mapping/placement/placement_says.h"
+#include "core/mapping/placement/placement_format.h"
 
 namespace leitstand {
 
 PlaceOfRobot KeyScanPlaces::Scan::fix(double certainty) const {
     return {robot,
             {end, scanInMap * sensorInBase.inverse(), certainty, counts,
-             counts ? placement_says::FitsMap : placement_says::DoesNotFit}};
+             counts ? placement_format::FitsMap : placement_format::DoesNotFit}};
 }
 
 bool KeyScanPlaces::wants(const Event& event) {

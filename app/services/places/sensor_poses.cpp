@@ -76,10 +76,10 @@ ScannerCorrection SensorPoses::correctionOf(const std::string& sensor, const std
 }
 
 Pose SensorPoses::inBase(const std::string& sensor, const std::string& frame) {
-    return correctionOf(sensor, frame).corrected(saidInBase(sensor, frame));
+    return correctionOf(sensor, frame).corrected(describedInBase(sensor, frame));
 }
 
-Pose SensorPoses::saidInBase(const std::string& sensor, const std::string& frame) {
+Pose SensorPoses::describedInBase(const std::string& sensor, const std::string& frame) {
     if (const auto pose = inBaseByTransforms(frame)) return *pose;
     if (const auto described = m_robot->sensors.find(nameOf(sensor, frame));
         described != m_robot->sensors.end())

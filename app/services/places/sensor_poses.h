@@ -52,7 +52,7 @@ private:
     [[nodiscard]] std::optional<Pose> inBaseByTransforms(const std::string& frame) const;
     /// Name of the sensor in the robot's file; empty: it has none like it.
     [[nodiscard]] std::string nameOf(const std::string& sensor, const std::string& frame) const;
-    [[nodiscard]] Pose saidInBase(const std::string& sensor, const std::string& frame);
+    [[nodiscard]] Pose describedInBase(const std::string& sensor, const std::string& frame);
 
     const RobotDescription* m_robot;
     PoseTrack m_baseInOdom;

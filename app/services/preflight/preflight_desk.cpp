@@ -71,7 +71,7 @@ std::vector<RobotGuess> PreflightDesk::strangers() const {
     std::set<std::string> ours;
     for (const RobotDescription& robot : m_station.robots()) ours.insert(robot.name);
     std::vector<RobotGuess> others;
-    for (RobotGuess& guess : guessRobots(m_station.heard())) {
+    for (RobotGuess& guess : guessRobots(m_station.visibleTopics())) {
         const bool sees = guess.robot.stream(StreamRole::Odometry) != nullptr ||
                           guess.robot.stream(StreamRole::Points) != nullptr ||
                           guess.robot.stream(StreamRole::Picture) != nullptr;

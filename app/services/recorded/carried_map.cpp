@@ -28,13 +28,13 @@ namespace {
 
 constexpr std::size_t AtOnce = 5'000;  ///< links or poses in an event
 
-/// Calls @p say with all of @p all, some at a time.
-template <class T, class Say>
-Result<void> sayInPieces(const std::vector<T>& all, const Say& say) {
+/// Calls @p record with all of @p all, some at a time.
+template <class T, class Record>
+Result<void> recordInPieces(const std::vector<T>& all, const Record& record) {
     for (std::size_t first = 0; first < all.size(); first += AtOnce) {
         const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
         const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(first + AtOnce, all.size()));
-        if (auto said = say(std::vector<T>(begin, end)); !said) return said;
+        if (auto recorded = record(std::vector<T>(begin, end)); !recorded) return recorded;
     }
     return {};
 }
@@ -157,8 +157,9 @@ Result<std::size_t> carry(const RecordedMap& map, const CarriedInto& into, const
     if (!mission) return mission.error();
     for (std::size_t i = 0; i < scans.size(); ++i) {
         if (progress.cancelled()) return Error{translate("leitstand::Station", "cancelled")};
-        if (auto said = (*mission)->say(moved(std::move(scans[i]), berth), station_topic::KeyScans); !said)
-            return said.error();
+        if (auto recorded = (*mission)->record(moved(std::move(scans[i]), berth), station_topic::KeyScans);
+            !recorded)
+            return recorded.error();
         // What waits for the disk stays in memory.
         if (i % 50 == 49) {
             if (auto kept = (*mission)->flush(); !kept) return kept.error();
@@ -166,32 +167,32 @@ Result<std::size_t> carry(const RecordedMap& map, const CarriedInto& into, const
         progress.done(static_cast<double>(i + 1) / static_cast<double>(scans.size()));
     }
     const Time now = stationTime();
-    auto said = sayInPieces(carriedLinks(linksOf(map), carried, berth), [&](std::vector<Link> links) {
-        return (*mission)->say(ScanLinksSample{now, std::string(CarriedStation), std::move(links)},
-                               station_topic::ScanLinks);
+    auto recorded = recordInPieces(carriedLinks(linksOf(map), carried, berth), [&](std::vector<Link> links) {
+        return (*mission)->record(ScanLinksSample{now, std::string(CarriedStation), std::move(links)},
+                                  station_topic::ScanLinks);
     });
-    if (!said) return said.error();
+    if (!recorded) return recorded.error();
     for (ScanPose& pose : poses) {
         pose.scan += berth.scans;
         pose.scanInMap = berth.aside * pose.scanInMap;
     }
-    said = sayInPieces(poses, [&](std::vector<ScanPose> some) {
-        return (*mission)->say(ScanPosesSample{now, std::string(CarriedStation),
-                                               ScanPosesSample::Cause::Registration, std::move(some)},
-                               station_topic::ScanPoses);
+    recorded = recordInPieces(poses, [&](std::vector<ScanPose> some) {
+        return (*mission)->record(ScanPosesSample{now, std::string(CarriedStation),
+                                                  ScanPosesSample::Cause::Registration, std::move(some)},
+                                  station_topic::ScanPoses);
     });
-    if (!said) return said.error();
+    if (!recorded) return recorded.error();
     std::map<std::uint64_t, std::vector<BodyInScan>> bodies;
     for (const auto& [scan, those] : *map.state.bodies) {
         if (carried.contains(scan)) bodies.emplace(scan + berth.scans, those);
     }
     for (ScanBodiesSample& sample : inSamples(std::move(bodies), now)) {
         sample.station = CarriedStation;
-        if (auto kept = (*mission)->say(sample, station_topic::ScanBodies); !kept) return kept.error();
+        if (auto kept = (*mission)->record(sample, station_topic::ScanBodies); !kept) return kept.error();
     }
     if (const auto crop = cropOf(map.state); crop && berth.scans == 0) {
         const MapCropSample area{now, std::string(CarriedStation), crop->polygon, crop->ceiling};
-        if (auto kept = (*mission)->say(area, station_topic::MapCrop); !kept) return kept.error();
+        if (auto kept = (*mission)->record(area, station_topic::MapCrop); !kept) return kept.error();
     }
     if (auto closed = (*mission)->close(); !closed) return closed.error();
     return counting;

@@ -24,7 +24,7 @@ ScanPose poseOf(const MapScan& scan, std::uint64_t id) {
 
 /// Returns the events of @p one, the scan of @p id. They are of its robot: an event of the station would need
 /// a sequence that no other has.
-std::pair<Event, Event> saidOf(const OfflineScan& one, std::uint64_t id) {
+std::pair<Event, Event> eventsOf(const OfflineScan& one, std::uint64_t id) {
     Event scan;
     scan.sequence = one.arrival.sequence;
     scan.received = one.arrival.received;
@@ -60,18 +60,18 @@ MadeMap madeMapOf(const std::filesystem::path& mission, const Progress& progress
                        "no station made a map of this mission: {} of its {} scans were registered for the "
                        "review, without anyone's check"),
              map->scans.size(), map->read));
-    std::vector<std::pair<Event, Event>> said;
-    for (std::size_t i = 0; i < map->scans.size(); ++i) said.push_back(saidOf(map->scans[i], i + 1));
-    std::stable_sort(said.begin(), said.end(),
+    std::vector<std::pair<Event, Event>> recorded;
+    for (std::size_t i = 0; i < map->scans.size(); ++i) recorded.push_back(eventsOf(map->scans[i], i + 1));
+    std::stable_sort(recorded.begin(), recorded.end(),
                      [](const auto& a, const auto& b) { return a.first.sequence < b.first.sequence; });
     // A turn that had not ended is complete with the last cloud, as is the turn before it. One of them comes
     // earlier, since a topic has one event at a time.
-    for (std::size_t i = said.size(); i-- > 1;) {
-        const std::uint64_t last = said[i].first.sequence - 1;
-        if (said[i - 1].first.sequence <= last) continue;
-        said[i - 1].first.sequence = said[i - 1].second.sequence = last;
+    for (std::size_t i = recorded.size(); i-- > 1;) {
+        const std::uint64_t last = recorded[i].first.sequence - 1;
+        if (recorded[i - 1].first.sequence <= last) continue;
+        recorded[i - 1].first.sequence = recorded[i - 1].second.sequence = last;
     }
-    for (auto& [scan, pose] : said) {
+    for (auto& [scan, pose] : recorded) {
         made.events.push_back(std::move(scan));
         made.events.push_back(std::move(pose));
     }

@@ -60,8 +60,10 @@ Result<void> write(const MergeOrder& order, Joined joined) {
     if (!mission) return mission.error();
     joined.links.station = joined.poses.station = CarriedStation;
     for (Link& link : joined.links.links) link.station = CarriedStation;
-    if (auto said = (*mission)->say(joined.links, station_topic::ScanLinks); !said) return said;
-    if (auto said = (*mission)->say(joined.poses, station_topic::ScanPoses); !said) return said;
+    if (auto recorded = (*mission)->record(joined.links, station_topic::ScanLinks); !recorded)
+        return recorded;
+    if (auto recorded = (*mission)->record(joined.poses, station_topic::ScanPoses); !recorded)
+        return recorded;
     return (*mission)->close();
 }
 

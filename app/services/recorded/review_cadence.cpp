@@ -20,10 +20,10 @@ std::chrono::nanoseconds recordedTime(const ReviewIndex& index) {
 }
 
 double usualRate(const ReviewIndex& index, const std::string& robot, const std::string& topic) {
-    const auto said = index.finished->robots.find(robot);
-    if (said == index.finished->robots.end()) return 0.0;
-    const auto stream = said->second->streams.find(topic);
-    return stream == said->second->streams.end()
+    const auto reported = index.finished->robots.find(robot);
+    if (reported == index.finished->robots.end()) return 0.0;
+    const auto stream = reported->second->streams.find(topic);
+    return stream == reported->second->streams.end()
                ? 0.0
                : perSecond(static_cast<double>(stream->second.events), index);
 }
@@ -34,11 +34,11 @@ double keyScanRate(const ReviewIndex& index, const std::string& robot) {
 }
 
 bool hasSlices(const ReviewIndex& index, const std::string& robot) {
-    const auto said = index.finished->robots.find(robot);
-    if (said == index.finished->robots.end()) return false;
+    const auto reported = index.finished->robots.find(robot);
+    if (reported == index.finished->robots.end()) return false;
     const auto scans = index.scanned.find(robot);
     const std::size_t keyScans = scans == index.scanned.end() ? 0 : scans->second.size();
-    for (const auto& [topic, stream] : said->second->streams) {
+    for (const auto& [topic, stream] : reported->second->streams) {
         if (stream.role != StreamRole::Points && stream.role != StreamRole::Ranges) continue;
         if (stream.events > keyScans) return true;
     }

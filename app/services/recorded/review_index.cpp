@@ -47,23 +47,22 @@ public:
 
 private:
     /// When odometry of a robot was received.
-    struct Heard {
+    struct Gap {
         std::optional<Time> last;
         std::chrono::nanoseconds silence{};  ///< the longest since the track's end
     };
     void follow(const Event& event, const OdometrySample& odometry);
 
-    std::map<std::string, Heard> m_heard;  ///< by robot
+    std::map<std::string, Gap> m_gaps;  ///< by robot
 };
 
 void Indexing::follow(const Event& event, const OdometrySample& odometry) {
     auto& track = index.tracks[event.robot];
     const Pose& base = odometry.baseInOdom;
     if (!base.matrix().allFinite()) return;
-    Heard& heard = m_heard[event.robot];
-    if (heard.last)
-        heard.silence = std::max(heard.silence, std::chrono::nanoseconds(event.received - *heard.last));
-    heard.last = event.received;
+    Gap& gap = m_gaps[event.robot];
+    if (gap.last) gap.silence = std::max(gap.silence, std::chrono::nanoseconds(event.received - *gap.last));
+    gap.last = event.received;
     if (!track.empty()) {
         const Pose& before = track.back().baseInOdom;
         const bool moved = (before.translation() - base.translation()).norm() >= ReviewIndex::TrackApart ||
@@ -71,7 +70,7 @@ void Indexing::follow(const Event& event, const OdometrySample& odometry) {
         if (!moved) return;
     }
     const Time stamp = odometry.header.stamp == Time{} ? event.received : odometry.header.stamp;
-    track.push_back({event.received, stamp, base, std::exchange(heard.silence, {})});
+    track.push_back({event.received, stamp, base, std::exchange(gap.silence, {})});
 }
 
 void Indexing::onEvent(const Event& event) {
@@ -79,7 +78,7 @@ void Indexing::onEvent(const Event& event) {
     if (stretches.empty() || event.received > stretches.back().to + Silence)
         stretches.push_back({event.received, event.received});
     stretches.back().to = std::max(stretches.back().to, event.received);
-    if (!event.robot.empty()) index.lastHeard = event.received;
+    if (!event.robot.empty()) index.lastReceived = event.received;
     marks.add(event);
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         follow(event, *odometry);

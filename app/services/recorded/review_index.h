@@ -24,7 +24,7 @@ struct ReviewIndex {
     struct TrackPoint {
         Time received{}, stamp{};  ///< station's and robot's clock
         Pose baseInOdom = Pose::Identity();
-        std::chrono::nanoseconds unheard{};  ///< longest gap in the odometry since the point before
+        std::chrono::nanoseconds notReceived{};  ///< longest gap in the odometry since the point before
     };
     static constexpr double TrackApart = 0.1;               ///< of its points [m]
     std::vector<TimelineMark> marks;                        ///< by time
@@ -35,7 +35,7 @@ struct ReviewIndex {
     std::map<std::string, std::vector<std::pair<Time, double>>> gas;  ///< by robot: when received, [ppm]
     std::vector<Event> fixed;                                         ///< events that never change: tf_static
     std::map<std::string, std::vector<Time>> scanned;  ///< by robot: when its key scans were received
-    Time lastHeard{};                                  ///< when a robot sent something last
+    Time lastReceived{};                               ///< when a robot sent something last
     Time opensAt{};                                    ///< the first moment worth looking at
     MissionStatePtr finished;                          ///< the state at the end; never null
 };

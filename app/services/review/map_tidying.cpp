@@ -20,7 +20,7 @@
 #include "core/event/station_topics.h"
 #include "core/mapping/relaxation/missing_links.h"
 #include "core/mission/state/decisions.h"
-#include "core/mission/state/undo_says.h"
+#include "core/mission/state/undo_format.h"
 
 namespace leitstand {
 namespace {
@@ -58,14 +58,14 @@ std::vector<Link> changesOf(const std::vector<Link>& links, const Relaxation& fo
     return changes;
 }
 
-Result<void> say(LiveMission& mission, std::vector<Link> links, Time now) {
+Result<void> record(LiveMission& mission, std::vector<Link> links, Time now) {
     for (std::size_t first = 0; first < links.size(); first += LinksAtOnce) {
         const auto begin = links.begin() + static_cast<std::ptrdiff_t>(first);
         const auto end =
             links.begin() + static_cast<std::ptrdiff_t>(std::min(first + LinksAtOnce, links.size()));
         ScanLinksSample sample{now, std::string(Tidying), {begin, end}};
         for (Link& link : sample.links) link.station = Tidying;
-        if (auto said = mission.say(sample, station_topic::ScanLinks); !said) return said;
+        if (auto recorded = mission.record(sample, station_topic::ScanLinks); !recorded) return recorded;
     }
     return {};
 }
@@ -185,9 +185,10 @@ Result<TidiedMap> tidyMap(const std::filesystem::path& folder, const TidySetting
     auto mission = openAgain(*read, session(settings.version));
     if (!mission) return mission.error();
     const Time now = stationTime();
-    if (auto said = say(**mission, changes, now); !said) return said.error();
+    if (auto recorded = record(**mission, changes, now); !recorded) return recorded.error();
     const ScanPosesSample poses{now, std::string(Tidying), ScanPosesSample::Cause::LoopClosure, moved};
-    if (auto said = (*mission)->say(poses, station_topic::ScanPoses); !said) return said.error();
+    if (auto recorded = (*mission)->record(poses, station_topic::ScanPoses); !recorded)
+        return recorded.error();
     if (auto closed = (*mission)->close(); !closed) return closed.error();
     return tidied;
 }
@@ -217,10 +218,10 @@ Result<void> untidyMap(const std::filesystem::path& folder, const std::string& v
     auto mission = openAgain(*read, session(version));
     if (!mission) return mission.error();
     const Time stamp = stationTime();
-    if (auto said = say(**mission, std::move(changes), stamp); !said) return said;
+    if (auto recorded = record(**mission, std::move(changes), stamp); !recorded) return recorded;
     const UndoSample undo{stamp, std::string(Tidying), newest->sequence,
                           undoText({.kind = UndoneThing::Kind::TidiedMap})};
-    if (auto said = (*mission)->say(undo, station_topic::Undo); !said) return said;
+    if (auto recorded = (*mission)->record(undo, station_topic::Undo); !recorded) return recorded;
     return (*mission)->close();
 }
 

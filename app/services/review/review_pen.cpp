@@ -11,14 +11,14 @@
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
 #include "core/mission/finds/dismissal.h"
-#include "core/mission/state/undo_says.h"
+#include "core/mission/state/undo_format.h"
 
 namespace leitstand {
 namespace {
 
 std::string textOf(const Decision& decision) {
     using Kind = UndoneThing::Kind;
-    if (const auto* victim = std::get_if<VictimSample>(&decision.content))
+    if (const auto* victim = std::get_if<FindSample>(&decision.content))
         return undoText({.kind = Kind::ReviewedFind, .find = nameOf(victim->kind, victim->number)});
     return undoText({.kind = Kind::ReviewNote});
 }
@@ -63,16 +63,16 @@ std::shared_ptr<LiveMission> ReviewPen::mission() const {
     return m_mission;
 }
 
-Result<void> ReviewPen::say(const Sample& sample, std::string_view topic) {
+Result<void> ReviewPen::record(const Sample& sample, std::string_view topic) {
     if (auto opened = open(); !opened) return opened;
     const std::size_t before = mission()->state()->decisions->size();
-    if (auto said = mission()->say(sample, topic); !said) return said;
+    if (auto recorded = mission()->record(sample, topic); !recorded) return recorded;
     return await([before](const MissionState& state) { return state.decisions->size() != before; });
 }
 
-Result<void> ReviewPen::sayCandidate(const CandidateSample& candidate) {
+Result<void> ReviewPen::recordCandidate(const CandidateSample& candidate) {
     if (auto opened = open(); !opened) return opened;
-    if (auto said = mission()->say(candidate, station_topic::Candidates); !said) return said;
+    if (auto recorded = mission()->record(candidate, station_topic::Candidates); !recorded) return recorded;
     return await([&candidate](const MissionState& state) {
         const auto known = state.candidates->find(candidate.id);
         return known != state.candidates->end() && known->second.candidate.stamp == candidate.stamp &&
@@ -89,27 +89,27 @@ Result<void> ReviewPen::await(const std::function<bool(const MissionState&)>& ha
 
 Result<void> ReviewPen::note(Time at, const std::string& robot, const std::string& text) {
     if (text.empty()) return Error{translate("leitstand::Station", "a note without words is none")};
-    return say(NoteSample{.stamp = at, .station = m_station, .robot = robot, .text = text},
-               station_topic::Notes);
+    return record(NoteSample{.stamp = at, .station = m_station, .robot = robot, .text = text},
+                  station_topic::Notes);
 }
 
-Result<void> ReviewPen::correct(VictimSample victim) {
+Result<void> ReviewPen::correct(FindSample victim) {
     if (auto opened = open(); !opened) return opened;
     const FindKey find{victim.kind, victim.number};
-    if (!mission()->state()->victims->contains(find)) return unknown(find);
+    if (!mission()->state()->finds->contains(find)) return unknown(find);
     victim.stamp = stationTime();
     victim.station = m_station;
-    return say(victim, station_topic::Victims);
+    return record(victim, station_topic::Victims);
 }
 
-Result<void> ReviewPen::file(VictimSample::Kind kind, const FrozenEvidence& seen) {
+Result<void> ReviewPen::file(FindSample::Kind kind, const FrozenEvidence& seen) {
     if (auto opened = open(); !opened) return opened;
     const MissionStatePtr state = mission()->state();
     FrozenEvidence now = seen;
     // The scan that it is attached to may have moved since the reviewed moment.
     if (const auto scan = state->keyScans->find(seen.scan); scan != state->keyScans->end())
         now.positionInMap = scan->second.pose.scanInMap * seen.positionInScan;
-    return say(filed(*state, kind, now, m_station, stationTime()), station_topic::Victims);
+    return record(filed(*state, kind, now, m_station, stationTime()), station_topic::Victims);
 }
 
 Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
@@ -117,12 +117,12 @@ Result<void> ReviewPen::fileCandidate(std::uint32_t id) {
     if (!known) return known.error();
     const MissionStatePtr state = mission()->state();
     FrozenEvidence then;
-    then.found = state->candidates->at(id).told.stamp;
-    const VictimSample find = filedFrom(*state, *known, m_station, stationTime(), then);
-    if (auto said = say(find, station_topic::Victims); !said) return said;
+    then.found = state->candidates->at(id).firstReport.stamp;
+    const FindSample find = filedFrom(*state, *known, m_station, stationTime(), then);
+    if (auto recorded = record(find, station_topic::Victims); !recorded) return recorded;
     // It was dismissed when the mission ended: that stays so, and a review cannot take it back.
     if (known->dismissed) return {};
-    return sayCandidate(filedAs(*known, find.number, m_station, stationTime()));
+    return recordCandidate(filedAs(*known, find.number, m_station, stationTime()));
 }
 
 Result<void> ReviewPen::dismiss(std::uint32_t id) {
@@ -130,7 +130,7 @@ Result<void> ReviewPen::dismiss(std::uint32_t id) {
     if (!known) return known.error();
     // The first dismissal stays: an undo of a second one would bring back what the mission does not have.
     if (known->dismissed) return {};
-    return sayCandidate(judged(*known, true, m_station, stationTime()));
+    return recordCandidate(judged(*known, true, m_station, stationTime()));
 }
 
 Result<CandidateSample> ReviewPen::candidate(std::uint32_t id) {
@@ -144,13 +144,13 @@ Result<CandidateSample> ReviewPen::candidate(std::uint32_t id) {
 Result<void> ReviewPen::merge(const FindKey& find, std::uint32_t into) {
     if (auto opened = open(); !opened) return opened;
     const auto merged = mergedInto(*mission()->state(), find, into, m_station, stationTime());
-    return merged ? say(*merged, station_topic::Victims) : unknown(find);
+    return merged ? record(*merged, station_topic::Victims) : unknown(find);
 }
 
 Result<void> ReviewPen::move(const FindKey& find, const Eigen::Vector3d& floorInMap) {
     if (auto opened = open(); !opened) return opened;
     const auto moved = movedTo(*mission()->state(), find, floorInMap, m_station, stationTime());
-    return moved ? say(*moved, station_topic::Victims) : unknown(find);
+    return moved ? record(*moved, station_topic::Victims) : unknown(find);
 }
 
 Error ReviewPen::unknown(const FindKey& find) const {
@@ -182,15 +182,15 @@ Result<void> ReviewPen::undo() {
     const MissionStatePtr now = newest();
     const ReviewWriting last = now ? newestWriting(*now) : ReviewWriting{};
     if (last.dismissal != nullptr)
-        return sayCandidate(judged(*last.dismissal, false, m_station, stationTime()));
+        return recordCandidate(judged(*last.dismissal, false, m_station, stationTime()));
     if (last.decision == nullptr)
         return Error{
             translate("leitstand::Station", "nothing was written in reviews that could be taken back")};
-    return say(UndoSample{.stamp = stationTime(),
-                          .station = m_station,
-                          .event = last.decision->sequence,
-                          .text = textOf(*last.decision)},
-               station_topic::Undo);
+    return record(UndoSample{.stamp = stationTime(),
+                             .station = m_station,
+                             .event = last.decision->sequence,
+                             .text = textOf(*last.decision)},
+                  station_topic::Undo);
 }
 
 Result<void> ReviewPen::flush() {

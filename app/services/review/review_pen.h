@@ -11,7 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/event/candidate_sample.h"
-#include "core/event/victim_sample.h"
+#include "core/event/find_sample.h"
 #include "core/mission/finds/find_book.h"
 #include "core/mission/state/mission_state.h"
 #include "core/mission/timeline/timeline_marks.h"
@@ -37,9 +37,9 @@ public:
     /// Writes a note about the moment @p at of the mission; @p robot may be empty.
     Result<void> note(Time at, const std::string& robot, const std::string& text);
     /// Changes a victim to @p victim from now on; the mission has to know its number.
-    Result<void> correct(VictimSample victim);
+    Result<void> correct(FindSample victim);
     /// Files @p seen as a find of @p kind: a new one, or more evidence of one that is there.
-    Result<void> file(VictimSample::Kind kind, const FrozenEvidence& seen);
+    Result<void> file(FindSample::Kind kind, const FrozenEvidence& seen);
     /// Files the candidate of that id, which the station believed in and nobody filed.
     Result<void> fileCandidate(std::uint32_t candidate);
     /// Rejects the candidate of that id.
@@ -65,10 +65,10 @@ private:
     Result<void> open();
     [[nodiscard]] MissionStatePtr newest() const;  ///< state(), else as it was read; null: neither
     [[nodiscard]] std::shared_ptr<LiveMission> mission() const;  ///< null while nothing was written
-    Result<void> say(const Sample& sample, std::string_view topic);
+    Result<void> record(const Sample& sample, std::string_view topic);
     /// Returns the candidate of that id as it is now.
     Result<CandidateSample> candidate(std::uint32_t id);
-    Result<void> sayCandidate(const CandidateSample& candidate);
+    Result<void> recordCandidate(const CandidateSample& candidate);
     /// Waits until the mission @p has what was published last; the sequencer takes no longer than a moment.
     Result<void> await(const std::function<bool(const MissionState&)>& has) const;
     [[nodiscard]] Error unknown(const FindKey& find) const;

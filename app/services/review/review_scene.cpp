@@ -11,7 +11,7 @@
 #include "app/services/recorded/review_cadence.h"
 #include "app/services/review/reviewed_robot.h"
 #include "app/services/review/reviewed_streams.h"
-#include "core/mapping/placement/placement_says.h"
+#include "core/mapping/placement/placement_format.h"
 #include "core/perception/surroundings/virtual_scan.h"
 
 namespace leitstand {
@@ -41,7 +41,7 @@ std::vector<Anchor> anchorsOf(const RobotDescription& robot, const MissionState&
             continue;
         anchors.push_back(
             {scan.entry.stamp, scan.pose.scanInMap * points->second.scan->sensorInOdom.inverse(),
-             scan.pose.trust == ScanTrust::Certain, scan.pose.certainty, placement_says::NewestKeyScan});
+             scan.pose.trust == ScanTrust::Certain, scan.pose.certainty, placement_format::NewestKeyScan});
     }
     if (const auto places = index.places.find(robot.name); anchors.empty() && places != index.places.end()) {
         for (const RobotPlaceSample& place : places->second) {
@@ -144,11 +144,9 @@ void ReviewScene::countStreams(const MissionState& state, Time at) {
 }
 
 void ReviewScene::showMap(const MissionState& state) {
-    const auto saidCrop = [](const MissionState& mission) {
-        return mission.crop ? mission.crop->sequence : 0;
-    };
+    const auto cropIn = [](const MissionState& mission) { return mission.crop ? mission.crop->sequence : 0; };
     const bool same = m_map && &*m_mapped.keyScans == &*state.keyScans &&
-                      &*m_mapped.bodies == &*state.bodies && saidCrop(m_mapped) == saidCrop(state);
+                      &*m_mapped.bodies == &*state.bodies && cropIn(m_mapped) == cropIn(state);
     if (same) return;
     m_mapped = state;  // keeps the scans to compare with
     m_scans = scansOf(state, m_index, m_cropped);
@@ -158,14 +156,14 @@ void ReviewScene::showMap(const MissionState& state) {
 RobotInMap ReviewScene::place(const RobotDescription& robot, const MissionState& state, Time at) const {
     RobotInMap place;
     place.robot = robot.name;
-    const auto said = state.robots.find(robot.name);
-    if (said == state.robots.end() || !said->second->odometry) return place;
+    const auto reported = state.robots.find(robot.name);
+    if (reported == state.robots.end() || !reported->second->odometry) return place;
     // The map may be that of the mission's end; what it has of later than now is of no use for the robot.
     const MissionState& map = m_which == ReviewMap::Finished ? *m_index.finished : state;
     const std::vector<Anchor> anchors = anchorsOf(robot, map, m_index, at);
     if (anchors.empty()) return place;
     const Anchor& now = anchorAt(anchors, at);
-    const OdometrySample& odometry = said->second->odometry->sample;
+    const OdometrySample& odometry = reported->second->odometry->sample;
     place.placed = true;
     place.baseInMap = now.odomInMap * odometry.baseInOdom;
     place.stamp = odometry.header.stamp;
@@ -180,7 +178,7 @@ RobotInMap ReviewScene::place(const RobotDescription& robot, const MissionState&
             const Pose& odomInMap = anchorAt(anchors, point.received).odomInMap;
             const Eigen::Vector3f there = (odomInMap * point.baseInOdom.translation()).cast<float>();
             const float away = trail->empty() ? 0.0F : (there - trail->back().inMap).norm();
-            trail->push_back({there, isGap(static_cast<double>(away), point.unheard, Apart)});
+            trail->push_back({there, isGap(static_cast<double>(away), point.notReceived, Apart)});
         }
     }
     if (!trail->empty()) {
@@ -223,11 +221,11 @@ ReviewMomentPtr ReviewScene::at(Time at, bool around) {
     if (const RobotDescription* const robot = watched()) {
         RobotView& view = moment->robots[robot->name];
         view.around = m_around;
-        if (m_sight) m_sight->tell(view, steadyOf(at));
+        if (m_sight) m_sight->fillView(view, steadyOf(at));
         if (const StreamDescription* const command = robot->stream(StreamRole::DriveCommand)) {
-            const auto said = m_log.newest(command->topic, at);
-            const auto* const twist = said ? std::get_if<TwistSample>(&said->sample) : nullptr;
-            if (twist != nullptr && at - said->received <= CommandLife)
+            const auto reported = m_log.newest(command->topic, at);
+            const auto* const twist = reported ? std::get_if<TwistSample>(&reported->sample) : nullptr;
+            if (twist != nullptr && at - reported->received <= CommandLife)
                 view.drive.velocity = {twist->linear.x(), twist->linear.y(), twist->angular.z()};
         }
     }

@@ -10,12 +10,12 @@ namespace {
 
 constexpr double LostAfter = 3.0;  ///< of silence [s], as in a live station
 
-LinkStatus linkOf(const RobotDescription& robot, const RobotState* said, Time now) {
+LinkStatus linkOf(const RobotDescription& robot, const RobotState* reported, Time now) {
     LinkStatus link;
     link.robot = robot.name;
-    if (said == nullptr) return link;
+    if (reported == nullptr) return link;
     Time newest{};
-    for (const auto& [topic, stream] : said->streams) {
+    for (const auto& [topic, stream] : reported->streams) {
         if (stream.role && !isCommand(*stream.role)) newest = std::max(newest, stream.received);
     }
     if (newest == Time{}) return link;
@@ -25,11 +25,11 @@ LinkStatus linkOf(const RobotDescription& robot, const RobotState* said, Time no
     return link;
 }
 
-StopStatus stopOf(const RobotDescription& robot, const RobotState* said) {
+StopStatus stopOf(const RobotDescription& robot, const RobotState* reported) {
     StopStatus stop;
     stop.supported = robot.stream(StreamRole::StopCommand) != nullptr;
-    if (said == nullptr || !said->stop) return stop;
-    const StopStateSample& state = said->stop->sample;
+    if (reported == nullptr || !reported->stop) return stop;
+    const StopStateSample& state = reported->stop->sample;
     stop.stopped = state.stopped;
     stop.standing = state.standing;
     stop.standingKnown = true;
@@ -42,10 +42,10 @@ StopStatus stopOf(const RobotDescription& robot, const RobotState* said) {
 
 RobotView reviewedRobot(const RobotDescription& robot, const MissionState& state, Time now) {
     const auto found = state.robots.find(robot.name);
-    const RobotState* const said = found == state.robots.end() ? nullptr : &*found->second;
+    const RobotState* const reported = found == state.robots.end() ? nullptr : &*found->second;
     RobotView view;
-    view.link = linkOf(robot, said, now);
-    view.stop = stopOf(robot, said);
+    view.link = linkOf(robot, reported, now);
+    view.stop = stopOf(robot, reported);
     view.drive.drivable = robot.stream(StreamRole::DriveCommand) != nullptr ||
                           robot.stream(StreamRole::TrackCommand) != nullptr;
     const auto grant = state.grants->find({GrantSample::Kind::Drive, robot.name});
@@ -60,15 +60,15 @@ std::vector<Alarm> reviewedAlarms(const MissionState& state, Time now) {
     const AlarmTiming timing;
     std::vector<Alarm> alarms;
     for (const auto& [key, kept] : *state.alarms) {
-        const AlarmSample& said = kept.alarm;
+        const AlarmSample& reported = kept.alarm;
         Alarm alarm;
-        alarm.cause = loggedCause(said);
+        alarm.cause = loggedCause(reported);
         alarm.number = kept.raised;
-        alarm.since = said.stamp;
-        alarm.acknowledged = said.state == AlarmSample::State::Acknowledged;
-        if (said.state == AlarmSample::State::Cleared) {
-            if (now - said.stamp > timing.shown) continue;
-            alarm.ended = said.stamp;
+        alarm.since = reported.stamp;
+        alarm.acknowledged = reported.state == AlarmSample::State::Acknowledged;
+        if (reported.state == AlarmSample::State::Cleared) {
+            if (now - reported.stamp > timing.shown) continue;
+            alarm.ended = reported.stamp;
         }
         alarms.push_back(std::move(alarm));
     }

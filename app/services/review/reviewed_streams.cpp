@@ -17,10 +17,10 @@ constexpr double StaleAfter = 4.0;  // in usual intervals between two samples of
 constexpr double NeverStale = 1.0;  // [s]: samples of any stream are this old now and then
 
 const StreamState* find(const MissionState& state, const std::string& robot, const std::string& topic) {
-    const auto said = state.robots.find(robot);
-    if (said == state.robots.end()) return nullptr;
-    const auto stream = said->second->streams.find(topic);
-    return stream == said->second->streams.end() ? nullptr : &stream->second;
+    const auto reported = state.robots.find(robot);
+    if (reported == state.robots.end()) return nullptr;
+    const auto stream = reported->second->streams.find(topic);
+    return stream == reported->second->streams.end() ? nullptr : &stream->second;
 }
 
 }  // namespace
@@ -45,12 +45,13 @@ std::vector<StreamStatus> reviewedStreams(const RobotDescription& robot, const M
         status.sensor = described.sensor;
         status.topic = described.topic;
         status.lossRatio = status.megabitsPerSecond = Unknown;
-        if (const StreamState* const said = find(state, robot.name, described.topic)) {
+        if (const StreamState* const reported = find(state, robot.name, described.topic)) {
             const StreamState* const before = find(earlier, robot.name, described.topic);
-            status.samples = said->events;
-            status.age = std::max(0.0, secondsBetween(said->received, window.to));
+            status.samples = reported->events;
+            status.age = std::max(0.0, secondsBetween(reported->received, window.to));
             const double length = secondsBetween(window.from, window.to);
-            const auto came = said->events - std::min(said->events, before == nullptr ? 0 : before->events);
+            const auto came =
+                reported->events - std::min(reported->events, before == nullptr ? 0 : before->events);
             status.rate = length > 0.0 ? static_cast<double>(came) / length : 0.0;
             const double usual = usualRate(index, robot.name, described.topic);
             status.steady = usual >= Steady;

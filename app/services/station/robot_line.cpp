@@ -11,8 +11,8 @@ namespace leitstand {
 namespace {
 
 /// Commands that are requests: published once, when the operator makes them.
-constexpr std::array Wishes = {StreamRole::ModeCommand, StreamRole::GoalPose, StreamRole::PanTiltCommand,
-                               StreamRole::StreamCommand};
+constexpr std::array Requests = {StreamRole::ModeCommand, StreamRole::GoalPose, StreamRole::PanTiltCommand,
+                                 StreamRole::StreamCommand};
 
 }  // namespace
 
@@ -26,7 +26,7 @@ Result<std::unique_ptr<RobotLine>> RobotLine::create(Node& node, const RobotDesc
 }
 
 Result<void> RobotLine::open(Node& node, const std::string& station, Driving with, LinkListener watch) {
-    for (const StreamRole role : Wishes) {
+    for (const StreamRole role : Requests) {
         const StreamDescription* stream = m_robot.stream(role);
         if (stream == nullptr) continue;
         // Several requests of one moment do not displace one another before they are acknowledged.
@@ -66,9 +66,9 @@ Result<void> RobotLine::open(Node& node, const std::string& station, Driving wit
     return {};
 }
 
-void RobotLine::tell(RobotView& robot) const {
+void RobotLine::fillView(RobotView& robot) const {
     robot.link = m_link->status();
-    m_sight.tell(robot);
+    m_sight.fillView(robot);
     if (!m_drive) return;
     const DriveStatus status = m_drive->status();
     robot.drive = {.drivable = true,
@@ -81,7 +81,7 @@ void RobotLine::tell(RobotView& robot) const {
                    .sight = status.sight};
 }
 
-Result<void> RobotLine::say(StreamRole role, const Sample& command) {
+Result<void> RobotLine::publish(StreamRole role, const Sample& command) {
     const auto found = m_commands.find(role);
     if (found == m_commands.end()) {
         return Error{leitstand::fill(translate("leitstand::Error", "{}: its file names no {} stream"),

@@ -40,9 +40,9 @@ public:
     [[nodiscard]] const RobotSight& sight() const { return m_sight; }
     /// Null when the robot takes no drive commands.
     [[nodiscard]] DriveStreamer* drive() const { return m_drive.get(); }
-    void tell(RobotView& robot) const;  ///< fills link, drive, cameras and joints
+    void fillView(RobotView& robot) const;  ///< fills link, drive, cameras and joints
     /// Publishes a command other than for driving and stopping. Error when the robot does not take it.
-    Result<void> say(StreamRole role, const Sample& command);
+    Result<void> publish(StreamRole role, const Sample& command);
 
 private:
     RobotLine(const RobotDescription& robot) : m_robot(robot), m_sight(m_robot) {}

@@ -29,7 +29,7 @@ RobotView Station::robot(const std::string& name) const {
     return m_state->view(name);
 }
 
-std::optional<VirtualScanView> Station::around(const std::string& robot) const {
+std::optional<VirtualScanView> Station::surroundings(const std::string& robot) const {
     const RobotLine* const line = m_state->line(robot);
     return line == nullptr ? std::nullopt : line->sight().view();
 }
@@ -54,9 +54,9 @@ StationAlarms& Station::alarms() {
 Result<void> Station::describe(MissionInfoSample info) {
     info.stamp = stationTime();
     info.station = m_state->memory->identity().id;
-    auto said = m_state->mission->say(info, station_topic::Mission);
-    if (said) m_state->sharing->say(info, station_topic::Mission);
-    return said;
+    auto recorded = m_state->mission->record(info, station_topic::Mission);
+    if (recorded) m_state->sharing->publish(info, station_topic::Mission);
+    return recorded;
 }
 
 std::shared_ptr<const SearchedFloor> Station::searched() const {
@@ -85,11 +85,11 @@ std::vector<WireComplaint> Station::mismatches() const {
     return complaints;
 }
 
-void Station::focus(const std::string& robot) {
+void Station::setDriveFocus(const std::string& robot) {
     giveSticks(m_state->lines, robot);
 }
 
-void Station::push(const DriveVelocity& sticks, bool withoutEyes) {
+void Station::setStick(const DriveVelocity& sticks, bool withoutEyes) {
     for (const auto& [name, line] : m_state->lines) {
         if (line->drive() == nullptr || m_state->brakes->isRunning(name)) continue;
         if (line->drive()->status().focus) line->drive()->set(sticks, withoutEyes);
@@ -97,31 +97,31 @@ void Station::push(const DriveVelocity& sticks, bool withoutEyes) {
 }
 
 void Station::halt() {
-    const MissionStatePtr said = mission();
+    const MissionStatePtr recorded = mission();
     for (const auto& [name, line] : m_state->lines) {
         if (line->drive() == nullptr || !line->drive()->status().focus) continue;
         line->drive()->halt();
-        const auto robot = said->robots.find(name);
-        if (robot != said->robots.end() && robot->second->mode && robot->second->mode->sample.autonomous)
+        const auto robot = recorded->robots.find(name);
+        if (robot != recorded->robots.end() && robot->second->mode && robot->second->mode->sample.autonomous)
             (void)setMode(name, "teleoperation");  // one that takes no modes stops by its sticks alone
     }
 }
 
-void Station::lookThrough(const std::string& robot, const std::string& sensor) {
-    if (RobotLine* const line = m_state->line(robot)) line->sight().lookThrough(sensor);
-    m_state->streams->lookThrough(robot, sensor);
+void Station::selectCamera(const std::string& robot, const std::string& sensor) {
+    if (RobotLine* const line = m_state->line(robot)) line->sight().selectCamera(sensor);
+    m_state->streams->selectCamera(robot, sensor);
 }
 
-void Station::ask(const std::string& robot) {
-    m_state->grants->ask(driveGrant(robot));
+void Station::requestGrant(const std::string& robot) {
+    m_state->grants->requestGrant(driveGrant(robot));
 }
 
-void Station::giveUp(const std::string& robot) {
+void Station::releaseGrant(const std::string& robot) {
     m_state->grants->release(driveGrant(robot));
 }
 
-void Station::answer(const std::string& robot, bool consent) {
-    m_state->grants->answer(driveGrant(robot), consent);
+void Station::answerRequest(const std::string& robot, bool consent) {
+    m_state->grants->answerRequest(driveGrant(robot), consent);
 }
 
 GrantView Station::mapGrant() const {
@@ -129,8 +129,8 @@ GrantView Station::mapGrant() const {
 }
 
 void Station::giveMap() {
-    m_state->grants->answer(MapGrant, true);
-    m_state->grants->ask(MapGrant);  // it returns here when the other station ends
+    m_state->grants->answerRequest(MapGrant, true);
+    m_state->grants->requestGrant(MapGrant);  // it returns here when the other station ends
 }
 
 void Station::stopAll() {
@@ -149,8 +149,8 @@ Result<void> Station::setMode(const std::string& robot, const std::string& mode)
     // In teleoperation it follows the sticks, which are limited by themselves.
     const bool byItself = !mode.ends_with("teleoperation");
     if (auto may = maySend(robot); byItself && !may) return may;
-    return m_state->wish(robot, StreamRole::ModeCommand,
-                         ModeCommandSample{stationTime(), m_state->memory->identity().id, mode});
+    return m_state->request(robot, StreamRole::ModeCommand,
+                            ModeCommandSample{stationTime(), m_state->memory->identity().id, mode});
 }
 
 Result<void> Station::maySend(const std::string& robot) const {
@@ -171,14 +171,14 @@ Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
     if (auto may = maySend(robot); !may) return may;
     PoseSample stamped = goal;
     stamped.header.stamp = stationTime();
-    return m_state->wish(robot, StreamRole::GoalPose, stamped);
+    return m_state->request(robot, StreamRole::GoalPose, stamped);
 }
 
 std::vector<std::string> Station::limits() const {
     return m_state->node->warnings();
 }
 
-std::vector<SeenTopic> Station::heard() const {
+std::vector<SeenTopic> Station::visibleTopics() const {
     return seenTopics(m_state->node->endpoints());
 }
 

@@ -52,8 +52,9 @@ struct StationListener {
 class StationClock;
 class StationMapping;
 
-/// An operator's station on live robots (design, sections 1 and 4): records everything, watches links, holds
-/// grants, drives one robot at a time, stops all. Any thread; no call waits for network or disk.
+/// An operator's station on live robots (docs/design.md, "A mission is its log" and "The wire"): records
+/// everything, watches links, holds grants, drives one robot at a time, stops all. Any thread; no call waits
+/// for network or disk.
 class Station {
 public:
     /// Joins the domain and opens the mission. Errors name the obstacle: network card, identity, folder,
@@ -69,7 +70,7 @@ public:
     /// separately, since they take longest.
     [[nodiscard]] RobotView robot(const std::string& name) const;
     /// Returns its surroundings now: RobotView::around.
-    [[nodiscard]] std::optional<VirtualScanView> around(const std::string& robot) const;
+    [[nodiscard]] std::optional<VirtualScanView> surroundings(const std::string& robot) const;
     /// When any of its scans came last, after which its surroundings look different; empty: never.
     [[nodiscard]] std::optional<SteadyTime> scanned(const std::string& robot) const;
     [[nodiscard]] MissionStatePtr mission() const;
@@ -85,25 +86,25 @@ public:
     [[nodiscard]] StationAlarms& alarms();                        ///< what the operator has to know
     [[nodiscard]] std::vector<WireComplaint> mismatches() const;  ///< between robots and us
     [[nodiscard]] std::vector<std::string> limits() const;        ///< of this computer, which cost samples
-    [[nodiscard]] std::vector<SeenTopic> heard() const;           ///< what others publish and subscribe to
+    [[nodiscard]] std::vector<SeenTopic> visibleTopics() const;   ///< what others publish and subscribe to
     [[nodiscard]] const StationSettings& settings() const;        ///< as it was opened
 
     /// Gives the sticks to one robot; all others stand. Empty: to none.
-    void focus(const std::string& robot);
+    void setDriveFocus(const std::string& robot);
     /// Sets the sticks as they are now, also when neutral; call it at least ten times a second. The speed is
     /// capped by the age of what the driver sees (SightCap), wherever the sticks come from, except while
     /// @p withoutEyes is set.
-    void push(const DriveVelocity& sticks, bool withoutEyes = false);
+    void setStick(const DriveVelocity& sticks, bool withoutEyes = false);
     /// Stops the robot that has the sticks until they were neutral; asks one that drives itself to obey them
     /// again.
     void halt();
     /// Sets the camera @p sensor through which the driver looks at @p robot's surroundings; at first, its
     /// first.
-    void lookThrough(const std::string& robot, const std::string& sensor);
+    void selectCamera(const std::string& robot, const std::string& sensor);
 
-    void ask(const std::string& robot);                   ///< requests the grant to drive
-    void giveUp(const std::string& robot);                ///< releases the grant
-    void answer(const std::string& robot, bool consent);  ///< answers a request for a grant of ours
+    void requestGrant(const std::string& robot);                 ///< requests the grant to drive
+    void releaseGrant(const std::string& robot);                 ///< releases the grant
+    void answerRequest(const std::string& robot, bool consent);  ///< answers a request for a grant of ours
 
     /// Returns which station makes the map, and which one requests it.
     [[nodiscard]] GrantView mapGrant() const;

@@ -13,7 +13,7 @@ namespace leitstand {
 StationClock::StationClock(LiveMission& mission, std::string station, Changed changed)
     : m_mission(mission), m_station(std::move(station)) {
     if (!mission.state()->clock) (void)run(true);  // the log reports what is wrong with it
-    m_said.reset();                                // the team's clock takes precedence
+    m_recorded.reset();                            // the team's clock takes precedence
     m_changed = std::move(changed);                // others need no notice that it began by itself
 }
 
@@ -23,7 +23,7 @@ MissionClock StationClock::now() const {
 }
 
 MissionClock StationClock::present() const {
-    std::optional<ClockSample> newest = m_said;
+    std::optional<ClockSample> newest = m_recorded;
     if (const auto folded = m_mission.state()->clock;
         folded && (!newest || newest->stamp < folded->sample.stamp))
         newest = folded->sample;
@@ -34,10 +34,10 @@ template <class Change>
 Result<void> StationClock::change(Change change) {
     const std::lock_guard lock(m_mutex);
     const ClockSample sample = change(present(), stationTime(), m_station);
-    auto said = m_mission.say(sample, station_topic::Clock);
-    if (said) m_said = sample;
-    if (said && m_changed) m_changed(sample);
-    return said;
+    auto recorded = m_mission.record(sample, station_topic::Clock);
+    if (recorded) m_recorded = sample;
+    if (recorded && m_changed) m_changed(sample);
+    return recorded;
 }
 
 Result<void> StationClock::run(bool running) {

@@ -34,8 +34,8 @@ private:
     LiveMission& m_mission;
     const std::string m_station;
     Changed m_changed;
-    mutable std::mutex m_mutex;         ///< one change after another
-    std::optional<ClockSample> m_said;  ///< by this station, under the mutex; may not be in the state yet
+    mutable std::mutex m_mutex;             ///< one change after another
+    std::optional<ClockSample> m_recorded;  ///< by this station, under the mutex; may not be in the state yet
 };
 
 }  // namespace leitstand

@@ -15,15 +15,16 @@
 #include "core/mission/finds/find_book.h"
 
 namespace leitstand {
-void Station::State::fileAgain(VictimSample find) {
+void Station::State::fileAgain(FindSample find) {
     const std::string before = nameOf(find.kind, find.number);
     // Several may be filed again before the mission has the first of them.
     std::uint32_t& last = filedAgain[find.kind];
     last = std::max(last + 1, nextNumber(*mission->state(), find.kind));
     find.number = last;
     find.stamp = std::max(stationTime(), find.stamp + std::chrono::nanoseconds(1));
-    if (const auto kept = mission->say(find, station_topic::Victims); !kept) return say(kept.error().text);
-    say(leitstand::fill(
+    if (const auto kept = mission->record(find, station_topic::Victims); !kept)
+        return notify(kept.error().text);
+    notify(leitstand::fill(
         translate("leitstand::Station", "{} of another station was found first: this station's {} is {} now"),
         before, before, nameOf(find.kind, find.number)));
 }
@@ -33,9 +34,9 @@ void Station::State::file() {
     setup.robots = settings.mission.robots;
     setup.station = memory->identity().id;
     setup.mission = [this] { return mission->state(); };
-    setup.say = [this](const VictimSample& find) { return mission->say(find, station_topic::Victims); };
-    setup.sayCandidate = [this](const CandidateSample& candidate) {
-        return mission->say(candidate, station_topic::Candidates);
+    setup.record = [this](const FindSample& find) { return mission->record(find, station_topic::Victims); };
+    setup.recordCandidate = [this](const CandidateSample& candidate) {
+        return mission->record(candidate, station_topic::Candidates);
     };
     setup.undo = [this](const UndoSample& undo) { return mapping->takeBack(undo); };
     setup.locate = [this](const ChosenEvidence& chosen, FindDeskSetup::Located answer) {
@@ -57,7 +58,7 @@ void Station::State::file() {
         }
         return std::nullopt;
     };
-    setup.tell = [this](const std::string& text) { say(text); };
+    setup.notify = [this](const std::string& text) { notify(text); };
     setup.now = [] { return stationTime(); };
     finds = std::make_unique<FindDesk>(std::move(setup));
 }
@@ -73,16 +74,17 @@ void Station::State::search() {
     const MissionStatePtr now = mission->state();
     for (const auto& [id, known] : *now->candidates) setup.earlier.push_back(known.candidate);
     setup.finds = [this] {
-        std::vector<VictimSample> finds;
+        std::vector<FindSample> finds;
         const MissionStatePtr newest = mission->state();
-        for (const auto& [key, known] : *newest->victims) finds.push_back(known.victim);
+        for (const auto& [key, known] : *newest->finds) finds.push_back(known.victim);
         return finds;
     };
     for (const ScoreProfile& profile : scoreProfiles().profiles)
         setup.tags.byName[profile.name] = profile.victimTags;
     if (now->info) setup.profile = now->info->sample.profile;
     setup.onCandidate = [this](const CandidateSample& found) {
-        if (const auto kept = mission->say(found, station_topic::Candidates); !kept) say(kept.error().text);
+        if (const auto kept = mission->record(found, station_topic::Candidates); !kept)
+            notify(kept.error().text);
     };
     victims = std::make_unique<VictimWatch>(std::move(setup));
 }
@@ -98,7 +100,7 @@ void Station::State::cover(std::vector<KeyScanSample> earlier) {
         };
     }
     setup.earlier = std::move(earlier);
-    setup.tell = [this](const std::string& text) { say(text); };
+    setup.notify = [this](const std::string& text) { notify(text); };
     coverage = std::make_unique<CoverageWatch>(std::move(setup));
 }
 

@@ -14,7 +14,7 @@
 #include "app/services/log/sequencer.h"
 #include "app/services/mapping/live_mapping.h"
 #include "app/services/mapping/loop_previews.h"
-#include "app/services/mapping/mapping_words.h"
+#include "app/services/mapping/mapping_text.h"
 #include "app/services/places/mission_map.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"
@@ -199,7 +199,7 @@ void StationMapping::onEvent(const Event& event) {
         for (const Event& one : std::exchange(waiting, {})) state.mapping->onEvent(one);
         return state.mapping->onEvent(event);
     }
-    state.mapping->heard(event.robot, event.received);
+    state.mapping->scanReceived(event.robot, event.received);
     waiting.push_back(event);
     while (event.received - waiting.front().received > HeldBack) waiting.pop_front();
 }

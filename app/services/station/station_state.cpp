@@ -14,7 +14,7 @@
 #include "core/event/station_topics.h"
 #include "core/io/page_file.h"
 #include "core/io/settings/alarm_file.h"
-#include "core/station/preflight/brake_says.h"
+#include "core/station/preflight/brake_format.h"
 #include "transport/link/grant_sender.h"
 #include "transport/link/guard_arguments.h"
 
@@ -32,7 +32,7 @@ Station::State::~State() {
     if (finds) finds->finish();                  // the log has to have what the operator saw
     // Waiting events still go into the log; their effect on the map is dropped.
     services.close();
-    hearing.reset();  // the alarms used it
+    reception.reset();  // the alarms used it
     if (feed) feed->end();
     clock.reset();
     mission.reset();  // its thread uses the lines and passes events on to the mapping
@@ -69,7 +69,7 @@ Result<void> Station::State::control() {
         if (open) sharing->look();
     };
     held.onHeld = [this](const std::vector<HeldGrant>& now) {
-        if (const auto kept = memory->remember(now); !kept) say(kept.error().text);
+        if (const auto kept = memory->remember(now); !kept) notify(kept.error().text);
     };
     auto keeper = GrantKeeper::create(*node, memory->identity(), std::move(held));
     if (!keeper) return keeper.error();
@@ -98,11 +98,12 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
         brakes->look(link.robot);
     };
     watch.onState = [this, title = robot.title](const LinkStatus& link) {
-        say(fmt::format("{}: {}", title, linkStateWords(link.state)));
+        notify(fmt::format("{}: {}", title, linkStateWords(link.state)));
     };
     watch.onClockOffset = [this](const ClockOffsetSample& offset) {
         const std::lock_guard lock(mutex);
-        if (open) (void)mission->say(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
+        if (open)
+            (void)mission->record(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
     };
     auto line = RobotLine::create(*node, robot, memory->identity().id, {conditions, pulse}, std::move(watch));
     if (!line) return line.error();
@@ -112,7 +113,7 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
 
 void Station::State::map(std::vector<KeyScanSample> earlier, std::vector<ScanLinksSample> links) {
     StationMappingListener listening;
-    listening.onMessage = [this](const std::string& text) { say(text); };
+    listening.onMessage = [this](const std::string& text) { notify(text); };
     listening.onMap = listener.onMap;
     listening.onScans = listener.onScans;
     // When there can be no such file there can be no log either, which is reported.
@@ -123,7 +124,7 @@ void Station::State::map(std::vector<KeyScanSample> earlier, std::vector<ScanLin
         StationMappingSetup{settings.mission.robots, memory->identity().id, settings.mapping,
                             std::move(earlier), std::move(links), settings.mission.folder},
         std::move(listening));
-    grants->ask(MapGrant);
+    grants->requestGrant(MapGrant);
 }
 
 void Station::State::watch() {
@@ -134,39 +135,39 @@ void Station::State::watch() {
     if (limits)
         setup.limits = *limits;
     else
-        say(limits.error().text);  // the usual ones are used then
+        notify(limits.error().text);  // the usual ones are used then
     setup.view = [this](const std::string& robot) { return view(robot); };
     setup.mission = [this] { return mission->state(); };
     setup.scans = [this] { return mapping->scans(); };
     setup.places = [this] { return mapping->robots(); };
     setup.onLog = [this](const AlarmSample& alarm) {
-        if (const auto kept = mission->say(alarm, station_topic::Alarms); !kept) say(kept.error().text);
+        if (const auto kept = mission->record(alarm, station_topic::Alarms); !kept) notify(kept.error().text);
     };
     alarms = std::make_unique<StationAlarms>(std::move(setup));
 }
 
 void Station::State::share() {
-    SharedIntakeSetup hearing;
-    hearing.me = senderOf(node->guid());
-    hearing.mission = [this] { return mission->state(); };
-    hearing.holdsMap = [this] { return grants->mayAct(MapGrant); };
-    hearing.enter = [this](RawEvent event) { mission->receive(std::move(event)); };
-    hearing.tell = [this](const std::string& text) { say(text); };
-    hearing.station = memory->identity().id;
-    hearing.onJoined = [this] {
-        if (open) sharing->tellFindsAgain();
+    SharedIntakeSetup reception;
+    reception.me = senderOf(node->guid());
+    reception.mission = [this] { return mission->state(); };
+    reception.holdsMap = [this] { return grants->mayAct(MapGrant); };
+    reception.enter = [this](RawEvent event) { mission->receive(std::move(event)); };
+    reception.notify = [this](const std::string& text) { notify(text); };
+    reception.station = memory->identity().id;
+    reception.onJoined = [this] {
+        if (open) sharing->publishFindsAgain();
     };
-    hearing.fileAgain = [this](const VictimSample& find) { fileAgain(find); };
-    MissionSharingSetup telling;
-    telling.station = memory->identity().id;
-    telling.folder = settings.mission.folder;
-    telling.holdsMap = hearing.holdsMap;
-    telling.tell = hearing.tell;
-    telling.robots = [this] { return mapping->robots(); };
-    intake = std::make_unique<SharedIntake>(std::move(hearing));
-    telling.sharesMap = [this] { return intake->sharesMap(); };
-    telling.isAdopted = [this](std::uint64_t scan) { return intake->isAdopted(scan); };
-    sharing = std::make_unique<MissionSharing>(*node, *mission, std::move(telling));
+    reception.fileAgain = [this](const FindSample& find) { fileAgain(find); };
+    MissionSharingSetup publishing;
+    publishing.station = memory->identity().id;
+    publishing.folder = settings.mission.folder;
+    publishing.holdsMap = reception.holdsMap;
+    publishing.notify = reception.notify;
+    publishing.robots = [this] { return mapping->robots(); };
+    intake = std::make_unique<SharedIntake>(std::move(reception));
+    publishing.sharesMap = [this] { return intake->sharesMap(); };
+    publishing.isAdopted = [this](std::uint64_t scan) { return intake->isAdopted(scan); };
+    sharing = std::make_unique<MissionSharing>(*node, *mission, std::move(publishing));
 }
 
 void Station::State::follow() {
@@ -181,16 +182,16 @@ void Station::State::listen() {
         for (const auto& [name, line] : lines) line->link().onSample(sample);
     });
     for (const RobotDescription& robot : settings.mission.robots) {
-        for (const auto& problem : feed->listenTo(robot, MissionFeed::Commands::Heard)) say(problem);
+        for (const auto& problem : feed->listenTo(robot, MissionFeed::Commands::Received)) notify(problem);
     }
     const auto gate = [this](ReceivedSample sample) {
         const SteadyTime now = std::chrono::steady_clock::now();
         intake->take(std::move(sample.event), senderOf(sample.writer), now);
     };
-    for (const auto& problem : feed->listenToStations(gate)) say(problem);
+    for (const auto& problem : feed->listenToStations(gate)) notify(problem);
     node->onDiscovery([this] {
-        tellMismatches();
-        tellDrops();
+        notifyMismatches();
+        notifyDrops();
         sharing->look();
     });
 }
@@ -207,8 +208,8 @@ bool Station::State::isAtRest() const {
     });
 }
 
-void Station::State::watchHearing() {
-    HearingWatchSetup setup;
+void Station::State::watchReception() {
+    ReceptionWatchSetup setup;
     setup.robots = settings.mission.robots;
     setup.link = [this](const std::string& robot) { return lines.at(robot)->link().status().state; };
     setup.mayRejoin = [this] { return isAtRest(); };
@@ -216,27 +217,27 @@ void Station::State::watchHearing() {
         grants->rejoined(me);
         intake->rejoined(senderOf(me));
     };
-    setup.tell = [this](const std::string& text) { say(text); };
-    hearing = std::make_unique<HearingWatch>(*node, std::move(setup));
+    setup.notify = [this](const std::string& text) { notify(text); };
+    reception = std::make_unique<ReceptionWatch>(*node, std::move(setup));
 }
 
-void Station::State::tellMismatches() {
+void Station::State::notifyMismatches() {
     for (const Mismatch& mismatch : node->mismatches()) {
         {
             const std::lock_guard lock(mutex);
-            if (!told.insert(toString(mismatch.complaint)).second) continue;
+            if (!reported.insert(toString(mismatch.complaint)).second) continue;
         }
-        say(worded(mismatch.complaint));
+        notify(worded(mismatch.complaint));
     }
 }
 
-void Station::State::tellDrops() {
+void Station::State::notifyDrops() {
     std::vector<ScreenDrop> due;
     {
         const std::lock_guard lock(mutex);
         due = screened.due(node->dropped());
     }
-    for (const ScreenDrop& drop : due) say(worded(drop));
+    for (const ScreenDrop& drop : due) notify(worded(drop));
 }
 
 void Station::State::watchStreams() {
@@ -245,7 +246,7 @@ void Station::State::watchStreams() {
         [this](const std::string& robot, StreamCommandSample command) {
             command.stamp = stationTime();
             command.station = memory->identity().id;
-            return wish(robot, StreamRole::StreamCommand, command);
+            return request(robot, StreamRole::StreamCommand, command);
         },
         [this](const std::string& robot, const std::string& topic, bool off) {
             line(robot)->link().setPaused(topic, off);
@@ -257,7 +258,7 @@ void Station::State::watchBrakes() {
     hands.focus = [this](const std::string& robot, bool on) {
         if (on) {
             giveSticks(lines, robot);
-            grants->ask(driveGrant(robot));
+            grants->requestGrant(driveGrant(robot));
         } else if (DriveStreamer* const drive = lines.at(robot)->drive()) {
             drive->setFocus(false);  // others may be driven by now
         }
@@ -267,12 +268,12 @@ void Station::State::watchBrakes() {
         refresh(robot);
     };
     hands.done = [this](const std::string& robot, const BrakeResult& result, const Result<void>& kept) {
-        if (!kept) say(kept.error().text);
+        if (!kept) notify(kept.error().text);
         const NoteSample note{stationTime(), memory->identity().id, robot, toString(result)};
         const RobotDescription& described = lines.at(robot)->robot();
-        say(described.title + ": " + brakeWorded(note.text));
+        notify(described.title + ": " + brakeWorded(note.text));
         const std::lock_guard lock(mutex);
-        if (open) (void)mission->say(note, station_topic::Notes);  // a plain sample can be encoded
+        if (open) (void)mission->record(note, station_topic::Notes);  // a plain sample can be encoded
     };
     const std::filesystem::path file = settings.memory.parent_path() / "brakes.yaml";
     brakes = std::make_unique<StationBrakes>(settings.mission.robots, file, std::move(hands));
@@ -300,8 +301,8 @@ void Station::State::guardRobots() {
     setup.onTrouble = [this](const std::string& robot, const std::string& problem) {
         for (const RobotDescription& one : settings.mission.robots) {
             if (one.name != robot) continue;
-            say(leitstand::fill(translate("leitstand::Station", "{} has no guard and is not driven: {}"),
-                                one.title, problem));
+            notify(leitstand::fill(translate("leitstand::Station", "{} has no guard and is not driven: {}"),
+                                   one.title, problem));
         }
     };
     guards = std::make_unique<StationGuards>(std::move(setup));
@@ -313,14 +314,14 @@ Result<void> Station::State::start() {
     auto remembered = StationFile::open(settings.memory, settings.mission.title);
     if (!remembered) return remembered.error();
     memory = std::move(remembered).value();
-    if (!memory->warning().empty()) say(memory->warning());
+    if (!memory->warning().empty()) notify(memory->warning());
     settings.mission.station = memory->identity().id;
     auto joined = Node::create(*network);
     if (!joined) return joined.error();
     node = std::move(joined).value();
-    for (const std::string& warning : node->warnings()) say(warning);
+    for (const std::string& warning : node->warnings()) notify(warning);
     LiveMission::Listener log;
-    log.onAlarm = [this](const std::string& text) { say(text); };
+    log.onAlarm = [this](const std::string& text) { notify(text); };
     log.onEvent = [this](const Event& event) {
         if (!open) return;
         if (RobotLine* const known = line(event.robot)) known->sight().onEvent(event);
@@ -342,20 +343,20 @@ Result<void> Station::State::start() {
     cameras = std::make_unique<StationCameras>(
         settings.mission, *grants,
         [this](const std::string& robot, const PanTiltCommand& command) {
-            return wish(robot, StreamRole::PanTiltCommand, command);
+            return request(robot, StreamRole::PanTiltCommand, command);
         },
-        [this](const NoteSample& note) { return mission->say(note, station_topic::Notes); },
-        [this](const std::string& text) { say(text); });
+        [this](const NoteSample& note) { return mission->record(note, station_topic::Notes); },
+        [this](const std::string& text) { notify(text); });
     cover(earlier);
     map(std::move(earlier), std::move(links));
     search();
     file();
     watch();
     clock = std::make_unique<StationClock>(*mission, memory->identity().id, [this](const ClockSample& now) {
-        sharing->say(now, station_topic::Clock);
+        sharing->publish(now, station_topic::Clock);
     });
     share();
-    watchHearing();
+    watchReception();
     follow();
     {
         const std::lock_guard lock(mutex);
@@ -370,19 +371,19 @@ RobotView Station::State::view(const std::string& name) const {
     const RobotLine* const known = line(name);
     if (known == nullptr) return {};
     RobotView view;
-    known->tell(view);
-    if (open && hearing) view.hearing = hearing->fault(name);
+    known->fillView(view);
+    if (open && reception) view.reception = reception->fault(name);
     view.grant = grants->view(driveGrant(name));
     view.stop = stops->status(name);
     return view;
 }
 
-Result<void> Station::State::wish(const std::string& robot, StreamRole role, const Sample& sample) const {
+Result<void> Station::State::request(const std::string& robot, StreamRole role, const Sample& sample) const {
     RobotLine* const to = line(robot);
     if (to == nullptr)
         return Error{leitstand::fill(
             translate("leitstand::Station", "\"{}\" is none of the station's robots"), robot)};
-    return to->say(role, sample);
+    return to->publish(role, sample);
 }
 
 }  // namespace leitstand

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/services/coverage/coverage_watch.h"
-#include "app/services/domain/hearing_watch.h"
+#include "app/services/domain/reception_watch.h"
 #include "app/services/finds/find_desk.h"
 #include "app/services/heap_keeper.h"
 #include "app/services/log/mission_feed.h"
@@ -59,13 +59,13 @@ struct Station::State {
     std::unique_ptr<SharedIntake> intake;
     std::unique_ptr<MissionSharing> sharing;
     std::unique_ptr<MissionFeed> feed;
-    std::unique_ptr<HearingWatch> hearing;
+    std::unique_ptr<ReceptionWatch> reception;
     StationServices services;        ///< those of the above that follow the mission; fixed once open
     std::mutex mutex;                ///< guards the next three
     std::atomic<bool> open = false;  ///< everything is there; changed under the mutex
-    std::set<std::string> told;      ///< reported mismatches; under the mutex
-    ScreenTelling screened;          ///< under the mutex
-    std::map<VictimSample::Kind, std::uint32_t> filedAgain;  ///< last numbers; of the intake's callers
+    std::set<std::string> reported;  ///< reported mismatches; under the mutex
+    ScreenMessages screened;         ///< under the mutex
+    std::map<FindSample::Kind, std::uint32_t> filedAgain;  ///< last numbers; of the intake's callers
     HeapKeeper heap;
 
     ~State();
@@ -81,23 +81,23 @@ struct Station::State {
     void watch();
     void file();
     void share();
-    void follow();                      ///< adds the parts that follow the mission to services
-    void fileAgain(VictimSample find);  ///< under the next number, since its own is another station's
+    void follow();                    ///< adds the parts that follow the mission to services
+    void fileAgain(FindSample find);  ///< under the next number, since its own is another station's
     void listen();
-    void watchHearing();
+    void watchReception();
     [[nodiscard]] bool isAtRest() const;  ///< nothing moves by this station, and nothing is being stopped
     [[nodiscard]] RobotView view(const std::string& robot) const;
     void refresh(const std::string& robot);  ///< empty: all
-    void say(const std::string& text) const {
+    void notify(const std::string& text) const {
         if (listener.onMessage) listener.onMessage(text);
     }
-    void tellMismatches();
-    void tellDrops();
+    void notifyMismatches();
+    void notifyDrops();
     [[nodiscard]] RobotLine* line(const std::string& robot) const {
         const auto found = lines.find(robot);
         return found == lines.end() ? nullptr : found->second.get();
     }
-    [[nodiscard]] Result<void> wish(const std::string& robot, StreamRole role, const Sample& sample) const;
+    [[nodiscard]] Result<void> request(const std::string& robot, StreamRole role, const Sample& sample) const;
 };
 
 }  // namespace leitstand

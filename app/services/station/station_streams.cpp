@@ -37,8 +37,8 @@ const StationStreams::Line* StationStreams::find(const std::string& robot) const
     return const_cast<StationStreams*>(this)->find(robot);
 }
 
-Result<void> StationStreams::wish(const std::string& robot, const std::string& topic,
-                                  const StreamWish& wish) {
+Result<void> StationStreams::request(const std::string& robot, const std::string& topic,
+                                     const StreamRequest& request) {
     const std::lock_guard lock(m_mutex);
     Line* const line = find(robot);
     if (line == nullptr)
@@ -50,24 +50,24 @@ Result<void> StationStreams::wish(const std::string& robot, const std::string& t
     if (!comesFrom(line->robot, topic))
         return Error{leitstand::fill(
             translate("leitstand::Station", "{}: {} is none of the streams that it sends"), robot, topic)};
-    line->wishes.set(topic, wish);
+    line->requests.set(topic, request);
     share();
     return {};
 }
 
-StreamWish StationStreams::own(const std::string& robot, const std::string& topic) const {
+StreamRequest StationStreams::own(const std::string& robot, const std::string& topic) const {
     const std::lock_guard lock(m_mutex);
     const Line* const line = find(robot);
-    return line == nullptr ? StreamWish{} : line->wishes.own(topic);
+    return line == nullptr ? StreamRequest{} : line->requests.own(topic);
 }
 
-StreamWish StationStreams::effective(const std::string& robot, const std::string& topic) const {
+StreamRequest StationStreams::effective(const std::string& robot, const std::string& topic) const {
     const std::lock_guard lock(m_mutex);
     const Line* const line = find(robot);
-    return line == nullptr ? StreamWish{} : line->wishes.effective(topic);
+    return line == nullptr ? StreamRequest{} : line->requests.effective(topic);
 }
 
-bool StationStreams::takesWishes(const std::string& robot) const {
+bool StationStreams::takesRequests(const std::string& robot) const {
     const std::lock_guard lock(m_mutex);
     const Line* const line = find(robot);
     return line != nullptr && line->robot.stream(StreamRole::StreamCommand) != nullptr;
@@ -106,7 +106,7 @@ void StationStreams::select(const std::string& robot) {
     share();
 }
 
-void StationStreams::lookThrough(const std::string& robot, const std::string& sensor) {
+void StationStreams::selectCamera(const std::string& robot, const std::string& sensor) {
     const std::lock_guard lock(m_mutex);
     Line* const line = find(robot);
     if (line == nullptr || line->camera == sensor) return;
@@ -130,7 +130,7 @@ void StationStreams::share() {
         robot.thin = line.thin && line.robot.stream(StreamRole::StreamCommand) != nullptr;
         robot.selected = line.robot.name == m_selected;
         for (const StreamDescription& stream : line.robot.streams) {
-            if (isCommand(stream.role) || !line.wishes.own(stream.topic).enabled) continue;
+            if (isCommand(stream.role) || !line.requests.own(stream.topic).enabled) continue;
             const auto known = line.costs.find(stream.topic);
             StreamCost cost{.role = stream.role, .topic = stream.topic};
             if (known != line.costs.end()) cost = known->second;
@@ -143,29 +143,29 @@ void StationStreams::share() {
         }
         robots.push_back(std::move(robot));
     }
-    const auto wishes = thinWishes(robots, m_settings);
+    const auto requests = thinRequests(robots, m_settings);
     for (Line& line : m_lines) {
-        std::map<std::string, StreamWish> own;
+        std::map<std::string, StreamRequest> own;
         for (const StreamDescription& stream : line.robot.streams) {
-            if (const auto wish = wishes.find(stream.topic); line.thin && wish != wishes.end())
-                own.insert(*wish);
+            if (const auto request = requests.find(stream.topic); line.thin && request != requests.end())
+                own.insert(*request);
         }
-        line.wishes.setThin(own);
+        line.requests.setThin(own);
     }
 }
 
-bool StationStreams::isSettled(Line& line, const std::string& topic, const StreamWish& wish) {
+bool StationStreams::isSettled(Line& line, const std::string& topic, const StreamRequest& request) {
     const SteadyTime now = std::chrono::steady_clock::now();
-    const auto [standing, isNew] = line.standing.try_emplace(topic, Standing{wish, now});
-    if (standing->second.wish != wish) standing->second = {wish, now};
+    const auto [standing, isNew] = line.standing.try_emplace(topic, Standing{request, now});
+    if (standing->second.request != request) standing->second = {request, now};
     return now - standing->second.since > Settling;
 }
 
-bool StationStreams::correct(Line& line, const StreamStatus& stream, const StreamWish& wish) {
-    if (!wish.enabled || !isFollowed(wish, stream)) return false;
+bool StationStreams::correct(Line& line, const StreamStatus& stream, const StreamRequest& request) {
+    if (!request.enabled || !isFollowed(request, stream)) return false;
     const auto known = line.costs.find(stream.topic);
     StreamCost cost = known == line.costs.end() ? usualCost(stream.role, stream.topic) : known->second;
-    const double expected = costUnder(cost, wish),
+    const double expected = costUnder(cost, request),
                  measured = onTheWire(stream.megabitsPerSecond, stream.rate);
     if (expected <= 0.0 || measured <= 1.05 * expected) return false;
     cost.megabits *= measured / expected;
@@ -176,11 +176,11 @@ bool StationStreams::correct(Line& line, const StreamStatus& stream, const Strea
 bool StationStreams::learn(Line& line, const LinkStatus& link) {
     bool news = false;
     for (const StreamStatus& stream : link.streams) {
-        const StreamWish wish = line.wishes.effective(stream.topic);
-        const bool settled = isSettled(line, stream.topic, wish);
+        const StreamRequest request = line.requests.effective(stream.topic);
+        const bool settled = isSettled(line, stream.topic, request);
         if (stream.samples < Enough || stream.rate <= 0.0) continue;
-        if (!wish.isPlain()) {
-            news = (settled && correct(line, stream, wish)) || news;
+        if (!request.isPlain()) {
+            news = (settled && correct(line, stream, request)) || news;
             continue;
         }
         const auto [known, isNew] = line.costs.try_emplace(stream.topic);
@@ -203,14 +203,14 @@ void StationStreams::take(const LinkStatus& link) {
         Line* const line = find(link.robot);
         if (line == nullptr) return;
         const bool there = link.state == LinkState::Connected || link.state == LinkState::Degraded;
-        if (there && !line->there) line->wishes.returned();
+        if (there && !line->there) line->requests.returned();
         const bool otherTeam = std::exchange(line->there, there) != there;
         const bool news = there && learn(*line, link);
         if (otherTeam || news) share();
         if (!there) return;  // nobody listens
-        due = line->wishes.due(std::chrono::steady_clock::now());
+        due = line->requests.due(std::chrono::steady_clock::now());
         for (const StreamStatus& stream : link.streams) {
-            const bool off = !line->wishes.effective(stream.topic).enabled;
+            const bool off = !line->requests.effective(stream.topic).enabled;
             if (off != stream.paused) paused.emplace_back(stream.topic, off);
         }
     }

@@ -9,14 +9,14 @@
 #include "core/base/result.h"
 #include "core/robot/link/link_status.h"
 #include "core/robot/robot_description.h"
+#include "core/robot/streams/request_book.h"
 #include "core/robot/streams/thin_link.h"
-#include "core/robot/streams/wish_book.h"
 
 namespace leitstand {
 
 /// What the station requests of the streams of its robots: rates, qualities, what is off. A thin link
-/// requests less of everything in the stated order (thinWishes()). Wishes are kept, and sent again to a robot
-/// that comes back. Robots obey whoever holds the grant to drive them. Any thread.
+/// requests less of everything in the stated order (thinRequests()). Wishes are kept, and sent again to a
+/// robot that comes back. Robots obey whoever holds the grant to drive them. Any thread.
 class StationStreams {
 public:
     /// Sends a command to a robot.
@@ -29,12 +29,12 @@ public:
     StationStreams& operator=(const StationStreams&) = delete;
 
     /// Sets the operator's wish for a stream. Errors: the robot has no such stream, or takes no wishes.
-    Result<void> wish(const std::string& robot, const std::string& topic, const StreamWish& wish);
-    [[nodiscard]] StreamWish own(const std::string& robot, const std::string& topic) const;
+    Result<void> request(const std::string& robot, const std::string& topic, const StreamRequest& request);
+    [[nodiscard]] StreamRequest own(const std::string& robot, const std::string& topic) const;
     /// The wish after the reductions of the thin link.
-    [[nodiscard]] StreamWish effective(const std::string& robot, const std::string& topic) const;
+    [[nodiscard]] StreamRequest effective(const std::string& robot, const std::string& topic) const;
     /// Whether @p robot takes wishes at all.
-    [[nodiscard]] bool takesWishes(const std::string& robot) const;
+    [[nodiscard]] bool takesRequests(const std::string& robot) const;
 
     /// Sets whether the link to @p robot (empty: to all) is thin.
     void thin(const std::string& robot, bool on);
@@ -45,7 +45,7 @@ public:
     /// first.
     void select(const std::string& robot);
     /// Sets the camera @p sensor that the driver of @p robot looks through.
-    void lookThrough(const std::string& robot, const std::string& sensor);
+    void selectCamera(const std::string& robot, const std::string& sensor);
 
     /// Takes the link of a robot as it is now, and sends what is due; call it several times a second.
     void take(const LinkStatus& link);
@@ -54,12 +54,12 @@ public:
 private:
     /// A wish, and since when it stands.
     struct Standing {
-        StreamWish wish;
+        StreamRequest request;
         SteadyTime since;
     };
     struct Line {
         RobotDescription robot;
-        WishBook wishes = WishBook();
+        RequestBook requests = RequestBook();
         bool thin = false, there = false;
         std::string camera = {};                        ///< sensor that is looked through
         std::map<std::string, StreamCost> costs = {};   ///< by topic, while nothing is wished
@@ -67,10 +67,10 @@ private:
     };
     [[nodiscard]] Line* find(const std::string& robot);
     [[nodiscard]] const Line* find(const std::string& robot) const;
-    /// Whether what is measured of @p topic already results from @p wish.
-    [[nodiscard]] static bool isSettled(Line& line, const std::string& topic, const StreamWish& wish);
+    /// Whether what is measured of @p topic already results from @p request.
+    [[nodiscard]] static bool isSettled(Line& line, const std::string& topic, const StreamRequest& request);
     /// Raises the cost of a reduced stream that costs more than expected; true when it does.
-    [[nodiscard]] static bool correct(Line& line, const StreamStatus& stream, const StreamWish& wish);
+    [[nodiscard]] static bool correct(Line& line, const StreamStatus& stream, const StreamRequest& request);
     /// True when a thin link has to be shared again.
     [[nodiscard]] static bool learn(Line& line, const LinkStatus& link);
     void share();  ///< shares the thin link again

@@ -56,7 +56,7 @@ const Decision* meantBy(const MissionState& mission, const UndoSample& undo) {
 
 }  // namespace
 
-struct MissionSharing::Telling {
+struct MissionSharing::Publishing {
     std::unique_ptr<BagReader> bag;
     std::set<std::uint64_t> sequences;  ///< of the scans that count
     std::optional<BagCursor> cursor;
@@ -80,7 +80,7 @@ MissionSharing::MissionSharing(Node& node, LiveMission& mission, MissionSharingS
         if (made)
             m_publishers.emplace(topic, std::move(made).value());
         else
-            m_setup.tell(made.error().text);
+            m_setup.notify(made.error().text);
     }
     m_thread = std::jthread([this](const std::stop_token& stop) { m_jobs.work(stop); });
 }
@@ -95,7 +95,7 @@ void MissionSharing::close() {
     if (m_thread.joinable()) m_thread.join();
 }
 
-bool MissionSharing::isHeard() const {
+bool MissionSharing::isReceived() const {
     const std::lock_guard lock(m_mutex);
     return !m_listeners.empty();
 }
@@ -117,12 +117,12 @@ void MissionSharing::look() {
     m_scanReaders = std::move(scans);
     m_heldMap = holds;
     if (m_listeners.empty() || (!came && !took)) return;
-    m_jobs.submit([this](const std::stop_token& stop) { tellAll(stop); });
+    m_jobs.submit([this](const std::stop_token& stop) { publishAll(stop); });
 }
 
-void MissionSharing::tellFindsAgain() {
+void MissionSharing::publishFindsAgain() {
     m_jobs.submit([this](const std::stop_token& stop) {
-        if (!stop.stop_requested()) tellFinds(*m_mission.state());
+        if (!stop.stop_requested()) publishFinds(*m_mission.state());
     });
 }
 
@@ -132,19 +132,19 @@ void MissionSharing::submit(const Sample& sample, std::string_view topic) {
     });
 }
 
-void MissionSharing::say(const Sample& sample, std::string_view topic) {
-    if (isHeard()) submit(sample, topic);
+void MissionSharing::publish(const Sample& sample, std::string_view topic) {
+    if (isReceived()) submit(sample, topic);
 }
 
 void MissionSharing::onEvent(const Event& event) {
-    if (!event.robot.empty() || !isHeard()) return;
+    if (!event.robot.empty() || !isReceived()) return;
     if (const auto* undo = std::get_if<UndoSample>(&event.sample)) {
         if (undo->station != m_setup.station) return;
         return m_jobs.submit([this, undo = *undo](const std::stop_token& stop) {
-            if (!stop.stop_requested()) tellUndone(undo);
+            if (!stop.stop_requested()) notifyUndone(undo);
         });
     }
-    // The operator's changes of them come by say(); what a station logs of them at its start is its own.
+    // The operator's changes of them come by publish(); what a station logs of them at its start is its own.
     if (event.topic == station_topic::Clock || event.topic == station_topic::Mission) return;
     if (!isShared(event.topic)) return;
     const auto* scan = std::get_if<KeyScanSample>(&event.sample);
@@ -156,8 +156,8 @@ void MissionSharing::onEvent(const Event& event) {
 }
 
 void MissionSharing::write(const Sample& sample, std::string_view topic) {
-    const Sample said = forOthers(sample);
-    auto cdr = encode(said, typeOf(said));
+    const Sample reported = forOthers(sample);
+    auto cdr = encode(reported, typeOf(reported));
     if (cdr) write(*cdr, topic);  // the log has reported what cannot be encoded
 }
 
@@ -167,38 +167,39 @@ void MissionSharing::write(const Payload& cdr, std::string_view topic) {
     if (publisher != m_publishers.end()) static_cast<void>(publisher->second->write(cdr));
 }
 
-void MissionSharing::tellAll(const std::stop_token& stop) {
-    tellFinds(*m_mission.state());  // the operator's work does not wait for scans
-    tellClock(*m_mission.state());
+void MissionSharing::publishAll(const std::stop_token& stop) {
+    publishFinds(*m_mission.state());  // the operator's work does not wait for scans
+    publishClock(*m_mission.state());
     if (!m_setup.holdsMap()) return;
-    if (auto telling = scansToTell()) tellScans(std::move(telling), stop);
+    if (auto publishing = scansToPublish()) publishScans(std::move(publishing), stop);
 }
 
-std::shared_ptr<MissionSharing::Telling> MissionSharing::scansToTell() {
+std::shared_ptr<MissionSharing::Publishing> MissionSharing::scansToPublish() {
     if (!m_mission.flush()) return nullptr;  // the log has reported why
-    auto telling = std::make_shared<Telling>();
+    auto publishing = std::make_shared<Publishing>();
     const MissionStatePtr mission = m_mission.state();
-    for (const auto& [id, scan] : *mission->keyScans) telling->sequences.insert(scan.sequence);
+    for (const auto& [id, scan] : *mission->keyScans) publishing->sequences.insert(scan.sequence);
     auto bag = BagReader::open(m_setup.folder);
     if (!bag) {
-        m_setup.tell(bag.error().text);
+        m_setup.notify(bag.error().text);
         return nullptr;
     }
-    telling->bag = std::move(bag).value();
+    publishing->bag = std::move(bag).value();
     BagQuery query;
     query.topics = {std::string(station_topic::KeyScans), std::string(station_topic::ScanLinks)};
-    telling->cursor.emplace(telling->bag->read(query));
-    return telling;
+    publishing->cursor.emplace(publishing->bag->read(query));
+    return publishing;
 }
 
-void MissionSharing::tellScans(std::shared_ptr<Telling> telling, const std::stop_token& stop) {
+void MissionSharing::publishScans(std::shared_ptr<Publishing> publishing, const std::stop_token& stop) {
     const auto publisher = m_publishers.find(station_topic::KeyScans);
     if (publisher == m_publishers.end() || stop.stop_requested()) return;
     const auto goOn = [&] {
-        m_jobs.submit([this, telling](const std::stop_token& stopped) { tellScans(telling, stopped); });
+        m_jobs.submit(
+            [this, publishing](const std::stop_token& stopped) { publishScans(publishing, stopped); });
     };
-    const double waited = secondsBetween(telling->since, steadyNow());
-    if (!telling->begun) {
+    const double waited = secondsBetween(publishing->since, steadyNow());
+    if (!publishing->begun) {
         std::size_t announced = 0;
         {
             const std::lock_guard lock(m_mutex);
@@ -210,33 +211,34 @@ void MissionSharing::tellScans(std::shared_ptr<Telling> telling, const std::stop
             std::this_thread::sleep_for(Look);
             return goOn();
         }
-        telling->begun = true;
+        publishing->begun = true;
     } else if (!publisher->second->waitForAcknowledgments(Look)) {
-        if (waited < Patience + PatienceAByte * static_cast<double>(telling->bytes)) return goOn();
+        if (waited < Patience + PatienceAByte * static_cast<double>(publishing->bytes)) return goOn();
     }
-    telling->bytes = 0;
-    telling->since = std::chrono::steady_clock::now();
+    publishing->bytes = 0;
+    publishing->since = std::chrono::steady_clock::now();
     for (int i = 0; i < ScansAtOnce;) {
-        const auto scan = telling->cursor->next();
-        if (!scan) return tellMap(*m_mission.state());
+        const auto scan = publishing->cursor->next();
+        if (!scan) return publishMap(*m_mission.state());
         if (scan->topic == station_topic::ScanLinks) {
             const auto event = decodeStationEvent(*scan);
-            const auto* said = event ? std::get_if<ScanLinksSample>(&event->sample) : nullptr;
-            if (said == nullptr) continue;
+            const auto* reported = event ? std::get_if<ScanLinksSample>(&event->sample) : nullptr;
+            if (reported == nullptr) continue;
             // Readers must distinguish it from what they publish themselves.
-            write(ScanLinksSample{said->stamp, m_setup.station, said->links}, station_topic::ScanLinks);
-            telling->bytes += scan->cdr->size();
+            write(ScanLinksSample{reported->stamp, m_setup.station, reported->links},
+                  station_topic::ScanLinks);
+            publishing->bytes += scan->cdr->size();
             continue;
         }
-        if (!telling->sequences.contains(scan->sequence)) continue;  // another scan of its number counts
+        if (!publishing->sequences.contains(scan->sequence)) continue;  // another scan of its number counts
         write(scan->cdr, station_topic::KeyScans);
-        telling->bytes += scan->cdr->size();
+        publishing->bytes += scan->cdr->size();
         ++i;
     }
     goOn();
 }
 
-void MissionSharing::tellMap(const MissionState& mission) {
+void MissionSharing::publishMap(const MissionState& mission) {
     const Time now = stationTime();
     if (!mission.keyScans->empty())
         write(ScanPosesSample{now, m_setup.station, ScanPosesSample::Cause::Registration, posesOf(mission)},
@@ -268,26 +270,26 @@ void MissionSharing::tellMap(const MissionState& mission) {
     }
 }
 
-void MissionSharing::tellClock(const MissionState& mission) {
+void MissionSharing::publishClock(const MissionState& mission) {
     // A clock that began by itself becomes the team's only if this station makes the map.
     if (mission.clock && (m_setup.holdsMap() || !beganByItself(mission.clock->sample)))
         write(mission.clock->sample, station_topic::Clock);
     if (mission.info) write(mission.info->sample, station_topic::Mission);
 }
 
-void MissionSharing::tellFinds(const MissionState& mission) {
+void MissionSharing::publishFinds(const MissionState& mission) {
     if (!m_setup.sharesMap()) return;
-    for (const auto& [key, find] : *mission.victims) {
-        VictimSample told = find.victim;
-        told.station = m_setup.station;
-        write(told, station_topic::Victims);
+    for (const auto& [key, find] : *mission.finds) {
+        FindSample published = find.victim;
+        published.station = m_setup.station;
+        write(published, station_topic::Victims);
     }
     if (!m_setup.holdsMap()) return;
     for (const auto& [id, candidate] : *mission.candidates)
         write(candidate.candidate, station_topic::Candidates);
 }
 
-void MissionSharing::tellUndone(const UndoSample& undo) {
+void MissionSharing::notifyUndone(const UndoSample& undo) {
     const MissionStatePtr mission = m_mission.state();
     const Decision* meant = meantBy(*mission, undo);
     if (meant == nullptr) return;
@@ -301,9 +303,9 @@ void MissionSharing::tellUndone(const UndoSample& undo) {
     } else if (const auto* loop = std::get_if<ScanLinksSample>(&meant->content)) {
         ScanLinksSample now{undo.stamp, m_setup.station, {}};
         for (const Link& link : loopsOf(*mission)) {
-            const bool said = std::any_of(loop->links.begin(), loop->links.end(),
-                                          [&](const Link& one) { return one.id == link.id; });
-            if (said) now.links.push_back(link);
+            const bool reported = std::any_of(loop->links.begin(), loop->links.end(),
+                                              [&](const Link& one) { return one.id == link.id; });
+            if (reported) now.links.push_back(link);
         }
         write(now, station_topic::ScanLinks);
     } else if (std::holds_alternative<MapCropSample>(meant->content)) {
@@ -313,10 +315,10 @@ void MissionSharing::tellUndone(const UndoSample& undo) {
         now.stamp = undo.stamp;
         now.station = m_setup.station;
         write(now, station_topic::MapCrop);
-    } else if (const auto* find = std::get_if<VictimSample>(&meant->content)) {
-        const auto known = mission->victims->find({find->kind, find->number});
-        VictimSample now = known != mission->victims->end() ? known->second.victim : *find;
-        if (known == mission->victims->end()) now.status = VictimSample::Status::Discarded;
+    } else if (const auto* find = std::get_if<FindSample>(&meant->content)) {
+        const auto known = mission->finds->find({find->kind, find->number});
+        FindSample now = known != mission->finds->end() ? known->second.victim : *find;
+        if (known == mission->finds->end()) now.status = FindSample::Status::Discarded;
         now.stamp = undo.stamp;
         now.station = m_setup.station;
         write(now, station_topic::Victims);

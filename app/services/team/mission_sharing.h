@@ -27,7 +27,7 @@ struct MissionSharingSetup {
     std::function<bool(std::uint64_t)> isAdopted = {};  ///< whether a key scan came from another station
     std::function<bool()> sharesMap = {};               ///< whether its finds lie in the map that others know
     std::function<RobotsInMapPtr()> robots = {};        ///< never null
-    std::function<void(const std::string&)> tell = {};  ///< for the operator, in words
+    std::function<void(const std::string&)> notify = {};  ///< for the operator, in words
 };
 
 /// Publishes on station_topic what this station decides, finds and maps, so that other stations show it
@@ -42,11 +42,11 @@ public:
     /// Takes an event of the log.
     void onEvent(const Event& event) override;
     /// Publishes what the operator changed of clock or mission.
-    void say(const Sample& sample, std::string_view topic);
+    void publish(const Sample& sample, std::string_view topic);
     /// Checks who listens and who makes the map; call it when either may have changed.
     void look();
     /// Publishes all finds again: they lie in a map that others know, too.
-    void tellFindsAgain();
+    void publishFindsAgain();
     void close() override;  ///< drops waiting work
 
 private:
@@ -54,16 +54,16 @@ private:
     void write(const Sample& sample, std::string_view topic);
     void write(const Payload& cdr, std::string_view topic);
     /// All key scans of the log, published a few at a time.
-    struct Telling;
-    void tellAll(const std::stop_token& stop);
-    void tellScans(std::shared_ptr<Telling> telling, const std::stop_token& stop);
-    void tellRest();
-    [[nodiscard]] std::shared_ptr<Telling> scansToTell();
-    void tellMap(const MissionState& mission);
-    void tellFinds(const MissionState& mission);
-    void tellClock(const MissionState& mission);
-    void tellUndone(const UndoSample& undo);
-    [[nodiscard]] bool isHeard() const;
+    struct Publishing;
+    void publishAll(const std::stop_token& stop);
+    void publishScans(std::shared_ptr<Publishing> publishing, const std::stop_token& stop);
+    void publishRest();
+    [[nodiscard]] std::shared_ptr<Publishing> scansToPublish();
+    void publishMap(const MissionState& mission);
+    void publishFinds(const MissionState& mission);
+    void publishClock(const MissionState& mission);
+    void notifyUndone(const UndoSample& undo);
+    [[nodiscard]] bool isReceived() const;
 
     Node& m_node;
     LiveMission& m_mission;

@@ -26,7 +26,7 @@ bool takeSequences(std::vector<Look>& looks, const std::vector<Look>& ours) {
 }  // namespace
 
 Sample forOthers(Sample sample) {
-    if (auto* find = std::get_if<VictimSample>(&sample)) {
+    if (auto* find = std::get_if<FindSample>(&sample)) {
         for (VictimEvidence& one : find->evidence) one.sequence = 0;
     } else if (auto* candidate = std::get_if<CandidateSample>(&sample)) {
         for (Cue& cue : candidate->cues) cue.sequence = 0;
@@ -35,10 +35,9 @@ Sample forOthers(Sample sample) {
 }
 
 bool takeOurSequences(Sample& sample, const MissionState& mission) {
-    if (auto* find = std::get_if<VictimSample>(&sample)) {
-        const auto known = mission.victims->find({find->kind, find->number});
-        return known != mission.victims->end() &&
-               takeSequences(find->evidence, known->second.victim.evidence);
+    if (auto* find = std::get_if<FindSample>(&sample)) {
+        const auto known = mission.finds->find({find->kind, find->number});
+        return known != mission.finds->end() && takeSequences(find->evidence, known->second.victim.evidence);
     }
     if (auto* candidate = std::get_if<CandidateSample>(&sample)) {
         const auto known = mission.candidates->find(candidate->id);

@@ -25,7 +25,7 @@ bool isOfMap(const Sample& sample) {
 }
 
 bool isPlacedInMap(const Sample& sample) {
-    return isOfMap(sample) || std::holds_alternative<VictimSample>(sample) ||
+    return isOfMap(sample) || std::holds_alternative<FindSample>(sample) ||
            std::holds_alternative<CandidateSample>(sample);
 }
 
@@ -91,9 +91,9 @@ bool SharedIntake::knows(const std::vector<std::uint64_t>& scans) const {
     return std::all_of(scans.begin(), scans.end(), [&](std::uint64_t id) { return m_scans.contains(id); });
 }
 
-void SharedIntake::tellOtherMap(std::uint64_t scan) const {
-    if (!m_setup.tell) return;
-    m_setup.tell(
+void SharedIntake::publishOtherMap(std::uint64_t scan) const {
+    if (!m_setup.notify) return;
+    m_setup.notify(
         fill(translate("leitstand::Station",
                        "another station makes another map than this mission's (their scans {} differ): "
                        "it is not shown here; begin a new mission to see it"),
@@ -109,7 +109,7 @@ bool SharedIntake::wants(const KeyScanSample& scan, Other& other) {
         if (known == m_scans.end()) return true;  // unknown yet: it waits
         other.map = Map::Other;
         other.waiting.clear();
-        tellOtherMap(scan.id);
+        publishOtherMap(scan.id);
         return false;
     }
     if (std::exchange(other.map, Map::Same) != Map::Same && m_setup.onJoined) m_setup.onJoined();
@@ -125,7 +125,7 @@ bool SharedIntake::wants(const Event& event, Other& other) {
     if (const auto* scan = std::get_if<KeyScanSample>(&sample)) return wants(*scan, other);
     if (const auto* links = std::get_if<ScanLinksSample>(&sample)) return wants(*links);
     if (const auto* bodies = std::get_if<ScanBodiesSample>(&sample)) return wants(*bodies);
-    if (const auto* find = std::get_if<VictimSample>(&sample)) return wants(*find);
+    if (const auto* find = std::get_if<FindSample>(&sample)) return wants(*find);
     if (const auto* clock = std::get_if<ClockSample>(&sample)) return wants(*clock);
     const auto known = knownStamp(*m_setup.mission(), sample);
     return !known || *known < stampOf(sample);
@@ -146,11 +146,11 @@ bool SharedIntake::wants(const ScanBodiesSample& sample) const {
     });
 }
 
-bool SharedIntake::wants(const VictimSample& find) {
+bool SharedIntake::wants(const FindSample& find) {
     const MissionStatePtr mission = m_setup.mission();
-    const auto known = mission->victims->find({find.kind, find.number});
-    if (known == mission->victims->end()) return true;
-    const VictimSample& ours = known->second.victim;
+    const auto known = mission->finds->find({find.kind, find.number});
+    if (known == mission->finds->end()) return true;
+    const FindSample& ours = known->second.victim;
     if (ours.found == find.found) return ours.stamp < find.stamp;
     if (ours.found < find.found) return false;  // its station files it again, as below
     if (ours.station == m_setup.station && m_setup.fileAgain) m_setup.fileAgain(ours);
@@ -172,13 +172,13 @@ bool SharedIntake::sharesMap() const {
                                           [](const auto& other) { return other.second.map == Map::Same; });
 }
 
-void SharedIntake::hearGrant(const RawEvent& event, const Sender& from, SteadyTime now) {
+void SharedIntake::receiveGrant(const RawEvent& event, const Sender& from, SteadyTime now) {
     const auto decoded = decodeStationEvent(event);
     const auto* grant = decoded ? std::get_if<GrantSample>(&decoded->sample) : nullptr;
     if (grant == nullptr || grant->kind != GrantSample::Kind::Map) return;
     if (grant->action != GrantSample::Action::Hold) return;
     m_maker = from;
-    m_makerHeard = now;
+    m_makerReceived = now;
 }
 
 bool SharedIntake::waits(const Sample& sample, const Sender& from, const Other& other) const {
@@ -199,17 +199,17 @@ void SharedIntake::take(RawEvent event, const Sender& from, SteadyTime now) {
     const bool ours = from == m_me;
     if (ours && event.topic != station_topic::Grants) return;
     if (event.topic == station_topic::Grants) {
-        if (!ours) hearGrant(event, from, now);
+        if (!ours) receiveGrant(event, from, now);
         m_setup.enter(std::move(event));
     } else {
         decide(now);  // earlier samples come first
-        hear(std::move(event), from, now);
+        receive(std::move(event), from, now);
     }
     decide(now);
     release(now);  // runs at least once a second
 }
 
-void SharedIntake::hear(RawEvent event, const Sender& from, SteadyTime now) {
+void SharedIntake::receive(RawEvent event, const Sender& from, SteadyTime now) {
     if (!m_others.contains(from) && m_others.size() >= MostOthers) return;
     const auto decoded = decodeStationEvent(event);
     if (!decoded) return m_setup.enter(std::move(event));  // counted as broken there, and kept
@@ -252,9 +252,9 @@ void SharedIntake::decide(SteadyTime now) {
     for (Undecided& one : due) {
         // Another station that meant to make the map was wrong, too. A maker reported before this sample
         // proves nothing.
-        if (m_maker && m_makerHeard >= one.since && one.from != *m_maker) continue;
+        if (m_maker && m_makerReceived >= one.since && one.from != *m_maker) continue;
         one.event.received = {};  // it enters now
-        hear(std::move(one.event), one.from, now);
+        receive(std::move(one.event), one.from, now);
     }
 }
 

@@ -25,14 +25,14 @@ namespace leitstand {
 struct SharedIntakeSetup {
     Sender me;            ///< this process at first; what it publishes itself is left out
     std::string station;  ///< persistent identity
-    std::function<MissionStatePtr()> mission = {};      ///< never null
-    std::function<bool()> holdsMap = {};                ///< whether this station makes the map
-    std::function<void(RawEvent)> enter = {};           ///< adds it to the log, in this order
-    std::function<void(const std::string&)> tell = {};  ///< for the operator, in words
+    std::function<MissionStatePtr()> mission = {};        ///< never null
+    std::function<bool()> holdsMap = {};                  ///< whether this station makes the map
+    std::function<void(RawEvent)> enter = {};             ///< adds it to the log, in this order
+    std::function<void(const std::string&)> notify = {};  ///< for the operator, in words
     /// Called when another station turns out to make this mission's map.
     std::function<void()> onJoined = {};
     /// Called when a find of this station needs another number: another one had its number first.
-    std::function<void(const VictimSample&)> fileAgain = {};
+    std::function<void(const FindSample&)> fileAgain = {};
 };
 
 /// Passes what other stations publish of the mission on to this station's log (docs/stations.md). Samples of
@@ -104,15 +104,15 @@ private:
     [[nodiscard]] bool wants(const KeyScanSample& scan, Other& other);
     [[nodiscard]] bool wants(const ScanLinksSample& sample) const;
     [[nodiscard]] bool wants(const ScanBodiesSample& sample) const;
-    [[nodiscard]] bool wants(const VictimSample& find);
+    [[nodiscard]] bool wants(const FindSample& find);
     [[nodiscard]] bool wants(const ClockSample& clock) const;
     [[nodiscard]] bool waits(const Sample& sample, const Sender& from, const Other& other) const;
-    void hear(RawEvent event, const Sender& from, SteadyTime now);
-    void hearGrant(const RawEvent& event, const Sender& from, SteadyTime now);
+    void receive(RawEvent event, const Sender& from, SteadyTime now);
+    void receiveGrant(const RawEvent& event, const Sender& from, SteadyTime now);
     void keepUndecided(RawEvent event, const Sender& from, SteadyTime now);
     /// Takes undecided samples, if another station makes the map: those of that station, when it is known.
     void decide(SteadyTime now);
-    void tellOtherMap(std::uint64_t scan) const;
+    void publishOtherMap(std::uint64_t scan) const;
     [[nodiscard]] bool knows(const std::vector<std::uint64_t>& scans) const;
     static void wait(Waiting one, Other& other);
     void enterLate(Waiting one, Other& other);  ///< if it is wanted by now
@@ -132,7 +132,7 @@ private:
     std::deque<Undecided> m_undecided;  ///< in order of arrival
     std::size_t m_undecidedBytes = 0;
     std::optional<Sender> m_maker;  ///< who makes the map, as it reports itself
-    SteadyTime m_makerHeard{};      ///< when it reported so last
+    SteadyTime m_makerReceived{};   ///< when it reported so last
 };
 
 }  // namespace leitstand

@@ -8,11 +8,11 @@
 #include <tuple>
 #include <utility>
 
-#include "app/services/finds/told_evidence.h"
+#include "app/services/finds/evidence_in_log.h"
 #include "app/services/log/event_decoder.h"
 #include "app/services/log/mission_robots.h"
+#include "core/event/find_sample.h"
 #include "core/event/station_topics.h"
-#include "core/event/victim_sample.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"
 #include "core/io/bag/raw_events.h"
@@ -27,13 +27,13 @@ namespace {
 constexpr std::uint64_t EventsAFlush = 200;
 
 /// All forms of @p bag's finds.
-std::vector<VictimSample> formsOf(BagReader& bag) {
-    std::vector<VictimSample> forms;
+std::vector<FindSample> formsOf(BagReader& bag) {
+    std::vector<FindSample> forms;
     BagQuery finds;
     finds.topics = {std::string(station_topic::Victims)};
     forEachRaw(bag, finds, [&forms](const RawEvent& event) {
         const auto sample = decodeStationEvent(event);
-        const VictimSample* form = sample ? std::get_if<VictimSample>(&sample->sample) : nullptr;
+        const FindSample* form = sample ? std::get_if<FindSample>(&sample->sample) : nullptr;
         if (form != nullptr) forms.push_back(*form);
         return true;
     });
@@ -44,13 +44,13 @@ std::vector<VictimSample> formsOf(BagReader& bag) {
 std::set<std::uint64_t> evidenceOf(BagReader& bag, const std::vector<RobotDescription>& robots,
                                    const std::stop_token& stop) {
     std::set<std::uint64_t> all;
-    std::set<std::tuple<std::string, Time, Time>> told;  // topic, stamp, find: each form repeats it
+    std::set<std::tuple<std::string, Time, Time>> reported;  // topic, stamp, find: each form repeats it
     EventDecoder decoder(robots);
-    for (const VictimSample& form : formsOf(bag)) {
+    for (const FindSample& form : formsOf(bag)) {
         for (const VictimEvidence& one : form.evidence) {
             if (stop.stop_requested()) return all;
             const bool stays = one.topic.starts_with(station_topic::Prefix);
-            if (one.sequence == 0 && (stays || !told.emplace(one.topic, one.stamp, form.found).second))
+            if (one.sequence == 0 && (stays || !reported.emplace(one.topic, one.stamp, form.found).second))
                 continue;
             all.insert(sequenceInLog(bag, decoder, one, form));
         }

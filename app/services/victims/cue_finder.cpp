@@ -63,9 +63,9 @@ void CueFinder::onEvent(const Event& event) {
     if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
         if (odometry->linear.norm() > Still || odometry->angular.norm() > 3.0 * Still)
             m_movedAt = stampOf(event, odometry->header);
-        if (m_unheard) {
-            const Event late = *m_unheard;
-            hear(late, std::get<SightingSample>(late.sample));
+        if (m_notReceived) {
+            const Event late = *m_notReceived;
+            receive(late, std::get<SightingSample>(late.sample));
         }
         look(event.received);
     } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
@@ -81,7 +81,7 @@ void CueFinder::onEvent(const Event& event) {
     } else if (const auto* gas = std::get_if<GasSample>(&event.sample)) {
         smell(event, *gas);
     } else if (const auto* sightings = std::get_if<SightingSample>(&event.sample)) {
-        hear(event, *sightings);
+        receive(event, *sightings);
     }
 }
 
@@ -178,7 +178,7 @@ std::optional<RayHit> CueFinder::meet(const View& view, const Eigen::Vector3d& d
 
 void CueFinder::keep(PlacedCue cue, const View& view) {
     const double height = cue.inMap.z() - view.baseInMap.translation().z();
-    if (height > m_settings.highest && cue.what == VictimSample::Kind::Victim) return;
+    if (height > m_settings.highest && cue.what == FindSample::Kind::Victim) return;
     if (height < m_settings.lowest) return;
     m_found.push_back(std::move(cue));
 }
@@ -287,7 +287,7 @@ void CueFinder::lookForSigns(const Event& event, const Camera& camera, const Vie
     const Time stamp = stampOf(event, std::get<PictureSample>(event.sample).header);
     for (const FoundCode& code : m_codes.read(picture)) {
         PlacedCue cue;
-        cue.what = VictimSample::Kind::Code;
+        cue.what = FindSample::Kind::Code;
         cue.cue = cueOf(event, "code", stamp);
         cue.cue.text = code.text;
         cue.cue.confidence = 0.95;
@@ -297,7 +297,7 @@ void CueFinder::lookForSigns(const Event& event, const Camera& camera, const Vie
     }
     for (const HazardPlacard& sign : findHazards(picture)) {
         PlacedCue cue;
-        cue.what = VictimSample::Kind::Hazard;
+        cue.what = FindSample::Kind::Hazard;
         cue.cue = cueOf(event, "hazard", stamp);
         cue.cue.text = sign.name;
         cue.cue.confidence = sign.confidence;
@@ -323,14 +323,14 @@ void CueFinder::smell(const Event& event, const GasSample& gas) {
     m_found.push_back(std::move(cue));
 }
 
-void CueFinder::hear(const Event& event, const SightingSample& sightings) {
+void CueFinder::receive(const Event& event, const SightingSample& sightings) {
     const auto base = m_places.baseInMap(m_places.now().stamp);
     const auto inOdom = m_places.baseInOdom(m_places.now().stamp);
     if (!base || !inOdom) {
-        m_unheard = event;  // a robot sends them once
+        m_notReceived = event;  // a robot sends them once
         return;
     }
-    m_unheard.reset();
+    m_notReceived.reset();
     const Pose odomInMap = *base * inOdom->inverse();
     for (const Sighting& one : sightings.sightings) {
         const auto known = m_sightings.find(one.id);
@@ -345,7 +345,7 @@ void CueFinder::hear(const Event& event, const SightingSample& sightings) {
         cue.cue.confidence = one.confidence;
         cue.cue.text = fmt::format("{} {}", one.kind, one.id);
         if (one.kind == "code" || one.kind == "hazard") {
-            cue.what = one.kind == "code" ? VictimSample::Kind::Code : VictimSample::Kind::Hazard;
+            cue.what = one.kind == "code" ? FindSample::Kind::Code : FindSample::Kind::Hazard;
             cue.cue.kind = one.kind;
             cue.cue.text = one.text;
         }

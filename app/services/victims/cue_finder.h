@@ -85,7 +85,7 @@ private:
     void lookForMotion(const Event& event, Camera& camera, const View& view, const Picture& picture);
     void lookForSigns(const Event& event, const Camera& camera, const View& view, const Picture& picture);
     void smell(const Event& event, const GasSample& gas);
-    void hear(const Event& event, const SightingSample& sightings);
+    void receive(const Event& event, const SightingSample& sightings);
     [[nodiscard]] std::optional<View> viewOf(const Event& event, const PictureSample& picture,
                                              Camera& camera);
     [[nodiscard]] Cue cueOf(const Event& event, const char* kind, Time stamp) const;
@@ -105,7 +105,7 @@ private:
     std::map<std::string, Camera> m_cameras;  ///< by sensor
     std::map<std::string, GasWatch> m_gases;  ///< by sensor
     std::map<std::uint32_t, Sighting> m_sightings;
-    std::optional<Event> m_unheard;               ///< sightings of a robot that is not placed yet
+    std::optional<Event> m_notReceived;           ///< sightings of a robot that is not placed yet
     std::deque<Event> m_waiting;                  ///< pictures waiting for odometry
     std::deque<std::pair<Event, Pose>> m_slices;  ///< waiting scans, with their sensor's pose in base
     Time m_movedAt{};                             ///< time of the last motion, robot's clock

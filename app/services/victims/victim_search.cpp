@@ -74,13 +74,13 @@ void VictimSearch::setTags(TagsOfProfiles tags, const std::string& profile) {
     m_book.tags(m_tags.of(profile));
 }
 
-void VictimSearch::restore(const VictimSample& find) {
-    const bool none = find.status == VictimSample::Status::Discarded && find.mergedInto == 0;
+void VictimSearch::restore(const FindSample& find) {
+    const bool none = find.status == FindSample::Status::Discarded && find.mergedInto == 0;
     m_book.discarded(find.kind, find.number, none);
 }
 
 void VictimSearch::onEvent(const Event& event, bool search) {
-    if (const auto* find = std::get_if<VictimSample>(&event.sample)) return restore(*find);
+    if (const auto* find = std::get_if<FindSample>(&event.sample)) return restore(*find);
     if (const auto* info = std::get_if<MissionInfoSample>(&event.sample))
         return m_book.tags(m_tags.of(info->profile));
     if (const auto* candidate = std::get_if<CandidateSample>(&event.sample)) return m_book.take(*candidate);
@@ -96,11 +96,11 @@ void VictimSearch::onEvent(const Event& event, bool search) {
     if (finder == m_finders.end()) return;
     if (!search && std::holds_alternative<PictureSample>(event.sample)) return;
     if (!search && std::holds_alternative<SightingSample>(event.sample)) {
-        m_unheard.insert_or_assign(event.robot, event);  // a robot sends them once
+        m_notReceived.insert_or_assign(event.robot, event);  // a robot sends them once
         return;
     }
     if (search) {
-        if (const auto late = m_unheard.extract(event.robot)) finder->second.onEvent(late.mapped());
+        if (const auto late = m_notReceived.extract(event.robot)) finder->second.onEvent(late.mapped());
     }
     finder->second.onEvent(event);
     for (PlacedCue& cue : finder->second.found()) {

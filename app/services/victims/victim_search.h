@@ -43,7 +43,7 @@ public:
     [[nodiscard]] const RobotInMap* place(const std::string& robot) const;
     /// Restores a candidate of an earlier session.
     void restore(const CandidateSample& sample) { m_book.take(sample); }
-    void restore(const VictimSample& find);  ///< of an earlier session; after its candidates
+    void restore(const FindSample& find);  ///< of an earlier session; after its candidates
     /// Sets which codes are tags of victims. @p profile holds until the mission's data name one.
     void setTags(TagsOfProfiles tags, const std::string& profile);
     /// Returns the place of what a robot's picture shows; empty: unknown.
@@ -65,7 +65,7 @@ private:
     CandidateBook m_book;
     TagsOfProfiles m_tags;
     KeyScanPlaces m_scans;
-    std::map<std::string, Event> m_unheard;  ///< sightings that came while the search was off, by robot
+    std::map<std::string, Event> m_notReceived;  ///< sightings that came while the search was off, by robot
 };
 
 }  // namespace leitstand

@@ -38,7 +38,7 @@ bool isWanted(const Event& event) {
            std::holds_alternative<ScanPosesSample>(event.sample) ||
            std::holds_alternative<RobotPlaceSample>(event.sample) ||
            std::holds_alternative<CandidateSample>(event.sample) ||
-           std::holds_alternative<VictimSample>(event.sample) ||
+           std::holds_alternative<FindSample>(event.sample) ||
            std::holds_alternative<MissionInfoSample>(event.sample) ||
            std::holds_alternative<UndoSample>(event.sample);
 }
@@ -113,7 +113,7 @@ void VictimWatch::ask(Question question) {
 
 void VictimWatch::restoreFinds() {
     if (!m_setup.finds) return;
-    for (const VictimSample& find : m_setup.finds()) m_search.restore(find);
+    for (const FindSample& find : m_setup.finds()) m_search.restore(find);
 }
 
 void VictimWatch::followRobots() {

@@ -26,11 +26,11 @@ struct VictimWatchSetup {
     std::function<void(const CandidateSample&)> onCandidate;  ///< on the watch's thread
     std::function<RobotsInMapPtr()> places;        ///< where the robots are now; empty: by key scans alone
     std::function<std::vector<ScanPose>()> poses;  ///< where the mission's key scans are; used after an undo
-    std::function<std::vector<VictimSample>()> finds;  ///< in the mission; used after an undo, and at first
-    std::vector<ScanPose> earlierPoses;                ///< of the mission's earlier sessions
-    std::vector<CandidateSample> earlier;              ///< of the mission's earlier sessions
-    TagsOfProfiles tags;                               ///< of victims
-    std::string profile;                               ///< of the score, as the mission's data name it by now
+    std::function<std::vector<FindSample>()> finds;  ///< in the mission; used after an undo, and at first
+    std::vector<ScanPose> earlierPoses;              ///< of the mission's earlier sessions
+    std::vector<CandidateSample> earlier;            ///< of the mission's earlier sessions
+    TagsOfProfiles tags;                             ///< of victims
+    std::string profile;                             ///< of the score, as the mission's data name it by now
 };
 
 /// VictimSearch on its own thread, live. Any thread. When it cannot keep up, it leaves out pictures (the log

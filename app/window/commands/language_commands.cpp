@@ -20,7 +20,7 @@ QString idOf(const Language& language) {
 }
 
 QString hint() {
-    return QCoreApplication::translate("leitstand::Language", "The window is made anew in this language");
+    return QCoreApplication::translate("leitstand::Language", "The window is made again in this language");
 }
 
 void connectChoice(QAction& action, QActionGroup& group, const Language& language, const Choose& choose) {

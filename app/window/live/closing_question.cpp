@@ -32,7 +32,7 @@ std::vector<const RobotDescription*> ClosingQuestion::drivingThemselves() const 
     const LiveMoment& moment = m_context.source.moment();
     for (const RobotDescription& robot : m_context.selection.robots()) {
         if (!moment.mission) continue;
-        if (drivesItself(moment.view(robot.name), moment.said(robot.name).mode)) found.push_back(&robot);
+        if (drivesItself(moment.view(robot.name), moment.reported(robot.name).mode)) found.push_back(&robot);
     }
     return found;
 }

@@ -15,8 +15,8 @@ constexpr int Nice = 3;
 constexpr int Patience = 2'000;  ///< time for a robot to end on request [ms]
 
 /// Returns the last line of a program's output, as the reason why it ended.
-QString lastLine(const QByteArray& said) {
-    const QList<QByteArray> lines = said.trimmed().split('\n');
+QString lastLine(const QByteArray& reported) {
+    const QList<QByteArray> lines = reported.trimmed().split('\n');
     return lines.isEmpty() ? QString() : QString::fromUtf8(lines.last());
 }
 

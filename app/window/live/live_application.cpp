@@ -22,7 +22,7 @@
 #include "app/language/language.h"
 #include "app/report/pdf/pdf_report.h"
 #include "app/services/handin/writing/report_folder.h"
-#include "app/services/handin/writing/report_telling.h"
+#include "app/services/handin/writing/report_messages.h"
 #include "app/services/handin/writing/report_writer.h"
 #include "app/services/recorded/carried_map.h"
 #include "app/services/station/choose_robots.h"
@@ -52,7 +52,7 @@ constexpr std::chrono::minutes Recent(30);    ///< a mission that ended within i
 constexpr auto Explores = "explore";          ///< mode of a robot that explores by itself
 
 void complain(const std::string& text) {
-    tellTerminal(text);
+    printProblem(text);
 }
 
 fs::path under(QStandardPaths::StandardLocation place, const QString& name) {
@@ -118,10 +118,10 @@ void goOn(Station& station, std::chrono::seconds time, bool explore) {
     QObject::connect(&again, &QTimer::timeout, &loop, [&station] {
         const MissionStatePtr mission = station.mission();
         for (const RobotDescription& robot : station.robots()) {
-            const auto said = mission->robots.find(robot.name);
-            if (said == mission->robots.end() || !said->second->mode) continue;
-            if (said->second->mode->sample.autonomous) continue;
-            station.ask(robot.name);
+            const auto reported = mission->robots.find(robot.name);
+            if (reported == mission->robots.end() || !reported->second->mode) continue;
+            if (reported->second->mode->sample.autonomous) continue;
+            station.requestGrant(robot.name);
             if (station.robot(robot.name).grant.mine) (void)station.setMode(robot.name, Explores);
         }
     });
@@ -243,14 +243,15 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
 /// Shows windows on the station of @p settings until one is closed, or another robot or mission is wanted.
 /// Once the station records, prints the mission's folder, unless it was the last one printed.
 Ended showStation(const StationSettings& settings, const Options& options, DemoRobots* demo,
-                  const fs::path& earlier, QString hint, fs::path& told) {
+                  const fs::path& earlier, QString hint, fs::path& printed) {
     auto bridge = LiveBridge::open(settings);
     if (!bridge) {
         complain(bridge.error().text);
         return {.status = 1, .problem = QString::fromStdString(bridge.error().text)};
     }
-    if (options.screenshot.empty() && std::exchange(told, settings.mission.folder) != settings.mission.folder)
-        sayOnTerminal("the mission is recorded into " + settings.mission.folder.string());
+    if (options.screenshot.empty() &&
+        std::exchange(printed, settings.mission.folder) != settings.mission.folder)
+        printNotice("the mission is recorded into " + settings.mission.folder.string());
     // For another language the window is created again. Robots, mission and the driver's grants stay.
     while (true) {
         Ended ended = showWindow(**bridge, options, demo, earlier, std::exchange(hint, {}));
@@ -289,7 +290,7 @@ void handInLast(const fs::path& mission, const std::string& version) {
     options.pdf = &pdfOf;
     options.version = version;
     const auto done = writeReport(mission, out, options);
-    for (const std::string& text : ReportTelling().of(done, out)) complain(text);
+    for (const std::string& text : ReportMessages().of(done, out)) complain(text);
 }
 
 }  // namespace
@@ -324,7 +325,7 @@ int runLive(const Options& options) {
                          [](const QString& why) { complain(why.toStdString()); });
     }
     std::set<fs::path> recorded;
-    fs::path told;  // folder that was printed last
+    fs::path printed;  // folder that was printed last
     fs::path earlier = interrupted(before, settings);
     QString hint = hintAt(earlier);
     bool switched = false;  // from another mission, now the earlier one
@@ -344,8 +345,8 @@ int runLive(const Options& options) {
         }
         if (!options.demo && options.screenshot.empty())
             rememberStation(lastFile(), {files, options.domain, options.interfaces, options.keys});
-        const Ended ended =
-            showStation(settings, options, demo ? &*demo : nullptr, earlier, std::exchange(hint, {}), told);
+        const Ended ended = showStation(settings, options, demo ? &*demo : nullptr, earlier,
+                                        std::exchange(hint, {}), printed);
         const bool opened = ended.problem.isEmpty();
         if (opened) recorded.insert(settings.mission.folder);
         if (ended.earlier || (switched && !opened)) {

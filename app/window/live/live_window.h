@@ -26,8 +26,8 @@ class RobotsFeature;
 class Selection;
 class WindowFrame;
 
-/// The window on live robots (design, section 7): a bar with all robots and STOP, and below it the panes of
-/// its features, placed by the layout in use. It only puts features together.
+/// The window on live robots (docs/design.md, "The window"): a bar with all robots and STOP, and below it the
+/// panes of its features, placed by the layout in use. It only puts features together.
 class LiveWindow final : public QMainWindow, public AsksBeforeClosing {
     Q_OBJECT
 public:

@@ -3,7 +3,7 @@
 #include <QList>
 #include <QWidget>
 
-#include "widgets/models/map_summary.h"
+#include "widgets/models/map_text.h"
 
 class QAction;
 class QGridLayout;

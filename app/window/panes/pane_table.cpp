@@ -118,11 +118,11 @@ QWidget& surroundings(PaneMaking& from) {
 QWidget& victims(PaneMaking& from) {
     from.made.victims = new VictimsFeature(*from.live, *from.made.map, *from.made.cameras);
     new FindPointing(*from.live, *from.made.map, *from.made.cameras, *from.made.scan);
-    return from.made.victims->list();
+    return from.made.finds->list();
 }
 
 QWidget& victimForm(PaneMaking& from) {
-    return from.made.victims->form();
+    return from.made.finds->form();
 }
 
 QWidget& finds(PaneMaking& from) {

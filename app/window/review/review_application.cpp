@@ -30,7 +30,7 @@ namespace {
 constexpr std::chrono::seconds Patience(60);  ///< time for a screenshot to show everything
 
 void complain(const std::string& text) {
-    tellTerminal(text);
+    printProblem(text);
 }
 
 /// Runs the event loop until @p holds. Returns false after Patience, which starts again with each progress in
@@ -59,7 +59,7 @@ int takePicture(ReviewBridge& bridge, ReviewWindow& window, const Options& optio
     std::optional<Time> wanted;
     const bool shown = waitUntil(bridge, [&] {
         if (bridge.index() && !wanted) {
-            wanted = bridge.index()->lastHeard;
+            wanted = bridge.index()->lastReceived;
             bridge.player().seek(*wanted);
         }
         return bridge.reviewed() && wanted && bridge.reviewed()->now >= *wanted && window.missing().isEmpty();
@@ -203,7 +203,7 @@ int runReview(const Options& options) {
             bridge = merged(std::move(bridge).value(), source, next.merging, text);
             if (!bridge) return complain(text.toStdString() + "; " + bridge.error().text), 1;
         } else if (!next.language.isEmpty()) {
-            (*bridge)->report().beginAnewAround([&] { useLanguage(next.language); });
+            (*bridge)->report().beginAround([&] { useLanguage(next.language); });
         } else {
             return status;
         }

@@ -100,7 +100,7 @@ void ReviewWindow::addCommands() {
         m_commands->add({.id = "review.registerAgain",
                          .menu = CommandMenu::Mission,
                          .text = tr("&Register again…"),
-                         .hint = tr("Registers the mission's scans anew, in a window of its own, "
+                         .hint = tr("Registers the mission's scans again, in a window of its own, "
                                     "with settings of your own; the mission stays as it is")});
     connect(&again, &QAction::triggered, this, &ReviewWindow::registerAgainWanted);
     addByHand();

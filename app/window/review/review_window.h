@@ -20,8 +20,8 @@ class Selection;
 class TimelineFeature;
 class WindowFrame;
 
-/// The window on a recorded mission (design, section 7): the live window's panes, and below them the
-/// timeline, which they follow. It only puts features together.
+/// The window on a recorded mission (docs/design.md, "The window"): the live window's panes, and below them
+/// the timeline, which they follow. It only puts features together.
 class ReviewWindow final : public QMainWindow {
     Q_OBJECT
 public:

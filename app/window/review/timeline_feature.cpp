@@ -14,7 +14,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/input/selection.h"
 #include "app/window/source/review_bridge.h"
-#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/timeline/timeline_text.h"
 #include "widgets/models/times.h"
 #include "widgets/timeline/timeline_bar.h"
 #include "widgets/timeline/transport_bar.h"

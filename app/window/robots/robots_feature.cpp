@@ -79,18 +79,18 @@ void RobotsFeature::addCommands(Station& station) {
 void RobotsFeature::fillModes(QMenu& modes) {
     modes.clear();
     const std::string robot = m_context.selection.name().toStdString();
-    const RobotState& said = m_context.source.moment().said(robot);
-    if (!said.mode) {
-        modes.addAction(tr("The robot has told none yet"))->setEnabled(false);
+    const RobotState& reported = m_context.source.moment().reported(robot);
+    if (!reported.mode) {
+        modes.addAction(tr("The robot has reported none yet"))->setEnabled(false);
         return;
     }
-    const ModeSample& now = said.mode->sample;
+    const ModeSample& now = reported.mode->sample;
     for (const std::string& mode : now.available) {
         QAction* one = modes.addAction(modeName(mode));
         one->setCheckable(true);
         one->setChecked(mode == now.mode);
         connect(one, &QAction::triggered, this, [this, robot, mode] {
-            m_context.liveStation->ask(robot);
+            m_context.liveStation->requestGrant(robot);
             if (const auto asked = m_context.liveStation->setMode(robot, mode); !asked)
                 m_context.notify(QString::fromStdString(asked.error().text));
         });
@@ -103,7 +103,7 @@ void RobotsFeature::show(const LiveMoment& moment) {
     for (const RobotDescription& robot : m_context.selection.robots()) {
         const RobotFace face = m_context.selection.faceOfRobot(robot);
         const RobotView& view = moment.view(robot.name);
-        chips.push_back(robotChipOf(face, view, moment.said(robot.name), moment.now));
+        chips.push_back(robotChipOf(face, view, moment.reported(robot.name), moment.now));
         if (m_stop != nullptr) stops.push_back(stopLineOf(face, view));
     }
     m_bar->show(chips, stops, m_context.selection.name());

@@ -19,7 +19,7 @@
 #include "widgets/map_view/map_readout.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/messages/messages_panel.h"
-#include "widgets/models/map_summary.h"
+#include "widgets/models/map_text.h"
 #include "widgets/painting/plain_texts.h"
 #include "widgets/painting/theme.h"
 #include "widgets/scans/registration_panel.h"
@@ -116,10 +116,10 @@ void MainWindow::addMenus() {
 void MainWindow::connectSession() {
     connect(&m_session, &SessionBridge::mapChanged, this, &MainWindow::showMap);
     connect(&m_session, &SessionBridge::progressed, m_strip, &BottomStrip::showProgress);
-    connect(&m_session, &SessionBridge::told, this, [this](const SessionMessage& message) {
+    connect(&m_session, &SessionBridge::notified, this, [this](const SessionMessage& message) {
         const bool error = message.severity == SessionMessage::Severity::Error;
-        tell(error ? MessageListModel::Severity::Error : MessageListModel::Severity::Warning,
-             QString::fromStdString(message.text));
+        addMessage(error ? MessageListModel::Severity::Error : MessageListModel::Severity::Warning,
+                   QString::fromStdString(message.text));
     });
     connect(&m_session, &SessionBridge::busyChanged, this, [this](bool busy) {
         if (busy) return;
@@ -142,7 +142,7 @@ void MainWindow::connectMap() {
         m_strip->setMeasurement(on ? tr("Click two points of the map · Esc ends measuring") : QString());
     });
     connect(&mapView(), &MapView::failed, this,
-            [this](const QString& why) { tell(MessageListModel::Severity::Error, why); });
+            [this](const QString& why) { addMessage(MessageListModel::Severity::Error, why); });
     connect(&m_view, &ViewState::changed, this, &MainWindow::showView);
 }
 
@@ -159,7 +159,7 @@ void MainWindow::connectCommands() {
     connect(m_files, &FileCommands::pictureSaved, m_strip,
             [this](const QString& file) { m_strip->setNote(tr("Saved %1").arg(file)); });
     connect(m_files, &FileCommands::failed, this,
-            [this](const QString& why) { tell(MessageListModel::Severity::Error, why); });
+            [this](const QString& why) { addMessage(MessageListModel::Severity::Error, why); });
     connect(m_registration, &RegistrationCommands::againRequested, this,
             [this] { m_session.registerAgain(m_settings->settings()); });
     connect(new ScanDrop(*this), &ScanDrop::dropped, m_files, &FileCommands::open);
@@ -185,7 +185,7 @@ void MainWindow::showView(const MapViewSettings& settings) {
     mapView().setSettings(settings);
 }
 
-void MainWindow::tell(MessageListModel::Severity severity, const QString& text) {
+void MainWindow::addMessage(MessageListModel::Severity severity, const QString& text) {
     m_messages.add(severity, text);
     if (severity != MessageListModel::Severity::Error) return;
     m_messagesDock->show();

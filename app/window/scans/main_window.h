@@ -59,7 +59,7 @@ private:
     void connectCommands();
     void showMap(const MapPtr& map);
     void showView(const MapViewSettings& settings);
-    void tell(MessageListModel::Severity severity, const QString& text);
+    void addMessage(MessageListModel::Severity severity, const QString& text);
     void restore(const WindowState& state);
 
     ScanListModel m_scans;

@@ -10,7 +10,7 @@ namespace leitstand {
 RegistrationCommands::RegistrationCommands(SessionBridge& session, QObject* parent)
     : QObject(parent), m_session(session) {
     m_again =
-        makeAction({"again", tr("Register &again"), tr("Registers all scans anew with the present settings"),
+        makeAction({"again", tr("Register &again"), tr("Registers all scans again with the present settings"),
                     QKeySequence(Qt::Key_F5), "again"},
                    this);
     m_cancel = makeAction({"cancel", tr("&Cancel"), tr("Ends reading and registering"),

@@ -13,7 +13,7 @@ namespace leitstand {
 namespace {
 
 void complain(const QString& text) {
-    tellTerminal(text.toStdString());
+    printProblem(text.toStdString());
 }
 
 /// Runs the event loop until all is registered and drawn. Returns false when that takes longer than @p

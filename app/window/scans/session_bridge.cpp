@@ -16,8 +16,8 @@ SessionListener SessionBridge::listener() {
     return {
         .onMap = [this, hop](MapPtr map) { hop([this, map = std::move(map)] { emit mapChanged(map); }); },
         .onProgress = [this](const SessionProgress& progress) { takeProgress(progress); },
-        .onMessage = [this,
-                      hop](const SessionMessage& message) { hop([this, message] { emit told(message); }); },
+        .onMessage =
+            [this, hop](const SessionMessage& message) { hop([this, message] { emit notified(message); }); },
         .onFinished =
             [this, hop](const SessionOutcome& outcome) {
                 hop([this, outcome] {

@@ -31,7 +31,7 @@ public:
 signals:
     void mapChanged(const leitstand::MapPtr& map);
     void progressed(const leitstand::SessionProgress& progress);
-    void told(const leitstand::SessionMessage& message);
+    void notified(const leitstand::SessionMessage& message);
     void finished(const leitstand::SessionOutcome& outcome);
     void busyChanged(bool busy);
 

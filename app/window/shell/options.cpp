@@ -43,7 +43,7 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
                    fmt::format("Scan files ({}), folders of them, and missions (rosbag2) to open",
                                fmt::join(scanEndings(), " ")));
     app.add_flag("--register-again", options.registerAgain,
-                 "Register the scans of a mission anew, where it would be reviewed otherwise");
+                 "Register the scans of a mission again, where it would be reviewed otherwise");
     const std::map<std::string, MapLook> looks = {
         {"points", MapLook::Points}, {"voxels", MapLook::Voxels}, {"top", MapLook::Top}};
     const std::map<std::string, Theme> themes = {{"dark", Theme::Dark}, {"light", Theme::Light}};
@@ -125,15 +125,15 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     }
     options.live = options.live || options.demo;
     if (options.after > 0 && !options.live) {
-        tellTerminal("--after waits for live robots: --live or --demo");
+        printProblem("--after waits for live robots: --live or --demo");
         return UsageError;
     }
     if (!options.mapOf.empty() && (!options.live || options.resume)) {
-        tellTerminal("--map-of begins a new mission on live robots: --live or --demo, without --resume");
+        printProblem("--map-of begins a new mission on live robots: --live or --demo, without --resume");
         return UsageError;
     }
     if ((options.live || options.resume) && !options.scans.empty()) {
-        tellTerminal("--live, --demo and --resume take no scans");
+        printProblem("--live, --demo and --resume take no scans");
         return UsageError;
     }
     return options;

@@ -5,13 +5,13 @@
 namespace leitstand {
 
 /// Prints "leitstand: TEXT" on stderr as one line. Names that others chose are made printable.
-void tellTerminal(std::string_view text);
+void printProblem(std::string_view text);
 
 /// Prints "leitstand: TEXT" on stdout in the same way.
-void sayOnTerminal(std::string_view text);
+void printNotice(std::string_view text);
 
 /// Sends messages of Qt to stderr from now on, made printable. With @p picture, drops its remarks on a
 /// display-free platform, which come with every window.
-void tellQtMessages(bool picture);
+void printQtMessages(bool picture);
 
 }  // namespace leitstand

@@ -49,8 +49,8 @@ void LiveBridge::showAgain() {
 
 void LiveBridge::keepGas() {
     for (const RobotDescription& robot : m_station->robots()) {
-        const RobotState& said = m_moment.said(robot.name);
-        if (said.gas) m_gas[robot.name].add(said.gas->received, said.gas->sample.ppm);
+        const RobotState& reported = m_moment.reported(robot.name);
+        if (reported.gas) m_gas[robot.name].add(reported.gas->received, reported.gas->sample.ppm);
     }
 }
 
@@ -64,7 +64,7 @@ void LiveBridge::lookAround() {
     if (++m_sinceAround < (scanned == m_scanned ? TicksAround : TicksScanned)) return;
     m_sinceAround = 0;
     m_scanned = scanned;
-    m_around = m_station->around(m_watched);
+    m_around = m_station->surroundings(m_watched);
 }
 
 void LiveBridge::tick() {
@@ -86,15 +86,16 @@ void LiveBridge::tick() {
 Result<std::unique_ptr<LiveBridge>> LiveBridge::open(const StationSettings& settings) {
     std::unique_ptr<LiveBridge> bridge(new LiveBridge);
     LiveBridge* const raw = bridge.get();
-    const auto tell = [raw](const std::string& text) {
+    const auto notifyWindow = [raw](const std::string& text) {
         raw->hop([raw, text = QString::fromStdString(text)] { raw->notify(text); });
     };
     bridge->m_pictures = std::make_unique<PictureFeed>(
-        settings.mission.robots,
-        PictureFeed::Listener{
-            [raw](const ShownPicturePtr& one) { raw->hop([raw, one] { emit raw->pictured(one); }); }, tell});
+        settings.mission.robots, PictureFeed::Listener{[raw](const ShownPicturePtr& one) {
+                                                           raw->hop([raw, one] { emit raw->pictured(one); });
+                                                       },
+                                                       notifyWindow});
     StationListener listener;
-    listener.onMessage = tell;
+    listener.onMessage = notifyWindow;
     listener.onEvent = [raw](const Event& event) { raw->m_pictures->onEvent(event); };
     listener.onMap = [raw](const MapPtr& map) { raw->hop([raw, map] { emit raw->mapChanged(map); }); };
     listener.onScans = [raw](const LiveMapPtr& map) {

@@ -10,7 +10,7 @@ const RobotView& LiveMoment::view(const std::string& robot) const {
     return found == robots.end() ? nothing : found->second;
 }
 
-const RobotState& LiveMoment::said(const std::string& robot) const {
+const RobotState& LiveMoment::reported(const std::string& robot) const {
     static const RobotState nothing;
     if (!mission) return nothing;
     const auto found = mission->robots.find(robot);

@@ -21,8 +21,8 @@ struct LiveMoment {
     LiveMapPtr scans;                         ///< of the map
     std::map<std::string, RobotView> robots;  ///< by name; only the watched one has surroundings
 
-    [[nodiscard]] const RobotView& view(const std::string& robot) const;   ///< empty when unknown
-    [[nodiscard]] const RobotState& said(const std::string& robot) const;  ///< empty when it sent nothing
+    [[nodiscard]] const RobotView& view(const std::string& robot) const;       ///< empty when unknown
+    [[nodiscard]] const RobotState& reported(const std::string& robot) const;  ///< empty when it sent nothing
 };
 
 }  // namespace leitstand

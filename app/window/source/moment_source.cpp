@@ -3,7 +3,7 @@
 namespace leitstand {
 
 void MomentSource::notify(const QString& text) {
-    m_messages.tell(text);
+    m_messages.addReported(text);
     emit notified(text);
 }
 

@@ -47,7 +47,7 @@ ReviewBridge::~ReviewBridge() {
 Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::path& mission) {
     std::unique_ptr<ReviewBridge> bridge(new ReviewBridge);
     ReviewBridge* const raw = bridge.get();
-    const auto tell = [raw](const std::string& text) {
+    const auto notifyWindow = [raw](const std::string& text) {
         raw->hop([raw, text = QString::fromStdString(text)] { raw->notify(text); });
     };
     ReviewListener listener;
@@ -66,7 +66,7 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
             emit raw->opened(index);
         });
     };
-    listener.onMessage = tell;
+    listener.onMessage = notifyWindow;
     auto player = ReviewPlayer::open(mission, std::move(listener));
     if (!player) return player.error();
     bridge->m_player = std::move(player).value();
@@ -84,7 +84,7 @@ Result<std::unique_ptr<ReviewBridge>> ReviewBridge::open(const std::filesystem::
                                                         emit raw->pictured(one);
                                                     });
                                                 },
-                                                tell});
+                                                notifyWindow});
     if (!bridge->robots().empty()) bridge->m_watched = bridge->robots().front().name;
     bridge->m_tick.start();
     return bridge;

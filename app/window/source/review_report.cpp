@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 
 #include "app/report/pdf/pdf_report.h"
-#include "app/services/handin/writing/report_telling.h"
+#include "app/services/handin/writing/report_messages.h"
 #include "app/services/handin/writing/report_writer.h"
 
 namespace leitstand {
@@ -32,7 +32,7 @@ void ReviewReport::begin(const QString& out) {
     emit notified(tr("The report is being written into %1").arg(out));
 }
 
-void ReviewReport::beginAnewAround(const std::function<void()>& change) {
+void ReviewReport::beginAround(const std::function<void()>& change) {
     m_thread = {};  // asked to stop, and waited for
     ++m_attempt;
     change();
@@ -57,7 +57,7 @@ void ReviewReport::run(const std::stop_token& stop, int attempt) {
     QStringList words;
     try {
         const auto done = writeReport(m_mission, out, options, {report, stop});
-        for (const std::string& text : ReportTelling().of(done, out))
+        for (const std::string& text : ReportMessages().of(done, out))
             words.append(QString::fromStdString(text));
     } catch (const std::exception& problem) {
         words = {QString::fromLocal8Bit(problem.what())};

@@ -21,7 +21,7 @@ public:
     void begin(const QString& out);  ///< does nothing while one is being written
     /// Calls @p change while nothing is written, then starts again what was being written. So a change of
     /// language leaves no hand-in in two of them.
-    void beginAnewAround(const std::function<void()>& change);
+    void beginAround(const std::function<void()>& change);
     [[nodiscard]] bool writing() const { return m_writing; }
     [[nodiscard]] double progress() const { return m_progress; }  ///< 0 to 1
 

@@ -15,8 +15,8 @@ struct KdWaiting {
     float squaredDistance;  ///< of its box [m^2]
 };
 
-/// Squared distance of @p query from @p box, never above those of the points inside: low - q <= p - q also
-/// after rounding, and so are squares and sums taken in squaredDistance()'s order [m^2].
+/// Squared distance of @p query from @p box, never above those of the points inside [m^2]. low - q <= p - q
+/// also holds after rounding, and for squares and sums taken in squaredDistance()'s order.
 inline float boxDistance(const KdBox& box, const Eigen::Vector3f& query) {
     float result = 0.0F;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -59,9 +59,9 @@ namespace detail {
 class BagStore;
 }
 
-/// Writes one session of a mission into its folder, a rosbag2 bag (design, section 5; docs/mission-log.md). A
-/// thread of the writer does the writing. Any thread may call any function; only open(), flush() and close()
-/// wait for the disk.
+/// Writes one session of a mission into its folder, a rosbag2 bag (docs/design.md, "The mission log";
+/// docs/mission-log.md). A thread of the writer does the writing. Any thread may call any function; only
+/// open(), flush() and close() wait for the disk.
 class BagWriter {
 public:
     /// Called on a thread of the writer; must not call close().

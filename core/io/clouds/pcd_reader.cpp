@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <pcl/io/lzf.h>
+#include <lzf.h>
 
 #include "core/io/clouds/detail/cloud_decoder.h"
 #include "core/io/clouds/detail/pcd_header.h"
@@ -45,7 +45,7 @@ Result<std::vector<char>> decompressed(detail::InputFile& file, const detail::Pc
     std::vector<char> packed(sizes[0]);
     if (const auto read = file.read(packed.data(), packed.size()); !read) return read.error();
     std::vector<char> unpacked(sizes[1]);
-    if (pcl::lzfDecompress(packed.data(), sizes[0], unpacked.data(), sizes[1]) != sizes[1]) {
+    if (lzf_decompress(packed.data(), sizes[0], unpacked.data(), sizes[1]) != sizes[1]) {
         return at(start, "points compressed by LZF");
     }
     return unpacked;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <pcl/io/lzf.h>
+#include <lzf.h>
 
 #include "core/io/clouds/detail/cloud_encoder.h"
 #include "core/io/detail/output_file.h"
@@ -67,8 +67,7 @@ Result<void> writeCompressed(detail::OutputFile& out, const std::filesystem::pat
     const auto size = static_cast<std::uint32_t>(columns.size());
     std::vector<char> packed(columns.size() + columns.size() / 16 + 64);  // more than the worst case
     const std::uint32_t sizes[2] = {
-        pcl::lzfCompress(columns.data(), size, packed.data(), static_cast<std::uint32_t>(packed.size())),
-        size};
+        lzf_compress(columns.data(), size, packed.data(), static_cast<std::uint32_t>(packed.size())), size};
     if (sizes[0] == 0) return Error{file.string() + ": cannot be written: its points cannot be compressed"};
     out.write({reinterpret_cast<const char*>(sizes), sizeof(sizes)});
     out.write({packed.data(), sizes[0]});

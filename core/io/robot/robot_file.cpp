@@ -5,7 +5,7 @@
 
 #include "core/base/words.h"
 #include "core/io/robot/robot_keys.h"
-#include "core/io/robot/robot_words.h"
+#include "core/io/robot/robot_names.h"
 #include "core/io/robot/stream_reader.h"
 #include "core/io/robot/yaml_document.h"
 #include "core/io/robot/yaml_fields.h"

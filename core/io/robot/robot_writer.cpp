@@ -6,7 +6,7 @@
 
 #include "core/base/rotation/euler_angles.h"
 #include "core/io/robot/robot_file.h"
-#include "core/io/robot/robot_words.h"
+#include "core/io/robot/robot_names.h"
 #include "core/robot/default_body.h"
 #include "core/robot/streams/stream_defaults.h"
 
@@ -40,7 +40,7 @@ void writeSensor(YAML::Emitter& out, const std::string& name, const SensorDescri
     entry(out, "frame", sensor.frame);
     list(out, "position", {number(position.x()), number(position.y()), number(position.z())});
     list(out, "rotation", {angle(turn.x()), angle(turn.y()), angle(turn.z())});
-    if (sensor.motion != SensorMotion::Unsaid) entry(out, "motion", toString(sensor.motion));
+    if (sensor.motion != SensorMotion::Unknown) entry(out, "motion", toString(sensor.motion));
     if (sensor.panTilt) {
         out << YAML::Key << "pan_tilt" << YAML::Value << YAML::Flow << YAML::BeginMap;
         entry(out, "unit", sensor.panTilt->unit);

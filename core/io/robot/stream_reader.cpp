@@ -6,7 +6,7 @@
 
 #include "core/base/words.h"
 #include "core/io/robot/robot_keys.h"
-#include "core/io/robot/robot_words.h"
+#include "core/io/robot/robot_names.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "core/robot/streams/stream_table.h"
 

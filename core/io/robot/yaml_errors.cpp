@@ -78,7 +78,7 @@ std::string anyOf(const std::vector<std::string>& words) {
 
 void YamlErrors::add(int line, const std::string& path, const std::string& text) {
     if (m_lines.size() >= MostKept) {
-        ++m_untold;
+        ++m_unreported;
         return;
     }
     m_lines.emplace_back(line,
@@ -95,7 +95,7 @@ Error YamlErrors::error() const {
     }
     if (lines.size() > MostErrors)
         text += '\n' + leitstand::fill(translate("leitstand::Error", "{}: {} errors more"), m_file,
-                                       lines.size() - MostErrors + m_untold);
+                                       lines.size() - MostErrors + m_unreported);
     return Error{text};
 }
 

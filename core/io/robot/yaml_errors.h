@@ -35,7 +35,7 @@ public:
 private:
     std::string m_file;
     std::vector<std::pair<int, std::string>> m_lines;
-    std::size_t m_untold = 0;
+    std::size_t m_unreported = 0;
 };
 
 /// Returns the line of @p node, counted from 1.

@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// Reads the limits beyond which the operator is alarmed (YAML; docs/operator.md, "Alarms"). A limit that is
+/// Reads the limits beyond which the operator is alarmed (YAML; docs/alarms.md, "Limits"). A limit that is
 /// not named keeps its default. Errors name @p name, line, key and what was expected.
 [[nodiscard]] Result<AlarmLimits> parseAlarmLimits(std::string_view text, const std::string& name);
 

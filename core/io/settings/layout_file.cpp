@@ -138,7 +138,7 @@ void emitWord(YAML::Emitter& out, const char* key, const Words<T>& words, const 
 }
 
 void emitMap(YAML::Emitter& out, const LayoutMap& map) {
-    if (!map.saysSomething()) return;
+    if (!map.isMeaningful()) return;
     out << YAML::Key << "map" << YAML::Value << YAML::Flow << YAML::BeginMap;
     emitWord(out, "look", lookWords(), map.look);
     emitWord(out, "follow", followWords(), map.follow);

@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// Reads a layout (YAML; docs/operator.md lists the keys) and names it after the file. The error has a line
+/// Reads a layout (YAML; docs/layouts-and-settings.md lists the keys) and names it after the file. The error has a line
 /// for each mistake: file, line, key and what was expected.
 [[nodiscard]] Result<WindowLayout> readLayout(const std::filesystem::path& file);
 /// Parses a layout from @p text; errors call the file @p name.

@@ -79,14 +79,14 @@ bool RangeBias::add(const PointCloud& scan, const PointCloud& other, const Pose&
         deviation = PairDeviation * std::sqrt(factors.solve(Vector7::Unit(6))[6]);
     }
     if (!(deviation <= MostDeviation)) return false;
-    if (m_told.size() == Most) m_told.erase(m_told.begin());
-    m_told.push_back(bias);
+    if (m_reported.size() == Most) m_reported.erase(m_reported.begin());
+    m_reported.push_back(bias);
     return true;
 }
 
 std::optional<Estimated> RangeBias::estimate() const {
-    if (m_told.size() < Enough) return std::nullopt;
-    std::vector<double> values = m_told;
+    if (m_reported.size() < Enough) return std::nullopt;
+    std::vector<double> values = m_reported;
     const double median = medianOf(values);
     for (double& value : values) value = std::abs(value - median);
     // For normally distributed values: their deviation by the median absolute deviation, and that of a

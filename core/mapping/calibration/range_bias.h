@@ -25,13 +25,13 @@ public:
     /// same side.
     bool add(const PointCloud& scan, const PointCloud& other, const Pose& scanInOther);
 
-    [[nodiscard]] std::size_t pairs() const { return m_told.size(); }
+    [[nodiscard]] std::size_t pairs() const { return m_reported.size(); }
     /// Returns by how much ranges are too long [m], with the deviation by the scatter of the pairs. Empty
     /// before there are enough pairs.
     [[nodiscard]] std::optional<Estimated> estimate() const;
 
 private:
-    std::vector<double> m_told;  ///< bias by each pair [m]
+    std::vector<double> m_reported;  ///< bias by each pair [m]
 };
 
 }  // namespace leitstand

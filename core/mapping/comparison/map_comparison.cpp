@@ -63,8 +63,8 @@ std::vector<ScanPtr> withWholeOdometry(const std::vector<ComparedScan*>& scans) 
         if (i > 0 && scan.hasOdometry && whole.back()->hasOdometry) {
             const Pose& before = whole.back()->sensorInOdom;
             const Pose recorded = before * scans[i - 1]->recorded.inverse() * scans[i]->recorded;
-            const Pose told = shift * scan.sensorInOdom;
-            if (distanceBetween(told, recorded) > Jump || angleBetween(told, recorded) > Turn)
+            const Pose reported = shift * scan.sensorInOdom;
+            if (distanceBetween(reported, recorded) > Jump || angleBetween(reported, recorded) > Turn)
                 shift = recorded * scan.sensorInOdom.inverse();
         }
         if (!scan.hasOdometry || shift.isApprox(Pose::Identity())) {

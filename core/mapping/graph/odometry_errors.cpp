@@ -55,14 +55,14 @@ double turnAbout(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& up) {
 /// Estimates the scale of odometry's distances.
 class WayScale {
 public:
-    void add(double told, double matched) {
-        m_told += told;
+    void add(double measured, double matched) {
+        m_measured += measured;
         m_matched += matched;
     }
     void endRun() {
-        m_products += m_told * m_matched;
-        m_squares += m_told * m_told;
-        m_told = m_matched = 0.0;
+        m_products += m_measured * m_matched;
+        m_squares += m_measured * m_measured;
+        m_measured = m_matched = 0.0;
     }
     /// Returns the likeliest factor: near 1 as long as runs are short.
     [[nodiscard]] double factor() const {
@@ -71,26 +71,26 @@ public:
     }
 
 private:
-    double m_told = 0.0, m_matched = 0.0;  ///< of the current run [m]
+    double m_measured = 0.0, m_matched = 0.0;  ///< of the current run [m]
     double m_products = 0.0, m_squares = 0.0;
 };
 
 /// Estimates the errors of the heading: a share of turns, and a drift with the distance.
 class HeadingErrors {
 public:
-    void add(double way, double told, double matched) {
+    void add(double way, double measured, double matched) {
         m_way += way;
-        m_told += told;
+        m_measured += measured;
         m_matched += matched;
-        if (std::abs(m_way) >= ComparedWay || std::abs(m_told) >= ComparedTurn) endRun();
+        if (std::abs(m_way) >= ComparedWay || std::abs(m_measured) >= ComparedTurn) endRun();
     }
     void endRun() {
-        const double chance = TurnErrorOfTurn * m_told, onTheWay = TurnErrorOfWay * m_way;
+        const double chance = TurnErrorOfTurn * m_measured, onTheWay = TurnErrorOfWay * m_way;
         const double weight = 1.0 / (TurnError * TurnError + chance * chance + onTheWay * onTheWay);
-        const Eigen::Vector2d row(m_told, m_way);
+        const Eigen::Vector2d row(m_measured, m_way);
         m_normal += weight * row * row.transpose();
-        m_right += weight * (m_matched - m_told) * row;
-        m_way = m_told = m_matched = 0.0;
+        m_right += weight * (m_matched - m_measured) * row;
+        m_way = m_measured = m_matched = 0.0;
     }
     /// Returns the share of a turn that odometry is short of, and its drift with the distance [rad/m].
     [[nodiscard]] Eigen::Vector2d shares() const {
@@ -101,7 +101,7 @@ public:
     }
 
 private:
-    double m_way = 0.0, m_told = 0.0, m_matched = 0.0;  ///< of the current run [m, rad]
+    double m_way = 0.0, m_measured = 0.0, m_matched = 0.0;  ///< of the current run [m, rad]
     Eigen::Matrix2d m_normal = Eigen::Matrix2d::Zero();
     Eigen::Vector2d m_right = Eigen::Vector2d::Zero();
 };
@@ -109,9 +109,9 @@ private:
 /// Estimates the random error of distances.
 class WayNoise {
 public:
-    void add(double told, double matched) {
-        m_way += told;
-        m_error += matched - told;
+    void add(double measured, double matched) {
+        m_way += measured;
+        m_error += matched - measured;
         if (m_way >= ComparedWay) endRun();
     }
     void endRun() {
@@ -227,9 +227,9 @@ void correct(PoseGraph& graph, const Chain& chain) {
     for (const OdometryStep& step : chain) {
         if (step.wayHeld || step.way < LeastWay) continue;
         Link& link = graph.links[step.link];
-        const double told = along(link.information, link.pose.linear().transpose() * step.direction);
-        if (told <= 0.0) continue;
-        const double usual = 1.0 / (told * step.way);
+        const double measured = along(link.information, link.pose.linear().transpose() * step.direction);
+        if (measured <= 0.0) continue;
+        const double usual = 1.0 / (measured * step.way);
         link.information *= std::clamp(usual / noise.variance(usual), MostLess, MostMore);
     }
 }

@@ -197,10 +197,10 @@ void LiveMapper::beginBlock() {
 void LiveMapper::follow(std::span<const ScanPose> poses) {
     std::vector<ScanPose> all;
     for (const LiveKeyScan& scan : m_state->map.scans) {
-        const auto told = std::find_if(poses.begin(), poses.end(),
-                                       [&](const ScanPose& pose) { return pose.scan == scan.id; });
-        all.push_back(told != poses.end() ? *told : scan.pose);
-        if (told == poses.end()) all.back().trust = ScanTrust::SetAside;
+        const auto logged = std::find_if(poses.begin(), poses.end(),
+                                         [&](const ScanPose& pose) { return pose.scan == scan.id; });
+        all.push_back(logged != poses.end() ? *logged : scan.pose);
+        if (logged == poses.end()) all.back().trust = ScanTrust::SetAside;
     }
     m_state->apply(all);
 }

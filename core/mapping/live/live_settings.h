@@ -50,7 +50,7 @@ struct FitSettings {
     double leastSeen = degrees(270);  ///< of directions, by a cut-off turn that begins a map [rad]
 };
 
-/// When a scan enters the map (design, section 3).
+/// When a scan enters the map (docs/design.md, "Conventions").
 struct KeyScanRule {
     double distance = 0.3;       ///< moved since the last one [m] ...
     double angle = degrees(10);  ///< ... or turned [rad] ...

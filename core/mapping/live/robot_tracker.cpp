@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/mapping/placement/placement_says.h"
+#include "core/mapping/placement/placement_format.h"
 
 namespace leitstand {
 namespace {
@@ -57,7 +57,7 @@ void RobotTracker::correct(const MapFix& fix) {
     m_now.certain = fix.certain;
     m_now.how = fix.how;
     refresh();
-    tellGap();
+    publishGap();
 }
 
 void RobotTracker::lose() {
@@ -85,7 +85,7 @@ void RobotTracker::refresh() {
         m_now.odomInMap.reset();
         m_now.certain = false;
         m_now.certainty = 0.0;
-        m_now.how = placement_says::OdometryAnew;
+        m_now.how = placement_format::OdometryRestarted;
         return;
     }
     if (const auto here = baseInMap(*m_newest)) m_now.baseInMap = *here;
@@ -93,25 +93,26 @@ void RobotTracker::refresh() {
 
 void RobotTracker::leaveTrail() {
     if (!m_now.odomInMap) return;
-    if (m_followed) m_unheard = std::max(m_unheard, std::chrono::nanoseconds(m_now.stamp - *m_followed));
+    if (m_followed)
+        m_notReceived = std::max(m_notReceived, std::chrono::nanoseconds(m_now.stamp - *m_followed));
     m_followed = m_now.stamp;
     const Eigen::Vector3d here = m_now.baseInMap.translation();
     if (!m_trail.empty() &&
         (here.cast<float>() - m_trail.back().inMap).norm() < static_cast<float>(m_spacing))
-        return tellGap();
+        return publishGap();
     m_trail.push_back(
-        {here.cast<float>(), m_now.odomInMap->inverse() * here, m_now.stamp, m_frame, m_unheard});
-    m_unheard = {};
+        {here.cast<float>(), m_now.odomInMap->inverse() * here, m_now.stamp, m_frame, m_notReceived});
+    m_notReceived = {};
     if (m_trail.size() > LongestTrail) {
         for (std::size_t i = 0; 2 * i < m_trail.size(); ++i) {
-            const auto left = i > 0 ? m_trail[2 * i - 1].unheard : std::chrono::nanoseconds{};
+            const auto left = i > 0 ? m_trail[2 * i - 1].notReceived : std::chrono::nanoseconds{};
             m_trail[i] = m_trail[2 * i];
-            m_trail[i].unheard = std::max(m_trail[i].unheard, left);
+            m_trail[i].notReceived = std::max(m_trail[i].notReceived, left);
         }
         m_trail.erase(m_trail.begin() + static_cast<std::ptrdiff_t>((m_trail.size() + 1) / 2), m_trail.end());
         m_spacing *= 2.0;
     }
-    tellTrail();
+    publishTrail();
 }
 
 void RobotTracker::layTrail(std::span<const TrailAnchor> anchors) {
@@ -123,7 +124,7 @@ void RobotTracker::layTrail(std::span<const TrailAnchor> anchors) {
         }
         if (newest != nullptr) step.inMap = (newest->odomInMap * step.inOdom).cast<float>();
     }
-    if (!m_trail.empty()) tellTrail();
+    if (!m_trail.empty()) publishTrail();
 }
 
 void RobotTracker::move(const MovedPlaces& places) {
@@ -135,24 +136,24 @@ void RobotTracker::move(const MovedPlaces& places) {
     m_now.baseInMap = correction * m_now.baseInMap;
     if (m_now.odomInMap) m_now.odomInMap = correction * *m_now.odomInMap;
     if (m_waiting) m_waiting = correction * *m_waiting;
-    if (!m_trail.empty()) tellTrail();
+    if (!m_trail.empty()) publishTrail();
 }
 
-void RobotTracker::tellTrail() {
+void RobotTracker::publishTrail() {
     auto trail = std::make_shared<Trail>();
     trail->reserve(m_trail.size());
     for (const Footstep& step : m_trail) {
         const float away = trail->empty() ? 0.0F : (step.inMap - trail->back().inMap).norm();
-        trail->push_back({step.inMap, isGap(static_cast<double>(away), step.unheard, m_spacing)});
+        trail->push_back({step.inMap, isGap(static_cast<double>(away), step.notReceived, m_spacing)});
     }
     m_now.trail = std::move(trail);
-    tellGap();
+    publishGap();
 }
 
-void RobotTracker::tellGap() {
+void RobotTracker::publishGap() {
     if (m_trail.empty()) return;
     const Eigen::Vector3d end = m_trail.back().inMap.cast<double>();
-    m_now.afterGap = isGap((m_now.baseInMap.translation() - end).norm(), m_unheard, m_spacing);
+    m_now.afterGap = isGap((m_now.baseInMap.translation() - end).norm(), m_notReceived, m_spacing);
 }
 
 }  // namespace leitstand

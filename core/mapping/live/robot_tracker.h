@@ -67,22 +67,22 @@ private:
         Eigen::Vector3f inMap;  ///< [m]
         Eigen::Vector3d inOdom;
         Time stamp;
-        int frame;                         ///< of the odometry
-        std::chrono::nanoseconds unheard;  ///< longest silence of the odometry since the place before
+        int frame;                             ///< of the odometry
+        std::chrono::nanoseconds notReceived;  ///< longest silence of the odometry since the place before
     };
     void refresh();
-    void tellGap();
+    void publishGap();
     void leaveTrail();
-    void tellTrail();
+    void publishTrail();
 
     MotionBuffer m_motion;
     std::optional<Time> m_newest;   ///< stamp of the odometry
     std::optional<Pose> m_waiting;  ///< base_link in the map: the fix came before the odometry
     int m_frame = 0;                ///< of the odometry of odomInMap
     std::vector<Footstep> m_trail;
-    double m_spacing;                      ///< of the trail [m]
-    std::optional<Time> m_followed;        ///< stamp of the newest odometry that gave its pose in the map
-    std::chrono::nanoseconds m_unheard{};  ///< longest silence of the odometry since the trail's end
+    double m_spacing;                          ///< of the trail [m]
+    std::optional<Time> m_followed;            ///< stamp of the newest odometry that gave its pose in the map
+    std::chrono::nanoseconds m_notReceived{};  ///< longest silence of the odometry since the trail's end
     RobotInMap m_now;
 };
 

@@ -87,11 +87,11 @@ GuessPrior priorOf(const Step& step, const MatchSettings& settings) {
 /// path, less far along, and not far aside.
 bool isShortOf(const Eigen::Vector3d& found, const Eigen::Vector3d& guess, const Step& step,
                const FitSettings& fit) {
-    const double told = step.moved.norm();
-    if (told <= 0.0) return false;
-    const Eigen::Vector3d ahead = step.moved / told, came = found - (guess - step.moved);
+    const double reported = step.moved.norm();
+    if (reported <= 0.0) return false;
+    const Eigen::Vector3d ahead = step.moved / reported, came = found - (guess - step.moved);
     const double along = ahead.dot(came), aside = (came - along * ahead).norm();
-    return along >= -fit.jump && along <= told && aside <= fit.spunAside + fit.spunAsideOfWay * told;
+    return along >= -fit.jump && along <= reported && aside <= fit.spunAside + fit.spunAsideOfWay * reported;
 }
 
 }  // namespace

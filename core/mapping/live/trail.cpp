@@ -9,9 +9,9 @@ constexpr double Unseen = 0.5;  ///< a robot may go so far meanwhile on a path t
 
 }  // namespace
 
-bool isGap(double away, std::chrono::nanoseconds unheard, double apart) {
+bool isGap(double away, std::chrono::nanoseconds notReceived, double apart) {
     const double beyond = away - apart;
-    return beyond > Jump || (beyond > Unseen && unheard > Silence);
+    return beyond > Jump || (beyond > Unseen && notReceived > Silence);
 }
 
 }  // namespace leitstand

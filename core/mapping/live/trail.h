@@ -21,8 +21,8 @@ using Trail = std::vector<TrailPlace>;
 using TrailPtr = std::shared_ptr<const Trail>;
 
 /// Returns whether the path between two places of a robot is unknown; they are @p away from each other [m].
-/// Either nothing was received from it for @p unheard, 3 s and more, and it is half a metre away then. Or it
-/// jumped by a metre. @p apart: distance between places of a known path [m].
-[[nodiscard]] bool isGap(double away, std::chrono::nanoseconds unheard, double apart = 0.0);
+/// Either nothing was received from it for @p notReceived, 3 s and more, and it is half a metre away then. Or
+/// it jumped by a metre. @p apart: distance between places of a known path [m].
+[[nodiscard]] bool isGap(double away, std::chrono::nanoseconds notReceived, double apart = 0.0);
 
 }  // namespace leitstand

@@ -40,7 +40,7 @@ void ScanCutter::add(const OdometrySample& odometry, Time now) {
     } else {
         m_motion.add(odometry);
     }
-    if (m_motion.clockJumps() != m_clockJumps) startAnew();
+    if (m_motion.clockJumps() != m_clockJumps) restart();
 }
 
 void ScanCutter::add(const ImuSample& imu, const Pose& unitInBase, Time now) {
@@ -58,7 +58,7 @@ void ScanCutter::add(CloudSample slice, const Pose& sensorInBase, Time now) {
         ++m_doubled;
         return;
     }
-    if (m_row.end && stamp < *m_row.end - LatestSlice) startAnew();
+    if (m_row.end && stamp < *m_row.end - LatestSlice) restart();
     m_known.emplace(stamp, slice.header.frame);
     while (m_known.begin()->first < stamp - Remembered) m_known.erase(m_known.begin());
     m_waiting.emplace(stamp, Waiting{std::move(slice), sensorInBase, now, m_odometry});
@@ -157,7 +157,7 @@ void ScanCutter::keep(std::optional<Scan> scan, const Row& row, const Parts& par
         live.up = scan->sensorInOdom.linear().transpose() * Eigen::Vector3d::UnitZ();
         live.levelKnown = !m_motion.hasUnit();
     }
-    tellMotion(live, scan->start, scan->end);
+    publishMotion(live, scan->start, scan->end);
     if (m_lastEnd) {
         const Travel travel = m_motion.travelled(*m_lastEnd, scan->end);
         live.way = travel.way;
@@ -168,7 +168,7 @@ void ScanCutter::keep(std::optional<Scan> scan, const Row& row, const Parts& par
     m_done.push_back(std::move(live));
 }
 
-void ScanCutter::tellMotion(LiveScan& live, Time start, Time end) const {
+void ScanCutter::publishMotion(LiveScan& live, Time start, Time end) const {
     const Time since = std::min(start, end - ShortestScan);
     const auto before = m_motion.at(since), after = m_motion.at(end);
     if (!before || !after || m_motion.frameAt(since) != m_motion.frameAt(end)) return;
@@ -180,7 +180,7 @@ void ScanCutter::tellMotion(LiveScan& live, Time start, Time end) const {
     live.motionKnown = true;
 }
 
-void ScanCutter::startAnew() {
+void ScanCutter::restart() {
     m_clockJumps = m_motion.clockJumps();
     // Waiting slices may be of either time. Each is added by its stamp, when it is ready.
     close(m_late);

@@ -44,7 +44,7 @@ public:
     /// Returns when take() has something to do at the latest, without another sample; empty: nothing waits.
     [[nodiscard]] std::optional<Time> due() const;
     /// Ends the current turn: the stamps of later slices are of another clock.
-    void startAnew();
+    void restart();
     /// Returns all that is gathered as scans, whole turns or not: the scanner was switched off, or the
     /// mission ends.
     [[nodiscard]] std::vector<LiveScan> finish();
@@ -78,7 +78,7 @@ private:
     void put(Waiting waiting, Row& row);
     void close(Row& row);
     void keep(std::optional<Scan> scan, const Row& row, const Parts& parts);
-    void tellMotion(LiveScan& live, Time start, Time end) const;
+    void publishMotion(LiveScan& live, Time start, Time end) const;
 
     std::string m_robot;
     ScanCutterSettings m_settings;

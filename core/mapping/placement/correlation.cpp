@@ -115,7 +115,7 @@ Correlation correlate(const LaserView& view, const WallMap& map, const FlatPose&
     std::vector<Candidate> seen;
     Candidate best{-1.0, 0, 0, 0};
     for (const Candidate& block : blocks) {
-        if (block.score < Correlation::ToldFrom * best.score) break;
+        if (block.score < Correlation::ClearBelow * best.score) break;
         for (int y = block.y; y < block.y + Block && y <= most; ++y) {
             for (int x = block.x; x < block.x + Block && x <= most; ++x) {
                 Candidate one{0.0, x, y, block.turn};
@@ -128,7 +128,7 @@ Correlation correlate(const LaserView& view, const WallMap& map, const FlatPose&
     found.score = best.score;
     found.pose = {guess.place + Cell * Eigen::Vector2d(best.x, best.y),
                   guess.heading + best.turn * AngleStep};
-    found.second = Correlation::ToldFrom * best.score;
+    found.second = Correlation::ClearBelow * best.score;
     for (const Candidate& one : seen) {
         const double apart = Cell * std::hypot(one.x - best.x, one.y - best.y);
         const bool other = apart > Correlation::Apart ||

@@ -16,10 +16,10 @@ struct SearchWindow {
 struct Correlation {
     FlatPose pose;
     double score = 0.0;   ///< 0 to 1: mean likelihood of its points
-    double second = 0.0;  ///< the best score more than Apart away; at least ToldFrom of the score
+    double second = 0.0;  ///< the best score more than Apart away; at least ClearBelow of the score
     static constexpr double Apart = 0.35;               ///< [m] ...
     static constexpr double TurnedApart = degrees(20);  ///< ... or [rad]
-    static constexpr double ToldFrom = 0.6;
+    static constexpr double ClearBelow = 0.6;
 };
 
 /// Compares @p view with @p map at all poses of @p window around @p guess, in steps of 5 cm and 1 degree. It

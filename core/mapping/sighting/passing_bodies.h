@@ -33,8 +33,8 @@ struct PassingSettings {
 };
 
 /// Finds what passed by while scans were taken, people above all: other scans looked through where it was.
-/// Each pair of scans near each other votes on the points of both (the free space of a map that scans carve:
-/// Moravec & Elfes 1985; votes of scans on points: Pomerleau et al. 2014). Connected points of a person's
+/// Each pair of scans near each other votes on the points of both. Scans carve the free space of a map
+/// (Moravec & Elfes 1985); scans vote on points (Pomerleau and others 2014). Connected points of a person's
 /// size are a body, which is left out of its scan as another robot is. A larger thing may be a door that
 /// somebody shut. One thread at a time.
 class PassingBodies {

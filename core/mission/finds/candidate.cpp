@@ -34,8 +34,7 @@ struct Evidence {
 }  // namespace
 
 void CandidateThing::add(const PlacedCue& cue, const ScanPlaces& scans) {
-    const bool code =
-        cue.what != VictimSample::Kind::Victim || cue.cue.kind == "code" || cue.cue.kind == "tag";
+    const bool code = cue.what != FindSample::Kind::Victim || cue.cue.kind == "code" || cue.cue.kind == "tag";
     const std::string text = code || cue.cue.kind == "sighting" ? cue.cue.text : std::string();
     CandidateLook& look = looks[{cue.cue.kind, cue.cue.robot, cue.scan, text}];
     const auto scan = scans.find(cue.scan);
@@ -73,7 +72,7 @@ void CandidateThing::settle(const ScanPlaces& scans, const CandidateSettings& se
         std::uint64_t scan;
     };
     std::vector<Seen> seen;
-    const bool victims = what == VictimSample::Kind::Victim;
+    const bool victims = what == FindSample::Kind::Victim;
     const auto isOf = [](const auto& look, const char* kind) { return std::get<0>(look.first) == kind; };
     // A tag beside a victim is not the victim. It gives the place only when nothing else does.
     const bool tagAlone =
@@ -141,8 +140,8 @@ double confidenceOf(const CandidateThing& thing, const CandidateSettings& settin
         return found->second.mean() *
                std::min(1.0, static_cast<double>(found->second.moments) / settings.moments);
     };
-    if (thing.what == VictimSample::Kind::Code) return kinds.contains("code") ? 0.95 : 0.0;
-    if (thing.what != VictimSample::Kind::Victim) {
+    if (thing.what == FindSample::Kind::Code) return kinds.contains("code") ? 0.95 : 0.0;
+    if (thing.what != FindSample::Kind::Victim) {
         // Colours in a square seldom occur by chance, so half of the moments suffice.
         const auto found = kinds.find("hazard");
         if (found == kinds.end()) return 0.0;

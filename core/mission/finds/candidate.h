@@ -37,7 +37,7 @@ struct CandidateThing {
         std::tuple<std::string, std::string, std::uint64_t, std::string>;  ///< kind, robot, scan, text
 
     std::uint32_t id = 0;  ///< 0: not published yet
-    VictimSample::Kind what = VictimSample::Kind::Victim;
+    FindSample::Kind what = FindSample::Kind::Victim;
     std::map<Key, CandidateLook> looks;
     std::uint32_t victim = 0;
     bool dismissed = false;  ///< by any person; it stays so
@@ -45,7 +45,7 @@ struct CandidateThing {
     bool discarded = false;  ///< filed, and the find was discarded
     std::uint64_t order = 0;
     // as last published
-    Time told{};
+    Time published{};
     CandidateSample last;
     // as it is now
     Eigen::Vector3d inMap = Eigen::Vector3d::Zero();

@@ -15,7 +15,7 @@
 namespace leitstand {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 
 double flat(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return (a - b).head<2>().norm();
@@ -113,7 +113,7 @@ void CandidateBook::State::dropSeenPast() {
     if (!std::exchange(changed, false)) return;
     const auto isOf = [this](const CandidateThing& far) {
         return std::any_of(things.begin(), things.end(), [&](const CandidateThing& one) {
-            const bool sure = one.id != 0 || one.confidence >= settings.tell;
+            const bool sure = one.id != 0 || one.confidence >= settings.publishFrom;
             return &one != &far && one.what == Kind::Victim && sure && !one.isRuledOut() && !one.withdrawn &&
                    isSeenPast(far, one, scans, settings);
         });
@@ -121,7 +121,7 @@ void CandidateBook::State::dropSeenPast() {
     for (std::size_t i = 0; i < things.size();) {
         CandidateThing& far = things[i];
         // An unpublished candidate is dropped only when it would be published.
-        const bool matters = far.id != 0 || far.confidence >= settings.tell;
+        const bool matters = far.id != 0 || far.confidence >= settings.publishFrom;
         if (!matters || far.what != Kind::Victim || far.victim != 0 || far.dismissed || !isOf(far)) {
             ++i;
             continue;
@@ -135,7 +135,7 @@ void CandidateBook::State::dropSeenPast() {
 /// Drops unpublished candidates that are again a thing that a person ruled out.
 void CandidateBook::State::dropRuledOut() {
     const auto isAgain = [this](const CandidateThing& made) {
-        if (made.id != 0 || made.what != Kind::Victim || made.confidence < settings.tell) return false;
+        if (made.id != 0 || made.what != Kind::Victim || made.confidence < settings.publishFrom) return false;
         return std::any_of(things.begin(), things.end(), [&](const CandidateThing& thing) {
             return thing.what == Kind::Victim && thing.isRuledOut() && isRuledOutAgain(made, thing, settings);
         });
@@ -254,7 +254,7 @@ void CandidateBook::tags(TagPatterns patterns) {
     m_state->patterns = std::move(patterns);
 }
 
-void CandidateBook::discarded(VictimSample::Kind kind, std::uint32_t number, bool discarded) {
+void CandidateBook::discarded(FindSample::Kind kind, std::uint32_t number, bool discarded) {
     for (CandidateThing& thing : m_state->things) {
         if (number != 0 && thing.what == kind && thing.victim == number) thing.discarded = discarded;
     }
@@ -302,7 +302,7 @@ void CandidateBook::take(const CandidateSample& sample) {
     thing.victim = sample.victim;
     thing.dismissed = sample.dismissed;
     thing.last = sample;
-    thing.told = sample.stamp;
+    thing.published = sample.stamp;
     for (const Cue& cue : sample.cues) {
         PlacedCue placed;
         placed.cue = cue;
@@ -348,7 +348,7 @@ CandidateSample CandidateBook::State::sampleOf(const CandidateThing& thing, Time
 
 bool CandidateBook::State::isDue(CandidateThing& thing, Time now) {
     if (thing.id == 0) {
-        if (thing.confidence < settings.tell) return false;
+        if (thing.confidence < settings.publishFrom) return false;
         thing.id = ++newest;
         return true;
     }
@@ -357,8 +357,8 @@ bool CandidateBook::State::isDue(CandidateThing& thing, Time now) {
     if (thing.dismissed) return !thing.last.dismissed;
     const bool before = thing.withdrawn;
     if (thing.victim == 0 && thing.confidence < settings.drop) thing.withdrawn = true;
-    if (thing.confidence >= settings.tell) thing.withdrawn = false;
-    if (toSeconds(now - thing.told) < settings.interval) {
+    if (thing.confidence >= settings.publishFrom) thing.withdrawn = false;
+    if (toSeconds(now - thing.published) < settings.interval) {
         thing.withdrawn = before;
         return false;
     }
@@ -382,7 +382,7 @@ std::vector<CandidateSample> CandidateBook::due(Time now) {
         if (!state.isDue(thing, now)) continue;
         thing.last = state.sampleOf(thing, now);
         if (thing.dismissed) thing.last = judged(thing.last, true, state.station, now, state.settings);
-        thing.told = now;
+        thing.published = now;
         samples.push_back(thing.last);
     }
     return samples;

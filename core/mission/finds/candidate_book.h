@@ -25,9 +25,9 @@ struct CandidateSettings {
     double beside = 0.35;  ///< what is seen past a person within this, from above, is of that person [m] ...
     double behind = 0.5;   ///< ... when it seems at least this far behind [m] ...
     double above = 0.6;    ///< ... and the ray passes the person no higher or lower than this [m]
-    double tell = 0.57;    ///< confidence from which a candidate is published
-    double drop = 0.35;    ///< confidence below which a published one is taken back
-    int moments = 6;       ///< half seconds with cues of one kind until they count in full
+    double publishFrom = 0.57;  ///< confidence from which a candidate is published
+    double drop = 0.35;         ///< confidence below which a published one is taken back
+    int moments = 6;            ///< half seconds with cues of one kind until they count in full
     double breathFrom = 0.5;    ///< confidence by heat or motion from which CO2 near by counts in full
     double interval = 1.0;      ///< least time between updates of a candidate [s]
     double move = 0.03;         ///< change of position worth an update [m]
@@ -63,7 +63,7 @@ public:
     void tags(TagPatterns patterns);
     /// Sets whether the find @p number of @p kind, which candidates were filed as, is discarded. What lies
     /// beside a discarded find may still be one.
-    void discarded(VictimSample::Kind kind, std::uint32_t number, bool discarded);
+    void discarded(FindSample::Kind kind, std::uint32_t number, bool discarded);
     /// Returns the candidates that are new or changed, each at most once per @ref
     /// CandidateSettings::interval.
     [[nodiscard]] std::vector<CandidateSample> due(Time now);

@@ -3,7 +3,7 @@
 namespace leitstand {
 
 bool isDismissal(const CandidateSample& sample, const CandidateSettings& settings) {
-    return sample.dismissed && !sample.cues.empty() && sample.confidence >= settings.tell;
+    return sample.dismissed && !sample.cues.empty() && sample.confidence >= settings.publishFrom;
 }
 
 CandidateSample judged(CandidateSample candidate, bool dismissed, const std::string& station, Time now,
@@ -12,7 +12,8 @@ CandidateSample judged(CandidateSample candidate, bool dismissed, const std::str
     candidate.station = station;
     candidate.stamp = now;
     // At least the confidence to publish: less would be taken for a book's own doubt.
-    if (dismissed && !(candidate.confidence >= settings.tell)) candidate.confidence = settings.tell;
+    if (dismissed && !(candidate.confidence >= settings.publishFrom))
+        candidate.confidence = settings.publishFrom;
     return candidate;
 }
 

@@ -9,23 +9,23 @@
 namespace leitstand {
 namespace {
 
-using Status = VictimSample::Status;
+using Status = FindSample::Status;
 using SignState = VictimSign::State;
 
 constexpr double Storey = 2.0;   ///< what is higher above a floor is not on it [m]
 constexpr double InSight = 4.0;  ///< range within which a scan shows a place well enough to hang it on [m]
 
-const VictimSample* find(const MissionState& state, const FindKey& key) {
-    const auto found = state.victims->find(key);
-    return found == state.victims->end() ? nullptr : &found->second.victim;
+const FindSample* find(const MissionState& state, const FindKey& key) {
+    const auto found = state.finds->find(key);
+    return found == state.finds->end() ? nullptr : &found->second.victim;
 }
 
-void sayPresent(VictimSign& sign, double value) {
+void publishPresent(VictimSign& sign, double value) {
     if (sign.state == SignState::Unknown) sign.state = SignState::Present;
     if (std::isnan(sign.value) && sign.state == SignState::Present) sign.value = value;
 }
 
-void addEvidence(VictimSample& to, const std::vector<VictimEvidence>& from) {
+void addEvidence(FindSample& to, const std::vector<VictimEvidence>& from) {
     for (const VictimEvidence& one : from) {
         const auto known =
             std::find_if(to.evidence.begin(), to.evidence.end(), [&](const VictimEvidence& there) {
@@ -41,11 +41,11 @@ void addEvidence(VictimSample& to, const std::vector<VictimEvidence>& from) {
 }
 
 /// Adds what @p frozen measured, where nothing else is known.
-void addSigns(VictimSample& to, const FrozenEvidence& frozen) {
-    if (to.kind == VictimSample::Kind::Victim) {
-        if (!std::isnan(frozen.heat)) sayPresent(to.heat, frozen.heat);
-        if (!std::isnan(frozen.co2)) sayPresent(to.co2, frozen.co2);
-        if (frozen.motion) sayPresent(to.motion, Unknown);
+void addSigns(FindSample& to, const FrozenEvidence& frozen) {
+    if (to.kind == FindSample::Kind::Victim) {
+        if (!std::isnan(frozen.heat)) publishPresent(to.heat, frozen.heat);
+        if (!std::isnan(frozen.co2)) publishPresent(to.co2, frozen.co2);
+        if (frozen.motion) publishPresent(to.motion, Unknown);
     }
     if (to.tag.empty()) to.tag = frozen.tag;
 }
@@ -57,7 +57,7 @@ void fill(std::string& to, const std::string& from) {
     if (to.empty()) to = from;
 }
 
-void fill(VictimSample& to, const VictimSample& from) {
+void fill(FindSample& to, const FindSample& from) {
     fill(to.form, from.form);
     fill(to.motion, from.motion);
     fill(to.heat, from.heat);
@@ -70,19 +70,19 @@ void fill(VictimSample& to, const VictimSample& from) {
     addEvidence(to, from.evidence);
 }
 
-std::optional<VictimSample> changed(const MissionState& state, const FindKey& key, const std::string& station,
-                                    Time now) {
-    const VictimSample* known = find(state, key);
+std::optional<FindSample> changed(const MissionState& state, const FindKey& key, const std::string& station,
+                                  Time now) {
+    const FindSample* known = find(state, key);
     if (known == nullptr) return std::nullopt;
-    VictimSample sample = *known;
+    FindSample sample = *known;
     sample.station = station;
     // Clocks of stations differ, so a later change always gets a later stamp.
     sample.stamp = std::max(now, known->stamp + std::chrono::nanoseconds(1));
     return sample;
 }
 
-VictimSample fresh(const MissionState& state, VictimSample::Kind kind, const std::string& station, Time now) {
-    VictimSample sample;
+FindSample fresh(const MissionState& state, FindSample::Kind kind, const std::string& station, Time now) {
+    FindSample sample;
     sample.kind = kind;
     sample.number = nextNumber(state, kind);
     sample.station = station;
@@ -92,8 +92,8 @@ VictimSample fresh(const MissionState& state, VictimSample::Kind kind, const std
 
 /// Whether finds with the texts @p one and @p other may be the same: signs with different texts are two,
 /// however near.
-bool mayBeOne(VictimSample::Kind kind, const std::string& one, const std::string& other) {
-    const bool sign = kind == VictimSample::Kind::Code || kind == VictimSample::Kind::Hazard;
+bool mayBeOne(FindSample::Kind kind, const std::string& one, const std::string& other) {
+    const bool sign = kind == FindSample::Kind::Code || kind == FindSample::Kind::Hazard;
     return !sign || one.empty() || other.empty() || one == other;
 }
 
@@ -110,19 +110,19 @@ void addScan(FrozenEvidence& frozen, const MissionState& state) {
 
 }  // namespace
 
-std::uint32_t nextNumber(const MissionState& state, VictimSample::Kind kind) {
+std::uint32_t nextNumber(const MissionState& state, FindSample::Kind kind) {
     std::uint32_t highest = 0;
     for (const Decision& decision : *state.decisions) {
-        const auto* sample = std::get_if<VictimSample>(&decision.content);
+        const auto* sample = std::get_if<FindSample>(&decision.content);
         if (sample != nullptr && sample->kind == kind) highest = std::max(highest, sample->number);
     }
     return highest + 1;
 }
 
-std::optional<FindKey> findNear(const MissionState& state, VictimSample::Kind kind,
+std::optional<FindKey> findNear(const MissionState& state, FindSample::Kind kind,
                                 const Eigen::Vector3d& placeInMap, const std::string& tag, double reach) {
     std::optional<FindKey> nearest;
-    for (const auto& [key, entry] : *state.victims) {
+    for (const auto& [key, entry] : *state.finds) {
         if (key.first != kind || entry.victim.status == Status::Discarded) continue;
         if (!mayBeOne(kind, tag, entry.victim.tag)) continue;
         const double distance = (positionInMap(state, entry.victim) - placeInMap).norm();
@@ -135,16 +135,16 @@ std::optional<FindKey> findNear(const MissionState& state, VictimSample::Kind ki
 
 bool isFiled(const MissionState& state, const CandidateSample& candidate) {
     // A find that was taken back is not in the state: then nobody has filed it.
-    if (candidate.victim != 0 && state.victims->contains({candidate.kind, candidate.victim})) return true;
+    if (candidate.victim != 0 && state.finds->contains({candidate.kind, candidate.victim})) return true;
     const Eigen::Vector3d place = positionInMap(state, candidate);
     const std::string tag = tagOf(candidate);
     // A code between two victims names neither.
-    const bool names = candidate.kind == VictimSample::Kind::Code ||
-                       (candidate.kind == VictimSample::Kind::Victim &&
+    const bool names = candidate.kind == FindSample::Kind::Code ||
+                       (candidate.kind == FindSample::Kind::Victim &&
                         std::any_of(candidate.cues.begin(), candidate.cues.end(),
                                     [&](const Cue& cue) { return cue.kind == "tag" && cue.text == tag; }));
-    return std::any_of(state.victims->begin(), state.victims->end(), [&](const auto& find) {
-        const VictimSample& there = find.second.victim;
+    return std::any_of(state.finds->begin(), state.finds->end(), [&](const auto& find) {
+        const FindSample& there = find.second.victim;
         if (find.first.first != candidate.kind || !mayBeOne(candidate.kind, tag, there.tag)) return false;
         // A discarded find is none, but what lies beside it may be one.
         const bool none = there.status == Status::Discarded && there.mergedInto == 0;
@@ -154,15 +154,15 @@ bool isFiled(const MissionState& state, const CandidateSample& candidate) {
     });
 }
 
-VictimSample filed(const MissionState& state, VictimSample::Kind kind, const FrozenEvidence& frozen,
-                   const std::string& station, Time now) {
+FindSample filed(const MissionState& state, FindSample::Kind kind, const FrozenEvidence& frozen,
+                 const std::string& station, Time now) {
     if (const auto known = findNear(state, kind, frozen.positionInMap, frozen.tag)) {
-        VictimSample sample = *changed(state, *known, station, now);
+        FindSample sample = *changed(state, *known, station, now);
         addSigns(sample, frozen);
         addEvidence(sample, frozen.evidence);
         return sample;
     }
-    VictimSample sample = fresh(state, kind, station, now);
+    FindSample sample = fresh(state, kind, station, now);
     sample.found = frozen.found;
     sample.robot = frozen.robot;
     sample.autonomous = frozen.autonomous;
@@ -235,10 +235,10 @@ std::uint64_t scanBeside(const MissionState& state, const std::string& robot, co
     return doubted != 0 ? doubted : othersDoubted;
 }
 
-VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
-                       const std::string& station, Time now, const FrozenEvidence& seen) {
+FindSample filedFrom(const MissionState& state, const CandidateSample& candidate, const std::string& station,
+                     Time now, const FrozenEvidence& seen) {
     const auto known = state.candidates->find(candidate.id);
-    const FirstTold first = known == state.candidates->end() ? FirstTold() : known->second.told;
+    const FirstReport first = known == state.candidates->end() ? FirstReport() : known->second.firstReport;
     FrozenEvidence frozen;
     frozen.found = seen.found == Time() ? now : seen.found;
     frozen.robot = candidate.cues.empty() ? seen.robot : candidate.cues.front().robot;
@@ -259,13 +259,13 @@ VictimSample filedFrom(const MissionState& state, const CandidateSample& candida
     return filed(state, candidate.kind, frozen, station, now);
 }
 
-std::vector<CandidateSample> candidatesNear(const MissionState& state, VictimSample::Kind kind,
+std::vector<CandidateSample> candidatesNear(const MissionState& state, FindSample::Kind kind,
                                             const Eigen::Vector3d& placeInMap) {
     std::vector<CandidateSample> near;
     for (const auto& [id, entry] : *state.candidates) {
         const CandidateSample& one = entry.candidate;
         if (one.kind != kind || one.dismissed || !(one.confidence >= LeastShownConfidence)) continue;
-        if (one.victim != 0 && state.victims->contains({kind, one.victim})) continue;
+        if (one.victim != 0 && state.finds->contains({kind, one.victim})) continue;
         if ((positionInMap(state, one) - placeInMap).norm() < SameFind) near.push_back(one);
     }
     std::stable_sort(near.begin(), near.end(), [&](const CandidateSample& a, const CandidateSample& b) {
@@ -273,9 +273,9 @@ std::vector<CandidateSample> candidatesNear(const MissionState& state, VictimSam
     });
     std::string tag;
     std::erase_if(near, [&](const CandidateSample& one) {
-        const std::string says = tagOf(one);
-        if (!mayBeOne(kind, tag, says)) return true;
-        fill(tag, says);
+        const std::string ownTag = tagOf(one);
+        if (!mayBeOne(kind, tag, ownTag)) return true;
+        fill(tag, ownTag);
         return false;
     });
     return near;
@@ -289,8 +289,8 @@ CandidateSample filedAs(CandidateSample candidate, std::uint32_t number, const s
     return candidate;
 }
 
-std::optional<VictimSample> withStatus(const MissionState& state, const FindKey& find, Status status,
-                                       const std::string& station, Time now) {
+std::optional<FindSample> withStatus(const MissionState& state, const FindKey& find, Status status,
+                                     const std::string& station, Time now) {
     auto sample = changed(state, find, station, now);
     if (!sample) return std::nullopt;
     sample->status = status;
@@ -299,12 +299,12 @@ std::optional<VictimSample> withStatus(const MissionState& state, const FindKey&
 }
 
 std::optional<NearFind> nearestOfKind(const MissionState& state, const FindKey& find) {
-    const VictimSample* const one = leitstand::find(state, find);
+    const FindSample* const one = leitstand::find(state, find);
     if (one == nullptr) return std::nullopt;
     const Eigen::Vector3d place = positionInMap(state, *one);
     std::optional<NearFind> nearest;
-    for (const auto& [key, entry] : *state.victims) {
-        const VictimSample& other = entry.victim;
+    for (const auto& [key, entry] : *state.finds) {
+        const FindSample& other = entry.victim;
         if (key.first != find.first || key == find || other.status == Status::Discarded) continue;
         const double distance = (positionInMap(state, other) - place).norm();
         if (!nearest || distance < nearest->distance) nearest = NearFind{key, distance};
@@ -312,10 +312,10 @@ std::optional<NearFind> nearestOfKind(const MissionState& state, const FindKey& 
     return nearest;
 }
 
-std::optional<VictimSample> mergedInto(const MissionState& state, const FindKey& find, std::uint32_t into,
-                                       const std::string& station, Time now) {
+std::optional<FindSample> mergedInto(const MissionState& state, const FindKey& find, std::uint32_t into,
+                                     const std::string& station, Time now) {
     auto sample = changed(state, find, station, now);
-    const VictimSample* target = leitstand::find(state, {find.first, into});
+    const FindSample* target = leitstand::find(state, {find.first, into});
     if (!sample || target == nullptr || into == find.second || target->status == Status::Discarded)
         return std::nullopt;
     sample->status = Status::Discarded;
@@ -323,8 +323,8 @@ std::optional<VictimSample> mergedInto(const MissionState& state, const FindKey&
     return sample;
 }
 
-std::optional<VictimSample> movedTo(const MissionState& state, const FindKey& find,
-                                    const Eigen::Vector3d& floorInMap, const std::string& station, Time now) {
+std::optional<FindSample> movedTo(const MissionState& state, const FindKey& find,
+                                  const Eigen::Vector3d& floorInMap, const std::string& station, Time now) {
     auto sample = changed(state, find, station, now);
     if (!sample || !floorInMap.allFinite()) return std::nullopt;
     sample->positionInMap = aboveFloor(floorInMap, positionInMap(state, *sample).z());
@@ -335,8 +335,8 @@ std::optional<VictimSample> movedTo(const MissionState& state, const FindKey& fi
     return sample;
 }
 
-std::optional<VictimSample> filledIn(const MissionState& state, const VictimSample& form,
-                                     const std::string& station, Time now) {
+std::optional<FindSample> filledIn(const MissionState& state, const FindSample& form,
+                                   const std::string& station, Time now) {
     auto sample = changed(state, {form.kind, form.number}, station, now);
     if (!sample) return std::nullopt;
     sample->form = form.form;
@@ -351,36 +351,36 @@ std::optional<VictimSample> filledIn(const MissionState& state, const VictimSamp
     return sample;
 }
 
-VictimSample withEdits(VictimSample newest, const VictimSample& before, const VictimSample& after) {
+FindSample withEdits(FindSample newest, const FindSample& before, const FindSample& after) {
     const auto isSame = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-    for (VictimSign VictimSample::*sign : {&VictimSample::form, &VictimSample::motion, &VictimSample::heat,
-                                           &VictimSample::sound, &VictimSample::co2}) {
+    for (VictimSign FindSample::*sign :
+         {&FindSample::form, &FindSample::motion, &FindSample::heat, &FindSample::sound, &FindSample::co2}) {
         const VictimSign &from = before.*sign, &to = after.*sign;
         if (from.state != to.state) (newest.*sign).state = to.state;
         if (from.text != to.text) (newest.*sign).text = to.text;
         if (!isSame(from.value, to.value)) (newest.*sign).value = to.value;
     }
-    for (std::string VictimSample::*words :
-         {&VictimSample::situation, &VictimSample::tag, &VictimSample::area, &VictimSample::text}) {
+    for (std::string FindSample::*words :
+         {&FindSample::situation, &FindSample::tag, &FindSample::area, &FindSample::text}) {
         if (before.*words != after.*words) newest.*words = after.*words;
     }
     return newest;
 }
 
-std::optional<VictimSample> wholeFind(const MissionState& state, const FindKey& find) {
-    const VictimSample* known = leitstand::find(state, find);
+std::optional<FindSample> wholeFind(const MissionState& state, const FindKey& find) {
+    const FindSample* known = leitstand::find(state, find);
     if (known == nullptr) return std::nullopt;
-    VictimSample whole = *known;
+    FindSample whole = *known;
     // Also what was merged into a find that was merged later.
-    const auto partOf = [&](const VictimSample* one) {
-        for (std::size_t i = 0; one != nullptr && i <= state.victims->size(); ++i) {
+    const auto partOf = [&](const FindSample* one) {
+        for (std::size_t i = 0; one != nullptr && i <= state.finds->size(); ++i) {
             if (one->status != Status::Discarded || one->mergedInto == 0) return false;
             if (one->mergedInto == find.second) return true;
             one = leitstand::find(state, {find.first, one->mergedInto});
         }
         return false;
     };
-    for (const auto& [key, entry] : *state.victims) {
+    for (const auto& [key, entry] : *state.finds) {
         if (key.first == find.first && key != find && partOf(&entry.victim)) fill(whole, entry.victim);
     }
     return whole;

@@ -61,10 +61,10 @@ inline constexpr double SameNamed = 1.2;
 inline constexpr double LeastShownConfidence = 0.5;
 
 /// Returns the number of the next find of @p kind: one above all so far, including undone ones.
-[[nodiscard]] std::uint32_t nextNumber(const MissionState& state, VictimSample::Kind kind);
+[[nodiscard]] std::uint32_t nextNumber(const MissionState& state, FindSample::Kind kind);
 /// Returns the find of @p kind nearest to @p placeInMap [m] within @p reach [m]; empty: none. Discarded finds
 /// do not count, nor codes and hazard signs with another text than @p tag.
-[[nodiscard]] std::optional<FindKey> findNear(const MissionState& state, VictimSample::Kind kind,
+[[nodiscard]] std::optional<FindKey> findNear(const MissionState& state, FindSample::Kind kind,
                                               const Eigen::Vector3d& placeInMap, const std::string& tag = {},
                                               double reach = SameFind);
 
@@ -75,16 +75,16 @@ inline constexpr double LeastShownConfidence = 0.5;
 [[nodiscard]] bool isFiled(const MissionState& state, const CandidateSample& candidate);
 
 /// Returns a new find made of @p frozen, or the one that is there already with what is new.
-[[nodiscard]] VictimSample filed(const MissionState& state, VictimSample::Kind kind,
-                                 const FrozenEvidence& frozen, const std::string& station, Time now);
+[[nodiscard]] FindSample filed(const MissionState& state, FindSample::Kind kind, const FrozenEvidence& frozen,
+                               const std::string& station, Time now);
 /// Returns the find that @p candidate becomes when the operator files it, with what was @p seen there at that
 /// moment. Its place is the candidate's. Its robot and mode are those that first reported it, otherwise those
 /// of now.
-[[nodiscard]] VictimSample filedFrom(const MissionState& state, const CandidateSample& candidate,
-                                     const std::string& station, Time now, const FrozenEvidence& seen = {});
+[[nodiscard]] FindSample filedFrom(const MissionState& state, const CandidateSample& candidate,
+                                   const std::string& station, Time now, const FrozenEvidence& seen = {});
 /// Returns the shown candidates of @p kind within @ref SameFind of @p placeInMap [m] that belong to no find,
 /// nearest first. Codes and hazard signs have the text of the nearest one.
-[[nodiscard]] std::vector<CandidateSample> candidatesNear(const MissionState& state, VictimSample::Kind kind,
+[[nodiscard]] std::vector<CandidateSample> candidatesNear(const MissionState& state, FindSample::Kind kind,
                                                           const Eigen::Vector3d& placeInMap);
 /// Adds to @p frozen what the cues of @p candidate show beyond it.
 void addCues(FrozenEvidence& frozen, const CandidateSample& candidate);
@@ -93,9 +93,9 @@ void addCues(FrozenEvidence& frozen, const CandidateSample& candidate);
                                       const std::string& station, Time now);
 
 /// Returns the find with @p status, as an entry for the log; empty when the mission does not have it.
-[[nodiscard]] std::optional<VictimSample> withStatus(const MissionState& state, const FindKey& find,
-                                                     VictimSample::Status status, const std::string& station,
-                                                     Time now);
+[[nodiscard]] std::optional<FindSample> withStatus(const MissionState& state, const FindKey& find,
+                                                   FindSample::Status status, const std::string& station,
+                                                   Time now);
 /// Another find of the same kind, and how far it is.
 struct NearFind {
     FindKey find;
@@ -106,26 +106,24 @@ constexpr double MergeReach = 2.0;
 /// Returns the find nearest to @p find of its kind that is not discarded; empty: there is none.
 [[nodiscard]] std::optional<NearFind> nearestOfKind(const MissionState& state, const FindKey& find);
 /// Returns @p find as part of @p into, which is of its kind; empty when the mission does not have both.
-[[nodiscard]] std::optional<VictimSample> mergedInto(const MissionState& state, const FindKey& find,
-                                                     std::uint32_t into, const std::string& station,
-                                                     Time now);
+[[nodiscard]] std::optional<FindSample> mergedInto(const MissionState& state, const FindKey& find,
+                                                   std::uint32_t into, const std::string& station, Time now);
 /// Returns @p find @ref aboveFloor of @p floorInMap [m], on the scan that it hung on.
-[[nodiscard]] std::optional<VictimSample> movedTo(const MissionState& state, const FindKey& find,
-                                                  const Eigen::Vector3d& floorInMap,
-                                                  const std::string& station, Time now);
+[[nodiscard]] std::optional<FindSample> movedTo(const MissionState& state, const FindKey& find,
+                                                const Eigen::Vector3d& floorInMap, const std::string& station,
+                                                Time now);
 
 /// Returns the find of @p form's number with the operator's entries (signs, situation, tag, area, text) of @p
 /// form.
-[[nodiscard]] std::optional<VictimSample> filledIn(const MissionState& state, const VictimSample& form,
-                                                   const std::string& station, Time now);
+[[nodiscard]] std::optional<FindSample> filledIn(const MissionState& state, const FindSample& form,
+                                                 const std::string& station, Time now);
 
 /// Returns @p newest with the operator's entries that differ between @p before and @p after. The form may
 /// have been filled in over an older version.
-[[nodiscard]] VictimSample withEdits(VictimSample newest, const VictimSample& before,
-                                     const VictimSample& after);
+[[nodiscard]] FindSample withEdits(FindSample newest, const FindSample& before, const FindSample& after);
 
 /// Returns @p find with what the finds that were merged into it add: signs, situation, tag, evidence. Empty
 /// when the mission does not have it.
-[[nodiscard]] std::optional<VictimSample> wholeFind(const MissionState& state, const FindKey& find);
+[[nodiscard]] std::optional<FindSample> wholeFind(const MissionState& state, const FindKey& find);
 
 }  // namespace leitstand

@@ -27,7 +27,7 @@ std::optional<Cause> causeOf(const Decision& decision) {
     return Cause::Operator;
 }
 
-bool isPlacedAlike(const VictimSample& a, const VictimSample& b) {
+bool isPlacedAlike(const FindSample& a, const FindSample& b) {
     return a.scan == b.scan && a.positionInScan == b.positionInScan && a.positionInMap == b.positionInMap;
 }
 
@@ -51,20 +51,20 @@ void FindMoves::take(const Decision& decision) {
     Decision then = decision;
     then.undone = false;  // what took it back comes later
     decide(m_replay, std::move(then));
-    for (const auto& [key, entry] : *m_replay.victims) {
+    for (const auto& [key, entry] : *m_replay.finds) {
         const Eigen::Vector3d place = positionInMap(m_replay, entry.victim);
-        const auto [known, fresh] = m_told.try_emplace(key, Told{entry, place});
+        const auto [known, fresh] = m_reported.try_emplace(key, Reported{entry, place});
         if (fresh) continue;
-        Told& told = known->second;
-        if (!isPlacedAlike(told.entry.victim, entry.victim)) {
-            told = {entry, place};  // put elsewhere by its own entry
+        Reported& earlier = known->second;
+        if (!isPlacedAlike(earlier.entry.victim, entry.victim)) {
+            earlier = {entry, place};  // put elsewhere by its own entry
             continue;
         }
-        if (!cause || (place - told.inMap).norm() <= LeastTold) continue;
-        m_all.push_back({key, *cause, decision.sequence, decision.received, told.inMap, place});
-        told.inMap = place;
+        if (!cause || (place - earlier.inMap).norm() <= LeastMove) continue;
+        m_all.push_back({key, *cause, decision.sequence, decision.received, earlier.inMap, place});
+        earlier.inMap = place;
     }
-    std::erase_if(m_told, [this](const auto& one) { return !m_replay.victims->contains(one.first); });
+    std::erase_if(m_reported, [this](const auto& one) { return !m_replay.finds->contains(one.first); });
 }
 
 const FindMove* FindMoves::newest(const FindKey& find) const {

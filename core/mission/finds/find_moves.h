@@ -20,7 +20,7 @@ struct FindMove {
         Operator,      ///< the operator dragged, took or set aside scans
         Undo,          ///< a decision was taken back
     };
-    FindKey find{VictimSample::Kind::Victim, 0};
+    FindKey find{FindSample::Kind::Victim, 0};
     Cause cause = Cause::Registration;
     std::uint64_t sequence = 0;  ///< of the event that moved it
     Time at{};                   ///< station's clock
@@ -33,7 +33,7 @@ struct FindMove {
 /// Small moves add up until they are reported. Moves by hand do not count.
 class FindMoves {
 public:
-    static constexpr double LeastTold = 0.05;  ///< [m]
+    static constexpr double LeastMove = 0.05;  ///< [m]
 
     /// Takes the decisions in @p state since the last call and returns their moves. Starts again with another
     /// mission or an earlier state.
@@ -44,8 +44,8 @@ public:
 
 private:
     /// Place of a find when it was last reported, and the entry that put it there.
-    struct Told {
-        VictimState entry;
+    struct Reported {
+        FindState entry;
         Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
     };
     void take(const Decision& decision);
@@ -53,7 +53,7 @@ private:
     MissionState m_replay;  ///< after the decisions taken so far
     std::size_t m_taken = 0;
     std::uint64_t m_last = 0;  ///< sequence of the last decision taken
-    std::map<FindKey, Told> m_told;
+    std::map<FindKey, Reported> m_reported;
     std::vector<FindMove> m_all;
 };
 

@@ -14,7 +14,7 @@ namespace leitstand {
 /// A cue and the estimated place of what it belongs to.
 struct PlacedCue {
     Cue cue;
-    VictimSample::Kind what = VictimSample::Kind::Victim;
+    FindSample::Kind what = FindSample::Kind::Victim;
     Eigen::Vector3d inMap = Eigen::Vector3d::Zero();           ///< [m]
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< map frame [m2]
     /// Position of the camera that saw it, in the map [m]; NaN: it came by no ray.

@@ -9,25 +9,25 @@
 namespace leitstand {
 namespace {
 
-bool told(const VictimSign& sign) {
+bool stated(const VictimSign& sign) {
     return sign.state != VictimSign::State::Unknown;
 }
 
-bool told(const VictimSample& victim, ScoreItem item) {
+bool stated(const FindSample& victim, ScoreItem item) {
     switch (item) {
         case ScoreItem::Map:
         case ScoreItem::Location:
             return victim.positionInMap.allFinite();
         case ScoreItem::Form:
-            return told(victim.form);
+            return stated(victim.form);
         case ScoreItem::Motion:
-            return told(victim.motion);
+            return stated(victim.motion);
         case ScoreItem::Heat:
-            return told(victim.heat);
+            return stated(victim.heat);
         case ScoreItem::Sound:
-            return told(victim.sound);
+            return stated(victim.sound);
         case ScoreItem::Co2:
-            return told(victim.co2);
+            return stated(victim.co2);
         case ScoreItem::Situation:
             return !victim.situation.empty();
         case ScoreItem::Tag:
@@ -53,19 +53,19 @@ std::uint32_t operatorsOf(const MissionState& state) {
     return state.sessions->empty() ? 1 : state.sessions->back().session.operators;
 }
 
-double worth(const ScoreProfile& profile, VictimSample::Kind kind) {
-    if (kind == VictimSample::Kind::Hazard) return profile.hazard;
-    return kind == VictimSample::Kind::Code ? profile.code : profile.object;
+double worth(const ScoreProfile& profile, FindSample::Kind kind) {
+    if (kind == FindSample::Kind::Hazard) return profile.hazard;
+    return kind == FindSample::Kind::Code ? profile.code : profile.object;
 }
 
-ScoredFind scored(const ScoreProfile& profile, const MissionState& state, const VictimSample& sample) {
+ScoredFind scored(const ScoreProfile& profile, const MissionState& state, const FindSample& sample) {
     ScoredFind find;
     find.find = {sample.kind, sample.number};
     find.name = nameOf(sample.kind, sample.number);
-    find.confirmed = sample.status == VictimSample::Status::Confirmed;
-    if (sample.kind == VictimSample::Kind::Victim) {
+    find.confirmed = sample.status == FindSample::Status::Confirmed;
+    if (sample.kind == FindSample::Kind::Victim) {
         for (const auto& [item, points] : profile.points) {
-            find.items.push_back({item, told(sample, item) ? points : 0.0, points});
+            find.items.push_back({item, stated(sample, item) ? points : 0.0, points});
             find.points += find.items.back().points;
         }
     } else {
@@ -84,9 +84,8 @@ ScoredFind scored(const ScoreProfile& profile, const MissionState& state, const 
 /// Returns the middles of confirmed victims in the map [m].
 std::vector<Eigen::Vector3d> victimPlaces(const MissionState& state) {
     std::vector<Eigen::Vector3d> places;
-    for (const auto& [key, victim] : *state.victims) {
-        if (key.first == VictimSample::Kind::Victim &&
-            victim.victim.status == VictimSample::Status::Confirmed)
+    for (const auto& [key, victim] : *state.finds) {
+        if (key.first == FindSample::Kind::Victim && victim.victim.status == FindSample::Status::Confirmed)
             places.push_back(positionInMap(state, victim.victim));
     }
     return places;
@@ -129,7 +128,7 @@ std::vector<ScoreAdvice> advised(const ScoreResult& result) {
 
 }  // namespace
 
-Autonomy autonomyOf(const VictimSample& find) {
+Autonomy autonomyOf(const FindSample& find) {
     if (!find.autonomous) return Autonomy::Teleoperated;
     const bool sighted = std::any_of(find.evidence.begin(), find.evidence.end(),
                                      [](const VictimEvidence& one) { return one.kind == "sighting"; });
@@ -154,8 +153,8 @@ ScoreResult score(const ScoreProfile& profile, const MissionState& state, const 
     ScoreResult result;
     result.operators = operatorsOf(state);
     result.divisor = divisorOf(profile.operators, result.operators);
-    for (const auto& [key, victim] : *state.victims) {
-        if (victim.victim.status == VictimSample::Status::Discarded) continue;
+    for (const auto& [key, victim] : *state.finds) {
+        if (victim.victim.status == FindSample::Status::Discarded) continue;
         result.finds.push_back(scored(profile, state, wholeFind(state, key).value_or(victim.victim)));
         result.sum += result.finds.back().total;
     }

@@ -68,7 +68,7 @@ struct ScoreResult {
                                 const Footprints& footprints = {});
 
 /// Returns how far the robot found @p find by itself.
-[[nodiscard]] Autonomy autonomyOf(const VictimSample& find);
+[[nodiscard]] Autonomy autonomyOf(const FindSample& find);
 
 /// Returns the pose of @p robot's odometry frame in the map at @p moment (station's clock); empty: unknown.
 /// It comes from its newest key scan that counts and is not later, otherwise from its newest reported place.

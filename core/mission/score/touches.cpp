@@ -19,9 +19,9 @@ struct Side {
     int ahead = 0, left = 0;  ///< 1: that side, -1: the other one, 0: both
 
     explicit Side(const std::string& bumper) {
-        const auto says = [&](const char* word) { return bumper.find(word) != std::string::npos; };
-        ahead = says("front") ? 1 : says("rear") || says("back") ? -1 : 0;
-        left = says("left") ? 1 : says("right") ? -1 : 0;
+        const auto names = [&](const char* word) { return bumper.find(word) != std::string::npos; };
+        ahead = names("front") ? 1 : names("rear") || names("back") ? -1 : 0;
+        left = names("left") ? 1 : names("right") ? -1 : 0;
     }
     /// Whether @p place is on that side. When the bumper names both directions, only ahead and behind count:
     /// a body that lies across is on either hand.

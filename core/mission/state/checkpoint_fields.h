@@ -27,11 +27,11 @@ inline AlarmSample::State lastOf(AlarmSample::State) {
 inline VictimSign::State lastOf(VictimSign::State) {
     return VictimSign::State::Present;
 }
-inline VictimSample::Kind lastOf(VictimSample::Kind) {
-    return VictimSample::Kind::Object;
+inline FindSample::Kind lastOf(FindSample::Kind) {
+    return FindSample::Kind::Object;
 }
-inline VictimSample::Status lastOf(VictimSample::Status) {
-    return VictimSample::Status::Discarded;
+inline FindSample::Status lastOf(FindSample::Status) {
+    return FindSample::Status::Discarded;
 }
 inline ScanTrust lastOf(ScanTrust) {
     return ScanTrust::SetAside;
@@ -142,7 +142,7 @@ void describe(A& a, VictimEvidence& v) {
     a(v.kind, v.topic, v.sequence, v.stamp);
 }
 template <class A>
-void describe(A& a, VictimSample& v) {
+void describe(A& a, FindSample& v) {
     a(v.stamp, v.station, v.number, v.status, v.found, v.robot, v.autonomous, v.scan, v.positionInScan,
       v.positionInMap, v.deviation, v.form, v.motion, v.heat, v.sound, v.co2, v.situation, v.tag, v.area,
       v.text, v.evidence, v.kind, v.mergedInto);
@@ -157,12 +157,12 @@ void describe(A& a, CandidateSample& v) {
       v.victim, v.dismissed, v.cues);
 }
 template <class A>
-void describe(A& a, FirstTold& v) {
+void describe(A& a, FirstReport& v) {
     a(v.stamp, v.robot, v.autonomous);
 }
 template <class A>
 void describe(A& a, CandidateState& v) {
-    a(v.sequence, v.first, v.told, v.candidate);
+    a(v.sequence, v.first, v.firstReport, v.candidate);
 }
 template <class A>
 void describe(A& a, MissionInfoSample& v) {

@@ -25,8 +25,8 @@ public:
     }
 
 private:
-    void effect(const Decision& decision, const VictimSample& victim) {
-        const auto [known, fresh] = m_state.victims.edit().try_emplace(FindKey{victim.kind, victim.number});
+    void effect(const Decision& decision, const FindSample& victim) {
+        const auto [known, fresh] = m_state.finds.edit().try_emplace(FindKey{victim.kind, victim.number});
         if (fresh) known->second.filed = decision.sequence;
         known->second.sequence = decision.sequence;
         known->second.victim = victim;
@@ -97,7 +97,7 @@ void apply(MissionState& state) {
         if (undo == nullptr || decision->undone || undo->event >= decision->sequence) continue;
         if (Decision* target = find(decisions, undo->event)) target->undone = true;
     }
-    state.victims.edit().clear();
+    state.finds.edit().clear();
     state.keyScans.edit().clear();
     state.loops.edit().clear();
     state.bodies.edit().clear();
@@ -148,7 +148,7 @@ void hangArea(MissionState& state) {
 }
 
 /// Adds a remark for each scan that @p decision names and the mission does not have.
-void tellUnknown(MissionState& state, const Decision& decision) {
+void notifyUnknown(MissionState& state, const Decision& decision) {
     const auto* poses = std::get_if<ScanPosesSample>(&decision.content);
     if (poses == nullptr) return;
     for (const ScanPose& pose : poses->poses) {
@@ -169,7 +169,7 @@ void remark(MissionState& state, std::uint64_t sequence, std::string text) {
 void decide(MissionState& state, Decision decision) {
     const auto* undo = std::get_if<UndoSample>(&decision.content);
     if (undo == nullptr) {
-        tellUnknown(state, decision);
+        notifyUnknown(state, decision);
         Effects(state).apply(decision);
         if (std::holds_alternative<MapCropSample>(decision.content)) hangArea(state, *state.keyScans);
         state.decisions.edit().push_back(std::move(decision));

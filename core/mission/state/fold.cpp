@@ -97,14 +97,14 @@ private:
     }
 
     /// Returns who reports @p sample, and how that robot drives now.
-    FirstTold toldNow(const CandidateSample& sample) const {
-        FirstTold told{.stamp = sample.stamp, .robot = {}, .autonomous = {}};
-        if (sample.cues.empty()) return told;
-        told.robot = sample.cues.front().robot;
-        const auto robot = m_state.robots.find(told.robot);
+    FirstReport firstReportNow(const CandidateSample& sample) const {
+        FirstReport firstReport{.stamp = sample.stamp, .robot = {}, .autonomous = {}};
+        if (sample.cues.empty()) return firstReport;
+        firstReport.robot = sample.cues.front().robot;
+        const auto robot = m_state.robots.find(firstReport.robot);
         if (robot != m_state.robots.end() && robot->second->mode)
-            told.autonomous = robot->second->mode->sample.autonomous;
-        return told;
+            firstReport.autonomous = robot->second->mode->sample.autonomous;
+        return firstReport;
     }
 
     /// Takes @p sample into the mean current of the battery. A robot that rests takes little and one that
@@ -167,13 +167,13 @@ private:
         CandidateState& candidate = m_state.candidates.edit()[sample.id];
         if (candidate.first == 0) {
             candidate.first = m_event.sequence;
-            candidate.told = toldNow(sample);
+            candidate.firstReport = firstReportNow(sample);
         }
         candidate.sequence = m_event.sequence;
         candidate.candidate = sample;
     }
 
-    void handle(const VictimSample& sample) { decided(sample); }
+    void handle(const FindSample& sample) { decided(sample); }
     void handle(const NoteSample& sample) { decided(sample); }
     void handle(const ScanPosesSample& sample) { decided(sample); }
     void handle(const MapCropSample& sample) { decided(sample); }

@@ -5,7 +5,7 @@
 namespace leitstand {
 namespace {
 
-ClockSample asTold(const MissionClock& clock, Time now, const std::string& station) {
+ClockSample asPublished(const MissionClock& clock, Time now, const std::string& station) {
     ClockSample sample;
     sample.stamp = now;
     sample.station = station;
@@ -17,14 +17,14 @@ ClockSample asTold(const MissionClock& clock, Time now, const std::string& stati
 
 }  // namespace
 
-MissionClock clockAt(const std::optional<ClockSample>& said, Time now) {
+MissionClock clockAt(const std::optional<ClockSample>& reported, Time now) {
     MissionClock clock;
-    if (!said) return clock;
-    clock.running = said->running;
-    clock.limit = std::max(said->limit, std::chrono::nanoseconds(0));
-    clock.elapsed = said->elapsed;
+    if (!reported) return clock;
+    clock.running = reported->running;
+    clock.limit = std::max(reported->limit, std::chrono::nanoseconds(0));
+    clock.elapsed = reported->elapsed;
     // When a station's clock was set back, the elapsed time stays.
-    if (clock.running) clock.elapsed += std::max(now - said->stamp, std::chrono::nanoseconds(0));
+    if (clock.running) clock.elapsed += std::max(now - reported->stamp, std::chrono::nanoseconds(0));
     if (clock.limit.count() > 0) clock.left = clock.limit - clock.elapsed;
     return clock;
 }
@@ -43,20 +43,20 @@ MissionClock withLength(MissionClock clock, double minutes) {
 }
 
 ClockSample clockRun(const MissionClock& clock, bool running, Time now, const std::string& station) {
-    ClockSample sample = asTold(clock, now, station);
+    ClockSample sample = asPublished(clock, now, station);
     sample.running = running;
     return sample;
 }
 
 ClockSample clockLimited(const MissionClock& clock, std::chrono::nanoseconds limit, Time now,
                          const std::string& station) {
-    ClockSample sample = asTold(clock, now, station);
+    ClockSample sample = asPublished(clock, now, station);
     sample.limit = std::max(limit, std::chrono::nanoseconds(0));
     return sample;
 }
 
 ClockSample clockReset(const MissionClock& clock, Time now, const std::string& station) {
-    ClockSample sample = asTold(clock, now, station);
+    ClockSample sample = asPublished(clock, now, station);
     sample.elapsed = std::chrono::nanoseconds(0);
     return sample;
 }

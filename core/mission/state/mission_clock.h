@@ -17,9 +17,9 @@ struct MissionClock {
     std::optional<std::chrono::nanoseconds> left = {};  ///< negative: over; empty without a limit
 };
 
-/// Returns what the clock shows at @p now (station's clock), by the newest sample @p said; zero without one.
-/// It runs on while no station runs, because the arena's clock does not wait for a restart.
-[[nodiscard]] MissionClock clockAt(const std::optional<ClockSample>& said, Time now);
+/// Returns what the clock shows at @p now (station's clock), by the newest sample @p reported; zero without
+/// one. It runs on while no station runs, because the arena's clock does not wait for a restart.
+[[nodiscard]] MissionClock clockAt(const std::optional<ClockSample>& reported, Time now);
 
 /// Whether a station started the clock as its mission began and nobody has changed it since.
 [[nodiscard]] bool beganByItself(const ClockSample& clock);

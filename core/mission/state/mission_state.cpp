@@ -16,7 +16,7 @@ Eigen::Vector3d placeOf(const MissionState& state, const Find& find) {
 
 }  // namespace
 
-Eigen::Vector3d positionInMap(const MissionState& state, const VictimSample& victim) {
+Eigen::Vector3d positionInMap(const MissionState& state, const FindSample& victim) {
     return placeOf(state, victim);
 }
 

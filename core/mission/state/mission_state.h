@@ -15,10 +15,10 @@
 #include "core/base/pose.h"
 #include "core/base/time.h"
 #include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
 #include "core/event/map_samples.h"
 #include "core/event/scan_links.h"
 #include "core/event/station_samples.h"
-#include "core/event/victim_sample.h"
 #include "core/mission/state/robot_state.h"
 #include "core/mission/state/shared_value.h"
 
@@ -43,24 +43,24 @@ struct Decision {
     Time received{};      ///< station's clock
     bool undone = false;  ///< by an undo that is not undone itself
     /// A ScanLinksSample holds only those of its links that close loops.
-    std::variant<VictimSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample, MapCropSample,
+    std::variant<FindSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample, MapCropSample,
                  ScanLinksSample, ScanBodiesSample>
         content;
 };
 
 /// Identifies a victim or another find.
-using FindKey = std::pair<VictimSample::Kind, std::uint32_t>;  ///< kind, number
+using FindKey = std::pair<FindSample::Kind, std::uint32_t>;  ///< kind, number
 
 /// A victim as the newest decision that is not undone has it.
-struct VictimState {
+struct FindState {
     std::uint64_t sequence = 0;  ///< of that decision
     std::uint64_t filed = 0;     ///< sequence of the first that is not undone
-    VictimSample victim;
+    FindSample victim;
 };
 
 /// The first report of a candidate: its robot, and how that robot drove then. A find of it counts this way,
 /// however late it is filed.
-struct FirstTold {
+struct FirstReport {
     Time stamp{};                    ///< station's clock
     std::string robot;               ///< empty: unknown
     std::optional<bool> autonomous;  ///< it drove itself; empty: unknown
@@ -70,7 +70,7 @@ struct FirstTold {
 struct CandidateState {
     std::uint64_t sequence = 0;  ///< of the newest
     std::uint64_t first = 0;     ///< sequence of the first of this id
-    FirstTold told;              ///< by that event
+    FirstReport firstReport;     ///< by that event
     CandidateSample candidate;
 };
 
@@ -133,8 +133,8 @@ struct FoldRemark {
     std::string text;  ///< in English
 };
 
-/// The state of a mission after an event (design, section 1): a value, cheap to copy. Copies share what they
-/// have in common. Equal logs make equal states, bit for bit.
+/// The state of a mission after an event (docs/design.md, "A mission is its log"): a value, cheap to copy.
+/// Copies share what they have in common. Equal logs make equal states, bit for bit.
 struct MissionState {
     using GrantKey = std::pair<GrantSample::Kind, std::string>;          ///< kind, robot
     using AlarmKey = std::tuple<std::string, std::string, std::string>;  ///< station, robot, key
@@ -143,10 +143,10 @@ struct MissionState {
     std::uint64_t events = 0;
     Time first{}, last{};  ///< receive times of the first and of the last event
 
-    std::map<std::string, SharedValue<RobotState>> robots;                 ///< by name
-    SharedValue<std::map<std::string, StreamState>> ownTopics;             ///< the stations' own topics
-    SharedValue<std::vector<Decision>> decisions;                          ///< rising sequences
-    SharedValue<std::map<FindKey, VictimState>> victims;                   ///< and other finds
+    std::map<std::string, SharedValue<RobotState>> robots;      ///< by name
+    SharedValue<std::map<std::string, StreamState>> ownTopics;  ///< the stations' own topics
+    SharedValue<std::vector<Decision>> decisions;               ///< rising sequences
+    SharedValue<std::map<FindKey, FindState>> finds;            ///< victims, codes, hazards and other finds
     SharedValue<std::map<std::uint32_t, CandidateState>> candidates;       ///< by id
     SharedValue<std::map<std::uint64_t, KeyScanState>> keyScans;           ///< by id
     SharedValue<std::map<std::uint64_t, LoopState>> loops;                 ///< by id of the link
@@ -165,7 +165,7 @@ struct MissionState {
 using MissionStatePtr = std::shared_ptr<const MissionState>;
 
 /// Returns the position of @p victim in the map now [m]: by the scan it hangs on, otherwise as filed.
-[[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const VictimSample& victim);
+[[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const FindSample& victim);
 [[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const CandidateSample& candidate);
 /// Returns the corners of the area that belongs to the map, as the map is now [m]; empty: none was drawn.
 [[nodiscard]] std::vector<Eigen::Vector2d> areaInMap(const MissionState& state);

@@ -13,29 +13,29 @@ MapDecision scansOf(const ScanPosesSample& decision) {
     const bool aside = std::all_of(poses.begin(), poses.end(),
                                    [](const ScanPose& pose) { return pose.trust == ScanTrust::SetAside; });
     const bool certain = poses.front().trust == ScanTrust::Certain;
-    MapDecision told{aside ? Kind::SetAside : certain ? Kind::Taken : Kind::Tried, {}, 0};
-    for (const ScanPose& pose : poses) told.scans.push_back(pose.scan);
-    return told;
+    MapDecision decided{aside ? Kind::SetAside : certain ? Kind::Taken : Kind::Tried, {}, 0};
+    for (const ScanPose& pose : poses) decided.scans.push_back(pose.scan);
+    return decided;
 }
 
 /// Returns @p decision as one of the operator on the map; empty: another kind, or another station's.
 std::optional<MapDecision> onMap(const Decision& decision, const std::string& station) {
-    std::optional<MapDecision> told;
+    std::optional<MapDecision> decided;
     if (const auto* poses = std::get_if<ScanPosesSample>(&decision.content)) {
         const bool ours = poses->cause == ScanPosesSample::Cause::Operator && poses->station == station;
-        if (ours && !poses->poses.empty()) told = scansOf(*poses);
+        if (ours && !poses->poses.empty()) decided = scansOf(*poses);
     } else if (const auto* crop = std::get_if<MapCropSample>(&decision.content)) {
-        if (crop->station == station) told = MapDecision{Kind::Crop, {}, 0};
+        if (crop->station == station) decided = MapDecision{Kind::Crop, {}, 0};
     } else if (const auto* links = std::get_if<ScanLinksSample>(&decision.content)) {
         const bool ours = links->station == station &&
                           std::all_of(links->links.begin(), links->links.end(),
                                       [](const Link& link) { return link.kind == LinkKind::Operator; });
         const bool closes = std::any_of(links->links.begin(), links->links.end(),
                                         [](const Link& link) { return link.active; });
-        if (ours) told = MapDecision{closes ? Kind::Loop : Kind::Refused, {}, 0};
+        if (ours) decided = MapDecision{closes ? Kind::Loop : Kind::Refused, {}, 0};
     }
-    if (told) told->event = decision.sequence;
-    return told;
+    if (decided) decided->event = decision.sequence;
+    return decided;
 }
 
 /// Returns the loop that @p decision closed; empty: another kind.
@@ -80,7 +80,7 @@ std::optional<MapDecision> undoable(const MissionState& state, const std::string
     const auto& all = *state.decisions;
     for (auto decision = all.rbegin(); decision != all.rend(); ++decision) {
         if (decision->undone) continue;
-        if (auto told = onMap(*decision, station)) return told;
+        if (auto decided = onMap(*decision, station)) return decided;
     }
     return std::nullopt;
 }
@@ -109,11 +109,11 @@ std::optional<MapDecision> redoable(const MissionState& state, const std::string
         if (undo == nullptr || undo->station != station) continue;
         const Decision* target = decisionAt(state, undo->event);
         if (target == nullptr || !target->undone) continue;
-        auto told = onMap(*target, station);
-        if (!told) told = loopOf(*target);
-        if (!told) continue;
-        told->event = decision->sequence;
-        return told;
+        auto decided = onMap(*target, station);
+        if (!decided) decided = loopOf(*target);
+        if (!decided) continue;
+        decided->event = decision->sequence;
+        return decided;
     }
     return std::nullopt;
 }

@@ -8,7 +8,7 @@
 #include "core/base/time.h"
 #include "core/event/station_samples.h"
 #include "core/mission/state/mission_state.h"
-#include "core/mission/state/undo_says.h"
+#include "core/mission/state/undo_format.h"
 
 namespace leitstand {
 

@@ -13,27 +13,27 @@
 namespace leitstand {
 namespace {
 
-std::string wordOf(VictimSample::Status status) {
+std::string wordOf(FindSample::Status status) {
     switch (status) {
-        case VictimSample::Status::Hypothesis:
+        case FindSample::Status::Hypothesis:
             return "hypothesis";
-        case VictimSample::Status::Confirmed:
+        case FindSample::Status::Confirmed:
             return "confirmed";
-        case VictimSample::Status::Discarded:
+        case FindSample::Status::Discarded:
             break;
     }
     return "discarded";
 }
 
-std::string wordOf(VictimSample::Kind kind) {
+std::string wordOf(FindSample::Kind kind) {
     switch (kind) {
-        case VictimSample::Kind::Victim:
+        case FindSample::Kind::Victim:
             return "victim";
-        case VictimSample::Kind::Hazard:
+        case FindSample::Kind::Hazard:
             return "hazard";
-        case VictimSample::Kind::Code:
+        case FindSample::Kind::Code:
             return "code";
-        case VictimSample::Kind::Object:
+        case FindSample::Kind::Object:
             break;
     }
     return "object";
@@ -57,7 +57,7 @@ std::string wordOf(FindMove::Cause cause) {
 std::string cuesOf(const CandidateSample& candidate) {
     std::vector<std::string> kinds;
     for (const Cue& cue : candidate.cues) {
-        if (candidate.kind != VictimSample::Kind::Victim && !cue.text.empty()) return cue.text;
+        if (candidate.kind != FindSample::Kind::Victim && !cue.text.empty()) return cue.text;
         if (std::find(kinds.begin(), kinds.end(), cue.kind) == kinds.end()) kinds.push_back(cue.kind);
     }
     return fmt::format("{}", fmt::join(kinds, ", "));
@@ -108,7 +108,7 @@ void TimelineCollector::addCandidate(const Event& event, const CandidateSample& 
 }
 
 void TimelineCollector::addMoves(const Event& event) {
-    const bool matters = std::holds_alternative<VictimSample>(event.sample) ||
+    const bool matters = std::holds_alternative<FindSample>(event.sample) ||
                          std::holds_alternative<KeyScanSample>(event.sample) ||
                          std::holds_alternative<ScanPosesSample>(event.sample) ||
                          std::holds_alternative<UndoSample>(event.sample);
@@ -126,7 +126,7 @@ void TimelineCollector::addMoves(const Event& event) {
 void TimelineCollector::add(const Event& event) {
     using Kind = TimelineMark::Kind;
     addMoves(event);
-    if (const auto* victim = std::get_if<VictimSample>(&event.sample)) {
+    if (const auto* victim = std::get_if<FindSample>(&event.sample)) {
         const std::string name = nameOf(victim->kind, victim->number);
         const auto [known, fresh] = m_victims.try_emplace(name, victim->status);
         // Typing into a form is no moment to jump to; filing, confirming and discarding are.

@@ -66,7 +66,7 @@ private:
     std::map<std::string, std::string> m_modes;                           ///< newest, by robot
     std::map<std::pair<std::string, std::string>, std::uint32_t> m_hits;  ///< by robot and bumper
     std::set<std::pair<std::string, std::uint32_t>> m_sightings;          ///< robot and id
-    std::map<std::string, VictimSample::Status> m_victims;                ///< newest, by name
+    std::map<std::string, FindSample::Status> m_victims;                  ///< newest, by name
     MissionState m_mission;                                               ///< finds and scans
     FindMoves m_moves;
     std::set<std::uint64_t> m_undos;             ///< sequences of undos that are no redos

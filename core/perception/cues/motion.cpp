@@ -106,9 +106,9 @@ std::vector<MotionBlob> MotionFinder::look(const Picture& picture, Time stamp) {
         return {};
     }
     const double since = toSeconds(stamp - state.newest);
-    const bool anew =
+    const bool again =
         state.background.empty() || state.background.size() != grey.size() || since > settings.longestGap;
-    if (anew || since < 0.0) {
+    if (again || since < 0.0) {
         state.begin(grey, stamp);
         return {};
     }

@@ -37,9 +37,9 @@ Picture heatPicture(const ThermalPicture& heat, double coldest, double hottest) 
     Picture picture{.width = heat.width, .height = heat.height, .pixel = Picture::Pixel::Rgb8, .bytes = {}};
     picture.bytes.reserve(3 * heat.celsius.size());
     for (const float celsius : heat.celsius) {
-        constexpr std::array<std::uint8_t, 3> Untold = {128, 128, 128};
+        constexpr std::array<std::uint8_t, 3> Unmeasured = {128, 128, 128};
         const double share = (static_cast<double>(celsius) - coldest) / (hottest - coldest);
-        for (const std::uint8_t value : std::isnan(share) ? Untold : inferno(share))
+        for (const std::uint8_t value : std::isnan(share) ? Unmeasured : inferno(share))
             picture.bytes.push_back(std::byte{value});
     }
     return picture;

@@ -13,12 +13,12 @@ constexpr double LargestXi = 10.0;  ///< of mirrors and fisheyes: parabolic is 1
 
 std::optional<MeiCamera> MeiCamera::of(const CameraInfoSample& info, int width, int height) {
     const auto finite = [](double value) { return std::isfinite(value); };
-    const bool told = info.distortionModel == "mei" && info.distortion.size() == 5 &&
-                      std::all_of(info.distortion.begin(), info.distortion.end(), finite) &&
-                      std::all_of(info.intrinsics.begin(), info.intrinsics.end(), finite) &&
-                      info.intrinsics[0] > 0.0 && info.intrinsics[4] > 0.0 && info.distortion[4] >= 0.0 &&
-                      info.distortion[4] <= LargestXi;
-    if (!told || width <= 0 || height <= 0) return std::nullopt;
+    const bool reported = info.distortionModel == "mei" && info.distortion.size() == 5 &&
+                          std::all_of(info.distortion.begin(), info.distortion.end(), finite) &&
+                          std::all_of(info.intrinsics.begin(), info.intrinsics.end(), finite) &&
+                          info.intrinsics[0] > 0.0 && info.intrinsics[4] > 0.0 && info.distortion[4] >= 0.0 &&
+                          info.distortion[4] <= LargestXi;
+    if (!reported || width <= 0 || height <= 0) return std::nullopt;
     const Eigen::Array2d scale(info.width > 0 ? static_cast<double>(width) / info.width : 1.0,
                                info.height > 0 ? static_cast<double>(height) / info.height : 1.0);
     MeiCamera camera;

@@ -31,21 +31,22 @@ std::int64_t middle(const ClockBounds& bounds) {
 }  // namespace
 
 bool PingClock::add(const PingTimes& ping, SteadyTime now, std::optional<nanoseconds>* stepped) {
-    ClockBounds told{(ping.robotReplied - ping.received).count(), (ping.robotReceived - ping.sent).count()};
+    ClockBounds reported{(ping.robotReplied - ping.received).count(),
+                         (ping.robotReceived - ping.sent).count()};
     if (ping.received < ping.sent || ping.robotReplied < ping.robotReceived) return false;
-    told.least -= ReadingError;
-    told.most += ReadingError;
-    if (told.least > told.most) return false;  // held for longer than it was away
+    reported.least -= ReadingError;
+    reported.most += ReadingError;
+    if (reported.least > reported.most) return false;  // held for longer than it was away
 
     Doubt& place = m_doubts[m_count++ % Remembered];
-    place = {told, now, false};
+    place = {reported, now, false};
     if (!m_bounds) {
-        m_bounds = told;
+        m_bounds = reported;
         m_at = now;
         return true;
     }
     const ClockBounds believed = widened(*m_bounds, now - m_at);
-    if (const auto common = both(believed, told)) {
+    if (const auto common = both(believed, reported)) {
         m_bounds = *common;
         m_at = now;
         return true;
@@ -103,7 +104,7 @@ void StampClock::put(std::int64_t number, std::int64_t difference) {
 void StampClock::add(Time written, Time received, SteadyTime now, std::optional<nanoseconds>* stepped) {
     const std::int64_t difference = (written - received).count();
     const auto second = std::chrono::floor<std::chrono::seconds>(now.time_since_epoch()).count();
-    if (m_told && difference > *m_told + Step) {  // the future: a wrong stamp, or the clock stepped
+    if (m_reported && difference > *m_reported + Step) {  // the future: a wrong stamp, or the clock stepped
         m_doubts = m_doubts > 0 && std::abs(difference - m_doubted) < Step ? m_doubts + 1 : 1;
         m_doubted = difference;
         if (m_doubts < Convinced) return;
@@ -112,18 +113,18 @@ void StampClock::add(Time written, Time received, SteadyTime now, std::optional<
     m_doubts = 0;
     put(second, difference);
     const std::int64_t envelopeNow = *envelope();
-    if (stepped != nullptr && m_told && std::abs(envelopeNow - *m_told) > Step)
-        *stepped = nanoseconds(envelopeNow - *m_told);
-    m_told = envelopeNow;
+    if (stepped != nullptr && m_reported && std::abs(envelopeNow - *m_reported) > Step)
+        *stepped = nanoseconds(envelopeNow - *m_reported);
+    m_reported = envelopeNow;
     m_at = now;
 }
 
 std::optional<ClockEstimate> StampClock::estimate(SteadyTime now) const {
-    if (!m_told) return std::nullopt;
+    if (!m_reported) return std::nullopt;
     const auto drift =
         std::llround(PingClock::MaxDrift *
                      static_cast<double>(nanoseconds(now - m_at + std::chrono::seconds(Window)).count()));
-    return ClockEstimate{nanoseconds(*m_told + LeastDelay / 2), nanoseconds(LeastDelay / 2 + drift),
+    return ClockEstimate{nanoseconds(*m_reported + LeastDelay / 2), nanoseconds(LeastDelay / 2 + drift),
                          ClockSource::Stamps};
 }
 
@@ -134,7 +135,7 @@ std::optional<ClockEstimate> ClockOffset::estimate(SteadyTime now) const {
     return stamps ? stamps : pings;
 }
 
-void ClockOffset::tell(const std::optional<nanoseconds>& stepped, SteadyTime now) {
+void ClockOffset::publish(const std::optional<nanoseconds>& stepped, SteadyTime now) {
     if (!stepped) return;
     ++m_steps;
     m_lastStep = *stepped;
@@ -144,7 +145,7 @@ void ClockOffset::tell(const std::optional<nanoseconds>& stepped, SteadyTime now
 bool ClockOffset::ping(const PingTimes& ping, SteadyTime now) {
     std::optional<nanoseconds> stepped;
     const bool sane = m_pings.add(ping, now, &stepped);
-    tell(stepped, now);
+    publish(stepped, now);
     return sane;
 }
 
@@ -152,7 +153,8 @@ void ClockOffset::stamp(Time written, Time received, SteadyTime now) {
     const auto before = estimate(now);
     std::optional<nanoseconds> stepped;
     m_stamps.add(written, received, now, &stepped);
-    if (before && before->source == ClockSource::Stamps) tell(stepped, now);  // otherwise the pings report it
+    if (before && before->source == ClockSource::Stamps)
+        publish(stepped, now);  // otherwise the pings report it
 }
 
 std::optional<ClockStatus> ClockOffset::status(SteadyTime now) const {

@@ -89,7 +89,7 @@ private:
     void put(std::int64_t second, std::int64_t difference);
 
     std::array<Second, Window> m_seconds;
-    std::optional<std::int64_t> m_told;  ///< envelope at the last sample
+    std::optional<std::int64_t> m_reported;  ///< envelope at the last sample
     SteadyTime m_at;
     std::int64_t m_doubted = 0;  ///< a difference far beyond the envelope
     int m_doubts = 0;            ///< number of them in a row
@@ -109,7 +109,7 @@ public:
 
 private:
     [[nodiscard]] std::optional<ClockEstimate> estimate(SteadyTime now) const;
-    void tell(const std::optional<std::chrono::nanoseconds>& stepped, SteadyTime now);
+    void publish(const std::optional<std::chrono::nanoseconds>& stepped, SteadyTime now);
 
     PingClock m_pings;
     StampClock m_stamps;

@@ -11,10 +11,10 @@ DriveVelocity DriveKeys::sticks(const DriveLimits& limits) const {
     const auto axis = [this](DriveKey plus, DriveKey minus) {
         return static_cast<double>(held(plus)) - static_cast<double>(held(minus));
     };
-    DriveVelocity wish;
-    wish.forward = share * limits.speed * axis(DriveKey::Forward, DriveKey::Back);
-    wish.turn = share * limits.turnRate * axis(DriveKey::Left, DriveKey::Right);
-    return limited(wish, limits);
+    DriveVelocity requested;
+    requested.forward = share * limits.speed * axis(DriveKey::Forward, DriveKey::Back);
+    requested.turn = share * limits.turnRate * axis(DriveKey::Left, DriveKey::Right);
+    return limited(requested, limits);
 }
 
 }  // namespace leitstand

@@ -18,7 +18,7 @@ DriveSchedule::Decision DriveSchedule::decide(const DriveVelocity& velocity, boo
     if (!active) --m_zerosLeft;
     m_last = velocity;
     m_sent = now;
-    // Keeps in step while punctual: a caller that wakes up 2 ms late each time still sends 20 a second.
+    // Keeps in step while punctual: a caller that wakes up 2 ms late each time still sends 40 a second.
     m_due = !changeDue && now < m_due + m_rhythm.period ? m_due + m_rhythm.period : now + m_rhythm.period;
     return {true, m_due, m_zerosLeft > 0};
 }

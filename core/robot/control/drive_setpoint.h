@@ -38,14 +38,15 @@ struct DriveLimits {
 [[nodiscard]] DriveVelocity velocityOf(std::pair<double, double> tracks, double distance);
 
 /// Our robots stop when no drive command came for this long; a command has the same lifetime. Fixed: commands
-/// come every 50 ms, so three of them in a row may be lost.
+/// come every 25 ms, so seven of them in a row may be lost.
 inline constexpr std::chrono::milliseconds DriveWatchdog(200);
 
 /// A setpoint that expired this long ago is forgotten: motion starts again only with neutral sticks. A
 /// shorter gap is a hiccup, which held sticks outlast.
 inline constexpr std::chrono::milliseconds SetpointForgotten(500);
 
-/// The operator's setpoint for a robot (design, sections 4 and 7): the newest counts, for 200 ms. Pure.
+/// The operator's setpoint for a robot (docs/design.md, "The wire" and "The window"): the newest counts, for
+/// 200 ms. Pure.
 ///
 /// Without permission (no focus, no grant, stopped) it is zero. With permission again it stays zero until a
 /// zero was set: sticks must be neutral first. The same holds when nothing was set for so long that the last

@@ -15,7 +15,7 @@ constexpr std::size_t MostSuperseded = 32;
 GrantArbiter::GrantArbiter(GrantId id, const GrantTiming& timing) : m_id(std::move(id)), m_timing(timing) {}
 
 bool GrantArbiter::isSilent(const Holder& holder, SteadyTime now) const {
-    return now - holder.heard >= m_timing.silence;
+    return now - holder.received >= m_timing.silence;
 }
 
 bool GrantArbiter::mayTake(const std::string& station, const Sender& from, SteadyTime now) const {
@@ -41,13 +41,13 @@ void GrantArbiter::take(Holder next) {
     ++m_changes;
 }
 
-void GrantArbiter::hear(const GrantSample& sample, const Sender& from, SteadyTime now) {
+void GrantArbiter::receive(const GrantSample& sample, const Sender& from, SteadyTime now) {
     if (sample.kind != m_id.kind || sample.robot != m_id.robot || sample.station.empty()) return;
     const bool fromHolder = m_holder && m_holder->sender == from && m_holder->station == sample.station;
     switch (sample.action) {
         case Action::Hold:
             if (fromHolder) {
-                m_holder->heard = now;
+                m_holder->received = now;
             } else if (mayTake(sample.station, from, now)) {
                 take({sample.station, from, now});
             } else {

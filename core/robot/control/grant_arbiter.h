@@ -10,8 +10,8 @@
 
 namespace leitstand {
 
-/// Decides whom a robot obeys, from the heartbeats that it receives (design, section 4). Pure: no clock, no
-/// thread.
+/// Decides whom a robot obeys, from the heartbeats that it receives (docs/design.md, "The wire"). Pure: no
+/// clock, no thread.
 ///
 /// Commands carry no identity: they are tied to the holder by their process, which must be the one that sends
 /// its heartbeats. There is at most one holder at any time:
@@ -27,7 +27,7 @@ public:
     explicit GrantArbiter(GrantId id, const GrantTiming& timing = {});
 
     /// Takes any message about grants; other grants are ignored.
-    void hear(const GrantSample& sample, const Sender& from, SteadyTime now);
+    void receive(const GrantSample& sample, const Sender& from, SteadyTime now);
 
     /// Whether commands of @p from count: it is the holder, and was heard within 3 s.
     [[nodiscard]] bool obeys(const Sender& from, SteadyTime now) const;
@@ -40,7 +40,7 @@ private:
     struct Holder {
         std::string station;
         Sender sender;
-        SteadyTime heard;
+        SteadyTime received;
     };
     [[nodiscard]] bool isSilent(const Holder& holder, SteadyTime now) const;
     [[nodiscard]] bool mayTake(const std::string& station, const Sender& from, SteadyTime now) const;

@@ -24,7 +24,7 @@ GrantBook::GrantBook(const StationIdentity& me, const Sender& sender, SteadyTime
         entry->holderTitle = m_title;
         entry->holderSender = m_sender;
         entry->term = entry->highest = grant.term;
-        entry->nextSay = now;
+        entry->nextSend = now;
         entry->sent = now - m_timing.silence;  // may act once it has sent a heartbeat
     }
 }
@@ -43,24 +43,24 @@ void GrantBook::rejoined(const Sender& sender) {
     m_sender = sender;
 }
 
-void GrantBook::ask(const GrantId& id) {
+void GrantBook::requestGrant(const GrantId& id) {
     Entry* entry = entryOf(id);
     if (entry == nullptr) return;
     entry->refusedBy.clear();
     entry->lostTo.clear();
     if (entry->mine || entry->asked) return;
     entry->asked = true;
-    entry->nextSay = {};
+    entry->nextSend = {};
 }
 
 void GrantBook::giveTo(const GrantId& id, Entry& entry, const std::string& other, SteadyTime now) {
-    m_sayings.push_back({id, Action::Consent, other, entry.term});
+    m_pending.push_back({id, Action::Consent, other, entry.term});
     entry.mine = entry.asked = entry.offered = entry.released = false;
     entry.requests.clear();
     entry.holder = other;
     entry.holderTitle.clear();
     entry.holderSender = {};
-    entry.heard = now;
+    entry.received = now;
 }
 
 void GrantBook::release(const GrantId& id, SteadyTime now) {
@@ -72,7 +72,7 @@ void GrantBook::release(const GrantId& id, SteadyTime now) {
         const std::string first = entry->requests.front().station;
         return giveTo(id, *entry, first, now);
     }
-    m_sayings.push_back({id, Action::Release, {}, entry->term});
+    m_pending.push_back({id, Action::Release, {}, entry->term});
     entry->mine = false;
     entry->released = true;
     entry->holder.clear();
@@ -80,12 +80,12 @@ void GrantBook::release(const GrantId& id, SteadyTime now) {
     entry->holderSender = {};
 }
 
-void GrantBook::answer(const GrantId& id, bool consent, SteadyTime now) {
+void GrantBook::answerRequest(const GrantId& id, bool consent, SteadyTime now) {
     Entry* entry = entryOf(id);
     if (entry == nullptr || !entry->mine || entry->requests.empty()) return;
     const std::string first = entry->requests.front().station;
     if (consent) return giveTo(id, *entry, first, now);
-    m_sayings.push_back({id, Action::Refuse, first, entry->term});
+    m_pending.push_back({id, Action::Refuse, first, entry->term});
     entry->requests.erase(entry->requests.begin());
 }
 
@@ -94,7 +94,7 @@ void GrantBook::leave(SteadyTime now) {
 }
 
 bool GrantBook::isSilent(const Entry& entry, SteadyTime now) const {
-    return !entry.mine && !entry.holder.empty() && now - entry.heard >= m_timing.silence;
+    return !entry.mine && !entry.holder.empty() && now - entry.received >= m_timing.silence;
 }
 
 bool GrantBook::mayTake(const Entry& entry, SteadyTime now) const {
@@ -111,22 +111,22 @@ bool GrantBook::beats(const GrantSample& sample, const Sender& from, const Entry
     return std::tie(sample.station, from) < std::tie(entry.holder, entry.holderSender);
 }
 
-void GrantBook::hear(const GrantSample& sample, const Sender& from, SteadyTime now) {
+void GrantBook::receive(const GrantSample& sample, const Sender& from, SteadyTime now) {
     if (from == m_sender || sample.station.empty() || sample.term > HighestTerm) return;
     const GrantId id{sample.kind, sample.robot};
     Entry* entry = entryOf(id);
     if (entry == nullptr) return;
-    if (sample.action == Action::Hold) return hearHold(id, *entry, sample, from, now);
-    hearWord(*entry, sample, from, now);
+    if (sample.action == Action::Hold) return receiveHold(id, *entry, sample, from, now);
+    receiveWord(*entry, sample, from, now);
 }
 
-void GrantBook::hearHold(const GrantId& id, Entry& entry, const GrantSample& sample, const Sender& from,
-                         SteadyTime now) {
+void GrantBook::receiveHold(const GrantId& id, Entry& entry, const GrantSample& sample, const Sender& from,
+                            SteadyTime now) {
     entry.highest = std::max(entry.highest, sample.term);
     const bool same = entry.holder == sample.station;
     if (entry.mine) {
         if (!beats(sample, from, entry)) {
-            entry.nextSay = now;  // it shall learn at once that it is wrong
+            entry.nextSend = now;  // it shall learn at once that it is wrong
             return;
         }
         giveTo(id, entry, sample.station, now);
@@ -138,11 +138,11 @@ void GrantBook::hearHold(const GrantId& id, Entry& entry, const GrantSample& sam
     entry.holderTitle = sample.title;
     entry.holderSender = from;
     entry.term = sample.term;
-    entry.heard = now;
+    entry.received = now;
     entry.released = entry.offered = false;
 }
 
-void GrantBook::hearWord(Entry& entry, const GrantSample& sample, const Sender& from, SteadyTime now) {
+void GrantBook::receiveWord(Entry& entry, const GrantSample& sample, const Sender& from, SteadyTime now) {
     const bool fromHolder = !entry.mine && entry.holder == sample.station && entry.holderSender == from;
     switch (sample.action) {
         case Action::Hold:
@@ -170,7 +170,7 @@ void GrantBook::hearWord(Entry& entry, const GrantSample& sample, const Sender& 
             } else {
                 entry.holder = sample.other;  // for 3 s only this station may take it
                 entry.holderTitle.clear();
-                entry.heard = now;
+                entry.received = now;
             }
             entry.holderSender = {};
             return;
@@ -201,29 +201,29 @@ void GrantBook::take(Entry& entry, SteadyTime now, Time wall) {
     entry.holderSender = m_sender;
     entry.requests.clear();
     entry.lostTo.clear();
-    entry.nextSay = now;
+    entry.nextSend = now;
 }
 
 std::vector<GrantSample> GrantBook::due(SteadyTime now, Time wall) {
     std::vector<GrantSample> all;
-    const auto say = [&](const GrantId& id, Action action, const std::string& other, std::uint64_t term) {
+    const auto add = [&](const GrantId& id, Action action, const std::string& other, std::uint64_t term) {
         all.push_back({wall, m_station, m_title, id.kind, action, id.robot, other, term});
     };
-    for (const Saying& saying : m_sayings) say(saying.id, saying.action, saying.other, saying.term);
-    m_sayings.clear();
+    for (const Pending& pending : m_pending) add(pending.id, pending.action, pending.other, pending.term);
+    m_pending.clear();
     for (auto& [id, entry] : m_entries) {
         std::erase_if(entry.requests, [&](const Request& one) { return now - one.last >= m_timing.silence; });
         if (entry.asked && mayTake(entry, now)) take(entry, now, wall);
-        if (now < entry.nextSay) continue;
+        if (now < entry.nextSend) continue;
         if (entry.mine) {
-            say(id, Action::Hold, {}, entry.term);
+            add(id, Action::Hold, {}, entry.term);
             entry.sent = now;
         } else if (entry.asked && !entry.holder.empty()) {
-            say(id, Action::Request, {}, entry.term);
+            add(id, Action::Request, {}, entry.term);
         } else {
             continue;
         }
-        entry.nextSay = now + m_timing.heartbeat;
+        entry.nextSend = now + m_timing.heartbeat;
     }
     return all;
 }

@@ -24,7 +24,8 @@ struct GrantView {
     friend bool operator==(const GrantView&, const GrantView&) = default;
 };
 
-/// The grants that a station holds, requests and hears of (design, section 4). Pure: no clock, no thread.
+/// The grants that a station holds, requests and hears of (docs/design.md, "The wire"). Pure: no clock, no
+/// thread.
 ///
 /// - A grant without a holder goes to whoever requests it, after 3 s of listening (at once when its holder
 ///   released it). A held grant is requested once a second, and the holder consents or refuses. When the
@@ -44,13 +45,13 @@ public:
 
     /// The station's process has another identity in the domain from now on; it keeps what it holds.
     void rejoined(const Sender& sender);
-    void ask(const GrantId& id);                      ///< requests it from now on
+    void requestGrant(const GrantId& id);             ///< requests it from now on
     void release(const GrantId& id, SteadyTime now);  ///< gives it up (to who asked first), asks no more
     /// The operator's answer to the first requester; does nothing without one.
-    void answer(const GrantId& id, bool consent, SteadyTime now);
+    void answerRequest(const GrantId& id, bool consent, SteadyTime now);
     void leave(SteadyTime now);  ///< gives up everything, at the end of the program
 
-    void hear(const GrantSample& sample, const Sender& from, SteadyTime now);
+    void receive(const GrantSample& sample, const Sender& from, SteadyTime now);
     /// Returns what must be sent now, in this order; call it ten times a second, and after every change.
     [[nodiscard]] std::vector<GrantSample> due(SteadyTime now, Time wall);
 
@@ -73,13 +74,13 @@ private:
         Sender holderSender = {};
         std::uint64_t term = 0;     ///< of the holder
         std::uint64_t highest = 0;  ///< highest term ever heard
-        SteadyTime heard = {};      ///< last heartbeat of another holder
+        SteadyTime received = {};   ///< last heartbeat of another holder
         SteadyTime sent = {};       ///< last heartbeat of this station
-        SteadyTime nextSay = {};    ///< when the next heartbeat or request is due
+        SteadyTime nextSend = {};   ///< when the next heartbeat or request is due
         std::vector<Request> requests;
         std::string refusedBy, lostTo;
     };
-    struct Saying {
+    struct Pending {
         GrantId id;
         GrantSample::Action action;
         std::string other;
@@ -87,9 +88,9 @@ private:
     };
 
     Entry* entryOf(const GrantId& id);
-    void hearHold(const GrantId& id, Entry& entry, const GrantSample& sample, const Sender& from,
-                  SteadyTime now);
-    void hearWord(Entry& entry, const GrantSample& sample, const Sender& from, SteadyTime now);
+    void receiveHold(const GrantId& id, Entry& entry, const GrantSample& sample, const Sender& from,
+                     SteadyTime now);
+    void receiveWord(Entry& entry, const GrantSample& sample, const Sender& from, SteadyTime now);
     void giveTo(const GrantId& id, Entry& entry, const std::string& other, SteadyTime now);
     void take(Entry& entry, SteadyTime now, Time wall);
     [[nodiscard]] bool isSilent(const Entry& entry, SteadyTime now) const;
@@ -101,7 +102,7 @@ private:
     SteadyTime m_began;
     GrantTiming m_timing;
     std::map<GrantId, Entry> m_entries;
-    std::vector<Saying> m_sayings;  ///< answers and releases, to be sent before heartbeats
+    std::vector<Pending> m_pending;  ///< answers and releases, to be sent before heartbeats
 };
 
 }  // namespace leitstand

@@ -44,7 +44,7 @@ struct StationIdentity {
     std::vector<HeldGrant> held;  ///< at the end of its last run: it holds them again at once
 };
 
-/// Times of the grants (design, section 4), measured on the receiver's steady clock.
+/// Times of the grants (docs/design.md, "The wire"), measured on the receiver's steady clock.
 struct GrantTiming {
     std::chrono::nanoseconds heartbeat = std::chrono::seconds(1);
     std::chrono::nanoseconds silence = std::chrono::seconds(3);  ///< of the holder, before another takes over

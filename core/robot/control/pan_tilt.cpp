@@ -65,8 +65,8 @@ PanTiltAngles dragged(const PanTiltAngles& start, const Eigen::Vector3d& grabbed
 
 void PanTiltControl::want(const PanTiltAngles& angles, SteadyTime now) {
     const PanTiltAngles wanted = within(m_mount, angles);
-    if (m_wish != wanted) m_changed = now;
-    m_wish = wanted;
+    if (m_requested != wanted) m_changed = now;
+    m_requested = wanted;
 }
 
 void PanTiltControl::turnTo(const PanTiltAngles& angles, SteadyTime now) {
@@ -101,18 +101,18 @@ void PanTiltControl::moveOn(SteadyTime now) {
 
 std::optional<PanTiltAngles> PanTiltControl::due(SteadyTime now) {
     moveOn(now);
-    if (!m_wish) return std::nullopt;
-    const bool there = m_now && near(*m_now, *m_wish) && m_sent == m_wish;
+    if (!m_requested) return std::nullopt;
+    const bool there = m_now && near(*m_now, *m_requested) && m_sent == m_requested;
     if (m_rate == Still && (there || now - m_changed > Patience)) {
-        m_wish.reset();
+        m_requested.reset();
         m_sent.reset();
         return std::nullopt;
     }
     const auto gap = now - m_sentAt;
-    if (m_sent && (gap < LeastGap || (m_sent == m_wish && gap < RepeatGap))) return std::nullopt;
-    m_sent = m_wish;
+    if (m_sent && (gap < LeastGap || (m_sent == m_requested && gap < RepeatGap))) return std::nullopt;
+    m_sent = m_requested;
     m_sentAt = now;
-    return m_wish;
+    return m_requested;
 }
 
 }  // namespace leitstand

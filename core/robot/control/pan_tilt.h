@@ -34,7 +34,7 @@ class PanTiltControl {
 public:
     explicit PanTiltControl(const PanTiltMount& mount) : m_mount(mount) {}
 
-    void said(const PanTiltAngles& now) { m_now = now; }  ///< as reported by the robot's joint states
+    void reported(const PanTiltAngles& now) { m_now = now; }  ///< as reported by the robot's joint states
     void turnTo(const PanTiltAngles& angles, SteadyTime now);
     void turnBy(const PanTiltAngles& step, SteadyTime now);  ///< from the current wish
     /// Turns at this rate [rad/s] until it is set again; zero: it stays at the wish reached so far.
@@ -44,17 +44,19 @@ public:
     [[nodiscard]] std::optional<PanTiltAngles> due(SteadyTime now);
 
     [[nodiscard]] const PanTiltMount& mount() const { return m_mount; }
-    [[nodiscard]] const std::optional<PanTiltAngles>& now() const { return m_now; }    ///< empty: unknown
-    [[nodiscard]] const std::optional<PanTiltAngles>& wish() const { return m_wish; }  ///< empty: none
-    [[nodiscard]] bool turning() const { return m_rate != PanTiltAngles{}; }           ///< at a rate
+    [[nodiscard]] const std::optional<PanTiltAngles>& now() const { return m_now; }  ///< empty: unknown
+    [[nodiscard]] const std::optional<PanTiltAngles>& requested() const {
+        return m_requested;
+    }                                                                         ///< empty: none
+    [[nodiscard]] bool turning() const { return m_rate != PanTiltAngles{}; }  ///< at a rate
 
 private:
-    [[nodiscard]] PanTiltAngles base() const { return m_wish.value_or(m_now.value_or(PanTiltAngles{})); }
+    [[nodiscard]] PanTiltAngles base() const { return m_requested.value_or(m_now.value_or(PanTiltAngles{})); }
     void want(const PanTiltAngles& angles, SteadyTime now);
     void moveOn(SteadyTime now);
 
     PanTiltMount m_mount;
-    std::optional<PanTiltAngles> m_now, m_wish, m_sent;
+    std::optional<PanTiltAngles> m_now, m_requested, m_sent;
     PanTiltAngles m_rate;
     SteadyTime m_changed = {}, m_sentAt = {}, m_movedTo = {};
 };

@@ -10,8 +10,8 @@ RobotRules::RobotRules(const std::string& robot, const RobotRuleSettings& settin
       m_latch(settings.firstStop),
       m_motion(settings.standing) {}
 
-void RobotRules::hear(const GrantSample& sample, const Sender& from, SteadyTime now) {
-    m_grant.hear(sample, from, now);
+void RobotRules::receive(const GrantSample& sample, const Sender& from, SteadyTime now) {
+    m_grant.receive(sample, from, now);
 }
 
 DriveVerdict RobotRules::obeyAnybody(const DriveVelocity& velocity) {
@@ -46,9 +46,9 @@ DriveVerdict RobotRules::drive(const DriveVelocity& velocity, const Sender& from
     return DriveVerdict::Taken;
 }
 
-StopStateSample RobotRules::hear(const StopCommandSample& command, const Sender& from, SteadyTime now) {
+StopStateSample RobotRules::receive(const StopCommandSample& command, const Sender& from, SteadyTime now) {
     const bool fromHolder = m_grant.obeys(from, now) && m_grant.holder(now) == command.station;
-    static_cast<void>(m_latch.hear(command, from, fromHolder));
+    static_cast<void>(m_latch.receive(command, from, fromHolder));
     if (m_latch.isStopped()) {
         m_neutral = false;
         m_earlyZero.reset();

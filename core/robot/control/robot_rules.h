@@ -41,10 +41,11 @@ class RobotRules {
 public:
     explicit RobotRules(const std::string& robot, const RobotRuleSettings& settings = {});
 
-    void hear(const GrantSample& sample, const Sender& from, SteadyTime now);
+    void receive(const GrantSample& sample, const Sender& from, SteadyTime now);
     DriveVerdict drive(const DriveVelocity& velocity, const Sender& from, SteadyTime now);
     /// Returns the answer, to be sent with a header.
-    [[nodiscard]] StopStateSample hear(const StopCommandSample& command, const Sender& from, SteadyTime now);
+    [[nodiscard]] StopStateSample receive(const StopCommandSample& command, const Sender& from,
+                                          SteadyTime now);
     void press();  ///< the robot's own stop button
     /// Takes the robot's odometry: speed [m/s], turn rate [rad/s].
     void moved(double speed, double turnRate, SteadyTime now);

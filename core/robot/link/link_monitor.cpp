@@ -56,7 +56,7 @@ void LinkMonitor::sample(std::string_view topic, const StreamArrival& arrival, S
         Stream& stream = m_streams[*place];
         stream.monitor.add(arrival, now);
         if (stream.shared) continue;
-        heard(now);
+        signOfLife(now);
         if (arrival.written == Time{} || stream.stampRank > m_stampRank) continue;
         m_stampRank = stream.stampRank;
         m_clock.stamp(arrival.written, arrival.received, now);
@@ -70,7 +70,7 @@ void LinkMonitor::ping(std::uint64_t number, Time stamp, SteadyTime now) {
 bool LinkMonitor::pong(const PongSample& pong, Time received, SteadyTime now) {
     if (pong.replied < pong.received) return false;
     if (!m_roundTrips.answered(pong.number, pong.sent, pong.replied - pong.received, now)) return false;
-    heard(now);
+    signOfLife(now);
     return m_clock.ping({pong.sent, pong.received, pong.replied, received}, now);
 }
 
@@ -83,7 +83,7 @@ void LinkMonitor::setPaused(std::string_view topic, bool paused, SteadyTime now)
 }
 
 bool LinkMonitor::isSilent(SteadyTime now) const {
-    const double silence = toSeconds(now - m_heard);
+    const double silence = toSeconds(now - m_received);
     if (silence <= m_rules.lostAfter) return false;
     double quickest = m_roundTrips.status(now) ? PongInterval : m_rules.lostAtMost;
     for (const Stream& stream : m_streams) {
@@ -104,10 +104,10 @@ void LinkMonitor::enter(LinkState state, SteadyTime now) {
     if (state != LinkState::Degraded) m_reasons.clear();
 }
 
-void LinkMonitor::heard(SteadyTime now) {
+void LinkMonitor::signOfLife(SteadyTime now) {
     const bool speaks = m_state == LinkState::Connected || m_state == LinkState::Degraded;
     if (speaks && isSilent(now)) enter(LinkState::Lost, now);  // also without a call of status() meanwhile
-    m_heard = std::max(m_heard, now);                          // two threads of the node call this
+    m_received = std::max(m_received, now);                    // two threads of the node call this
     ++m_signs;
     if (m_state == LinkState::NeverSeen || (m_state == LinkState::Lost && m_signs >= m_rules.backAfter))
         enter(LinkState::Connected, now);  // until it is judged
@@ -142,8 +142,8 @@ StreamStatus LinkMonitor::statusOf(const Stream& stream, SteadyTime now) const {
     return status;
 }
 
-void LinkMonitor::tellDelay(Stream& stream, StreamStatus& status, const LinkStatus& link,
-                            SteadyTime now) const {
+void LinkMonitor::publishDelay(Stream& stream, StreamStatus& status, const LinkStatus& link,
+                               SteadyTime now) const {
     const auto transit = stream.monitor.figures(now).transit;
     if (!transit || !link.clock || link.clock->source != ClockSource::Pings ||
         link.clock->uncertainty > SureEnough)
@@ -189,7 +189,7 @@ void LinkMonitor::judge(std::vector<LinkReason> reasons, SteadyTime now) {
     if (m_state == LinkState::NeverSeen) return;
     if (m_state != LinkState::Lost && isSilent(now)) enter(LinkState::Lost, now);
     if (m_state == LinkState::Lost) {
-        m_reasons = {{.kind = LinkReason::Kind::Silent, .value = toSeconds(now - m_heard)}};
+        m_reasons = {{.kind = LinkReason::Kind::Silent, .value = toSeconds(now - m_received)}};
     } else if (!reasons.empty()) {
         enter(LinkState::Degraded, now);
         m_reasons = std::move(reasons);
@@ -209,7 +209,7 @@ LinkStatus LinkMonitor::status(SteadyTime now) {
     link.streams.reserve(m_streams.size());
     for (Stream& stream : m_streams) {
         link.streams.push_back(statusOf(stream, now));
-        tellDelay(stream, link.streams.back(), link, now);
+        publishDelay(stream, link.streams.back(), link, now);
         link.megabitsPerSecond += link.streams.back().megabitsPerSecond;
         if (!stream.shared) findFaults(stream, link.streams.back(), now, reasons);
     }
@@ -218,7 +218,7 @@ LinkStatus LinkMonitor::status(SteadyTime now) {
     link.state = m_state;
     link.stateAge = std::max(0.0, toSeconds(now - m_since));
     link.reasons = m_reasons;
-    if (m_state != LinkState::NeverSeen) link.silence = std::max(0.0, toSeconds(now - m_heard));
+    if (m_state != LinkState::NeverSeen) link.silence = std::max(0.0, toSeconds(now - m_received));
     link.reconnects = m_reconnects;
     return link;
 }

@@ -63,12 +63,12 @@ private:
         SteadyTime onTime = {};        ///< when it last was
         SteadyTime expectedFrom = {};  ///< when it was switched on again
     };
-    void heard(SteadyTime now);
+    void signOfLife(SteadyTime now);
     void enter(LinkState state, SteadyTime now);
     void judge(std::vector<LinkReason> reasons, SteadyTime now);
     [[nodiscard]] bool isSilent(SteadyTime now) const;
     [[nodiscard]] StreamStatus statusOf(const Stream& stream, SteadyTime now) const;
-    void tellDelay(Stream& stream, StreamStatus& status, const LinkStatus& link, SteadyTime now) const;
+    void publishDelay(Stream& stream, StreamStatus& status, const LinkStatus& link, SteadyTime now) const;
     void findFaults(Stream& stream, const StreamStatus& status, SteadyTime now,
                     std::vector<LinkReason>& reasons);
     void findPingFaults(const LinkStatus& link, SteadyTime now, std::vector<LinkReason>& reasons);
@@ -83,7 +83,7 @@ private:
     LinkState m_state = LinkState::NeverSeen;
     SteadyTime m_since;      ///< since when in this state
     SteadyTime m_spoke;      ///< since when not lost
-    SteadyTime m_heard;      ///< last sign of life
+    SteadyTime m_received;   ///< last sign of life
     SteadyTime m_faultless;  ///< time of the last reason
     bool m_began = false;    ///< whether m_since is set
     bool m_slow = false;     ///< whether the round trip is over its limit

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/base/said.h"
+#include "core/base/known_sentence.h"
 #include "core/robot/link/link_reasons.h"
 #include "core/robot/streams/stream_table.h"
 
@@ -35,8 +35,8 @@ constexpr std::pair<LinkReason::Kind, const char*> Sentences[] = {
 };
 
 /// Reads "left pictures" into @p reason.
-bool readStream(std::string_view said, LinkReason& reason) {
-    const auto isWhole = [&](StreamRole role) { return said == wordsOf(role); };
+bool readStream(std::string_view reported, LinkReason& reason) {
+    const auto isWhole = [&](StreamRole role) { return reported == wordsOf(role); };
     const auto roles = allStreamRoles();
     if (const auto role = std::ranges::find_if(roles, isWhole); role != roles.end()) {
         reason.role = *role;
@@ -45,9 +45,9 @@ bool readStream(std::string_view said, LinkReason& reason) {
     // The longest words first: "left thermal pictures" are not "pictures" of a sensor "left thermal".
     for (const StreamRole role : {StreamRole::Thermal, StreamRole::Picture, StreamRole::CameraInfo}) {
         const std::string words = fmt::format(" {}", wordsOf(role));
-        if (said.size() <= words.size() || !said.ends_with(words)) continue;
+        if (reported.size() <= words.size() || !reported.ends_with(words)) continue;
         reason.role = role;
-        reason.sensor = std::string(said.substr(0, said.size() - words.size()));
+        reason.sensor = std::string(reported.substr(0, reported.size() - words.size()));
         return true;
     }
     return false;
@@ -55,9 +55,9 @@ bool readStream(std::string_view said, LinkReason& reason) {
 
 }  // namespace
 
-std::optional<LinkReason> linkReasonFrom(std::string_view said) {
+std::optional<LinkReason> linkReasonFrom(std::string_view reported) {
     for (const auto& [kind, words] : Sentences) {
-        const SaidSentence found = knownSentence(said, std::array{words});
+        const KnownSentence found = knownSentence(reported, std::array{words});
         if (found.words == nullptr) continue;
         LinkReason reason;
         reason.kind = kind;

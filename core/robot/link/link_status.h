@@ -41,7 +41,7 @@ struct LinkReason {
     std::string topic = {};                     ///< of that stream
 };
 /// Text for logs and tables (widgets translate by kind): "odometry 1.4 s old", "12 % of points lost",
-/// "left pictures 2.0 s late", "round trip 380 ms", "no answer to pings for 3.1 s".
+/// "round trip 380 ms", "no answer to pings for 3.1 s".
 [[nodiscard]] std::string toString(const LinkReason& reason);
 /// All of them: "odometry 1.4 s old, round trip 380 ms"; empty without reasons.
 [[nodiscard]] std::string toString(const std::vector<LinkReason>& reasons);

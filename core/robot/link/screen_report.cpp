@@ -39,7 +39,7 @@ std::string grouped(std::uint64_t number, const std::string& between) {
 
 /// @p words translates a text of the program.
 template <class Words>
-std::string told(const ScreenDrop& drop, Words words) {
+std::string textOf(const ScreenDrop& drop, Words words) {
     const std::string packets =
         leitstand::fill(drop.packets == 1 ? words(translatable("leitstand::ScreenWords", "one packet"))
                                           : words(translatable("leitstand::ScreenWords", "{0} packets")),
@@ -53,11 +53,11 @@ std::string told(const ScreenDrop& drop, Words words) {
 }  // namespace
 
 std::string toString(const ScreenDrop& drop) {
-    return told(drop, [](const char* text) { return std::string(text); });
+    return textOf(drop, [](const char* text) { return std::string(text); });
 }
 
 std::string worded(const ScreenDrop& drop) {
-    return told(drop, [](const char* text) { return translate("leitstand::ScreenWords", text); });
+    return textOf(drop, [](const char* text) { return translate("leitstand::ScreenWords", text); });
 }
 
 std::string worded(Unscreened what) {
@@ -72,12 +72,12 @@ std::string worded(Unscreened what) {
         "profile file asks for it)");
 }
 
-std::vector<ScreenDrop> ScreenTelling::due(const std::vector<ScreenDrop>& drops) {
+std::vector<ScreenDrop> ScreenMessages::due(const std::vector<ScreenDrop>& drops) {
     std::vector<ScreenDrop> due;
     for (const ScreenDrop& drop : drops) {
-        std::uint64_t& told = m_told[{drop.kind, drop.from}];
-        if (drop.packets == 0 || drop.packets < 10 * told) continue;
-        told = drop.packets;
+        std::uint64_t& textOf = m_reported[{drop.kind, drop.from}];
+        if (drop.packets == 0 || drop.packets < 10 * textOf) continue;
+        textOf = drop.packets;
         due.push_back(drop);
     }
     return due;

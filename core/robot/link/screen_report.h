@@ -36,13 +36,13 @@ enum class Unscreened : std::uint8_t { SharedMemory, Tcp };
 
 /// Selects the drops to report to an operator: each when it is first seen, and again at ten times as many.
 /// Not thread-safe.
-class ScreenTelling {
+class ScreenMessages {
 public:
     /// Returns those of @p drops, all so far, that are due; they then count as reported.
     [[nodiscard]] std::vector<ScreenDrop> due(const std::vector<ScreenDrop>& drops);
 
 private:
-    std::map<std::pair<ScreenDrop::Kind, std::string>, std::uint64_t> m_told;
+    std::map<std::pair<ScreenDrop::Kind, std::string>, std::uint64_t> m_reported;
 };
 
 }  // namespace leitstand

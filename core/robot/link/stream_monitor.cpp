@@ -31,9 +31,9 @@ StreamMonitor::Writer& StreamMonitor::writerOf(const StreamArrival& arrival) {
 void StreamMonitor::learn(const Writer& before, const StreamArrival& arrival, SteadyTime now) {
     const std::uint64_t steps =
         arrival.sequence == 0 || before.sequence == 0 ? 1 : arrival.sequence - before.sequence;
-    const bool told = before.written != Time{} && arrival.written > before.written;
+    const bool reported = before.written != Time{} && arrival.written > before.written;
     const double passed =
-        told ? toSeconds(arrival.written - before.written) : toSeconds(now - before.arrived);
+        reported ? toSeconds(arrival.written - before.written) : toSeconds(now - before.arrived);
     const double interval = passed / static_cast<double>(steps);
     if (m_intervals == 0) {
         m_interval = interval;

@@ -9,14 +9,14 @@
 
 namespace leitstand {
 
-/// What a thin link gives up, the last of these first (thinWishes()).
+/// What a thin link gives up, the last of these first (thinRequests()).
 enum class ThinRank : std::uint8_t { Kept, Telemetry, Scans, Pictures };
 
 /// What a thinned mission keeps of a stream (ThinSettings of thinMission()).
 enum class ThinnedAs : std::uint8_t { Kept, Cloud, Ranges, Picture, Motion, Other };
 
 /// How the role of a topic is recognised that no robot's file names.
-enum class ToldBy : std::uint8_t {
+enum class GuessedBy : std::uint8_t {
     /// Its type is the first of StreamFacts::types, or another one with one of the words, if any, in the
     /// name.
     Type,
@@ -46,9 +46,9 @@ struct StreamFacts {
     double usualMegabits = 0.005;  ///< [Mbit/s]
     ThinnedAs thinnedAs = ThinnedAs::Kept;
     std::string_view inLog = {};  ///< its name in sentences of the log; empty: the stream's own name
-    ToldBy toldBy = ToldBy::Type;
+    GuessedBy guessedBy = GuessedBy::Type;
     std::span<const std::string_view> words = {};
-    bool tellsRobot = false;  ///< a name directly above the usual topic is a robot's
+    bool namesRobot = false;  ///< a name directly above the usual topic is a robot's
 };
 
 inline constexpr const char* StreamTitles = "leitstand::LinkStatus";  ///< context of their translation

@@ -11,17 +11,17 @@ namespace {
 
 constexpr double UsualWidth = 640.0;   ///< of cameras [px]
 constexpr double UsualQuality = 80.0;  ///< of their JPEGs
-/// Room for a piece of a sample in a datagram of 1400 B, and the size of its headers: IP, UDP, RTPS, time,
-/// data, and the statistics that Fast DDS appends [B].
+/// Room for a piece of a sample in a datagram of 1400 B, and the size of its headers [B]. Those are IP, UDP,
+/// RTPS, time, data, and the statistics that Fast DDS appends.
 constexpr double Piece = 1240.0, Headers = 160.0;
 
 /// From reductions that the eye hardly notices to pictures that still show a wall apart from a door.
-constexpr std::array<StreamWish, 6> Rungs = {{{true, 10.0, 60, 0},
-                                              {true, 8.0, 45, 0},
-                                              {true, 5.0, 40, 0},
-                                              {true, 5.0, 35, 320},
-                                              {true, 3.0, 25, 320},
-                                              {true, 1.0, 20, 320}}};
+constexpr std::array<StreamRequest, 6> Rungs = {{{true, 10.0, 60, 0},
+                                                 {true, 8.0, 45, 0},
+                                                 {true, 5.0, 40, 0},
+                                                 {true, 5.0, 35, 320},
+                                                 {true, 3.0, 25, 320},
+                                                 {true, 1.0, 20, 320}}};
 
 /// What is given up, the last first. Of pictures, the last is the camera that the driver looks through.
 enum class Rank { Kept, Telemetry, Scans, Camera, Rest };
@@ -45,7 +45,7 @@ struct Share {
     StreamCost cost;
     Rank rank = Rank::Kept;
     bool selected = false, thin = true;
-    StreamWish wish = {};
+    StreamRequest request = {};
 };
 
 /// All streams, and what they cost together.
@@ -64,7 +64,7 @@ public:
     }
     [[nodiscard]] bool fits() const {
         double sum = 0.0;
-        for (const Share& one : m_all) sum += costUnder(one.cost, one.wish);
+        for (const Share& one : m_all) sum += costUnder(one.cost, one.request);
         return sum <= m_room;
     }
     /// Streams of @p rank that may be touched, those of robots that are not selected first.
@@ -102,39 +102,40 @@ private:
     double m_room = 0.0;
 };
 
-StreamWish glimpse(StreamRole role) {
-    return role == StreamRole::Picture ? Rungs.back() : StreamWish{.rate = 1.0};
+StreamRequest glimpse(StreamRole role) {
+    return role == StreamRole::Picture ? Rungs.back() : StreamRequest{.rate = 1.0};
 }
 
 /// Switches streams back on, once a second where there is room for it, the selected robot's first.
 void giveBack(Shares& shares, const std::vector<Share*>& off) {
     for (auto one = off.rbegin(); one != off.rend(); ++one) {
         Share& share = **one;
-        share.wish = glimpse(share.cost.role);
-        if (!shares.fits()) share.wish = {.enabled = false};
+        share.request = glimpse(share.cost.role);
+        if (!shares.fits()) share.request = {.enabled = false};
     }
 }
 
 void thin(Shares& shares, const ThinSettings& settings) {
     const std::vector<Share*> rest = shares.of(Rank::Rest);
-    for (Share* one : rest) one->wish = {.enabled = false};
+    for (Share* one : rest) one->request = {.enabled = false};
     for (Share* camera : shares.of(Rank::Camera)) {
-        for (const StreamWish& rung : Rungs) {
-            camera->wish = camera->cost.role == StreamRole::Picture ? rung : StreamWish{.rate = rung.rate};
+        for (const StreamRequest& rung : Rungs) {
+            camera->request =
+                camera->cost.role == StreamRole::Picture ? rung : StreamRequest{.rate = rung.rate};
             if (shares.fits()) break;
         }
     }
     for (Share* scans : shares.of(Rank::Scans)) {
-        if (!shares.fits() && !scans->selected) scans->wish = {.enabled = false};
+        if (!shares.fits() && !scans->selected) scans->request = {.enabled = false};
     }
     for (const double rate : {5.0, 2.0, 1.0}) {  // slices are left out: the map has fewer columns
         for (Share* scans : shares.of(Rank::Scans)) {
-            if (!shares.fits() && scans->selected && scans->cost.rate > rate) scans->wish = {.rate = rate};
+            if (!shares.fits() && scans->selected && scans->cost.rate > rate) scans->request = {.rate = rate};
         }
     }
     for (Share* telemetry : shares.of(Rank::Telemetry)) {
         if (!shares.fits() && telemetry->cost.rate > settings.slowTelemetry)
-            telemetry->wish = {.rate = settings.slowTelemetry};
+            telemetry->request = {.rate = settings.slowTelemetry};
     }
     giveBack(shares, rest);
 }
@@ -152,25 +153,26 @@ double onTheWire(double megabits, double rate) {
     return megabits + 8e-6 * rate * Headers * std::ceil(size / Piece);
 }
 
-double costUnder(const StreamCost& stream, const StreamWish& wish) {
-    if (!wish.enabled) return 0.0;
+double costUnder(const StreamCost& stream, const StreamRequest& request) {
+    if (!request.enabled) return 0.0;
     double cost = std::max(stream.megabits, 0.0);
-    if (wish.rate > 0.0 && stream.rate > wish.rate) cost *= wish.rate / stream.rate;
+    if (request.rate > 0.0 && stream.rate > request.rate) cost *= request.rate / stream.rate;
     if (stream.role != StreamRole::Picture) return cost;
-    if (wish.quality > 0) cost *= std::min(1.0, wish.quality / UsualQuality);
-    if (wish.maxWidth > 0) cost *= std::min(1.0, (wish.maxWidth / UsualWidth) * (wish.maxWidth / UsualWidth));
+    if (request.quality > 0) cost *= std::min(1.0, request.quality / UsualQuality);
+    if (request.maxWidth > 0)
+        cost *= std::min(1.0, (request.maxWidth / UsualWidth) * (request.maxWidth / UsualWidth));
     return cost;
 }
 
-std::map<std::string, StreamWish> thinWishes(const std::vector<ThinRobot>& robots,
-                                             const ThinSettings& settings) {
+std::map<std::string, StreamRequest> thinRequests(const std::vector<ThinRobot>& robots,
+                                                  const ThinSettings& settings) {
     Shares shares(robots, settings);
     if (!shares.fits()) thin(shares, settings);
-    std::map<std::string, StreamWish> wishes;
+    std::map<std::string, StreamRequest> requests;
     for (const Share& one : shares.all()) {
-        if (!one.wish.isPlain()) wishes.emplace(one.cost.topic, one.wish);
+        if (!one.request.isPlain()) requests.emplace(one.cost.topic, one.request);
     }
-    return wishes;
+    return requests;
 }
 
 }  // namespace leitstand

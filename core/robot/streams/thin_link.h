@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/robot/robot_description.h"
-#include "core/robot/streams/stream_wish.h"
+#include "core/robot/streams/stream_request.h"
 
 namespace leitstand {
 
@@ -34,21 +34,21 @@ struct ThinSettings {
     double slowTelemetry = 5.0;  ///< of inertial units, joints and transforms, when nothing else helps [Hz]
 };
 
-/// Returns the wishes, by topic, that make the streams of @p robots fit the budget (plain wishes are left
-/// out). Streams are kept in this order (design, section 4): commands and stop, telemetry, scans, one camera,
-/// the rest. So, until all fits:
+/// Returns the requests, by topic, that make the streams of @p robots fit the budget (plain ones are left
+/// out). Streams are kept in this order (docs/design.md, "The wire"): commands and stop, telemetry, scans,
+/// one camera, the rest. So, until all fits:
 /// 1. the rest (other cameras, infrared): once a second where there is room, else off;
 /// 2. the camera of the selected robot that its driver looks through: slower, coarser, smaller (infrared:
 ///    slower only), but never off;
-/// 3. scans of robots that are not selected: off; those of the selected robot stay;
+/// 3. scans of robots that are not selected: off; those of the selected robot: slower, but never off;
 /// 4. inertial units, joints and transforms: slower. Odometry, modes, batteries, stops and answers to pings
 ///    are never touched.
-[[nodiscard]] std::map<std::string, StreamWish> thinWishes(const std::vector<ThinRobot>& robots,
-                                                           const ThinSettings& settings = {});
+[[nodiscard]] std::map<std::string, StreamRequest> thinRequests(const std::vector<ThinRobot>& robots,
+                                                                const ThinSettings& settings = {});
 
-/// Estimates the cost of a stream under @p wish [Mbit/s]. Pictures are taken to shrink with their quality and
-/// their area.
-[[nodiscard]] double costUnder(const StreamCost& stream, const StreamWish& wish);
+/// Estimates the cost of a stream under @p request [Mbit/s]. Pictures are taken to shrink with their quality
+/// and their area.
+[[nodiscard]] double costUnder(const StreamCost& stream, const StreamRequest& request);
 
 /// Returns the load on the link of @p megabits of samples at @p rate [Hz], with the headers of their
 /// datagrams [Mbit/s].

@@ -21,9 +21,9 @@ void AlarmBook::see(const AlarmCause& cause, Time now, std::vector<AlarmChange>&
     if (known != m_entries.end() && !known->second.alarm.ended) {
         Entry& entry = known->second;
         entry.absent.reset();
-        const AlarmCause& told = entry.alarm.cause;
-        const bool another = entry.alarm.acknowledged && cause.count > told.count;
-        if (cause.severity > told.severity || another) return raise(entry, cause, now, changes);
+        const AlarmCause& raised = entry.alarm.cause;
+        const bool another = entry.alarm.acknowledged && cause.count > raised.count;
+        if (cause.severity > raised.severity || another) return raise(entry, cause, now, changes);
         entry.alarm.cause = cause;
         return;
     }

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "core/base/said.h"
+#include "core/base/known_sentence.h"
 #include "core/base/time.h"
-#include "core/station/alarms/alarm_says.h"
+#include "core/station/alarms/alarm_format.h"
 #include "core/station/robot_figures.h"
 
 namespace leitstand {
@@ -16,14 +16,14 @@ namespace {
 
 /// Rounded, and never "-0".
 std::string wholeDegrees(double radians) {
-    return saidFigure(std::round(inDegrees(radians)) + 0.0);
+    return loggedFigure(std::round(inDegrees(radians)) + 0.0);
 }
 
 std::string batteryText(double share, double minutes) {
-    const std::string percent = saidFigure(100.0 * share), left = saidFigure(minutes);
-    if (!std::isfinite(minutes)) return fmt::format(alarm_says::BatteryShare, percent);
-    return std::isfinite(share) ? fmt::format(alarm_says::BatteryBoth, percent, left)
-                                : fmt::format(alarm_says::BatteryMinutes, left);
+    const std::string percent = loggedFigure(100.0 * share), left = loggedFigure(minutes);
+    if (!std::isfinite(minutes)) return fmt::format(alarm_format::BatteryShare, percent);
+    return std::isfinite(share) ? fmt::format(alarm_format::BatteryBoth, percent, left)
+                                : fmt::format(alarm_format::BatteryMinutes, left);
 }
 
 /// Collects the causes of one robot.
@@ -81,45 +81,45 @@ private:
         const LinkStatus& link = m_robot.view.link;
         if (link.state == LinkState::Lost) {
             add(idOf(alarm_key::LinkLost), Severity::Act,
-                fmt::format(alarm_says::LinkLost, saidFigure(link.silence)), link.silence);
+                fmt::format(alarm_format::LinkLost, loggedFigure(link.silence)), link.silence);
         } else if (link.state == LinkState::Degraded) {
             const std::string why = link.reasons.empty() ? "degraded" : toString(link.reasons.front());
             add(idOf(alarm_key::LinkDegraded), Severity::Attention,
-                fmt::format(alarm_says::LinkDegraded, why), Unknown, why);
+                fmt::format(alarm_format::LinkDegraded, why), Unknown, why);
         }
-        if (const auto& unheard = m_robot.view.hearing) {
-            const std::string what = toString(*unheard);
-            add(idOf(alarm_key::Unheard), Severity::Attention, fmt::format(alarm_says::Unheard, what),
-                Unknown, what);
+        if (const auto& notReceived = m_robot.view.reception) {
+            const std::string what = toString(*notReceived);
+            add(idOf(alarm_key::NotReceived), Severity::Attention,
+                fmt::format(alarm_format::NotReceived, what), Unknown, what);
         }
     }
 
     void attitude() {
-        const auto angles = rollAndPitch(m_robot.description, m_robot.said, m_now);
+        const auto angles = rollAndPitch(m_robot.description, m_robot.reported, m_now);
         if (!angles) return;
         const auto [roll, pitch] = *angles;
         const double tilt = std::acos(std::clamp(std::cos(roll) * std::cos(pitch), -1.0, 1.0));
         if (const AlarmId id = idOf(alarm_key::RollOver);
             above(id, tilt, m_limits.rolledOver, m_limits.rolledOver)) {
-            return add(id, Severity::Act, fmt::format(alarm_says::RolledOver, saidFigure(inDegrees(tilt))),
-                       tilt);
+            return add(id, Severity::Act,
+                       fmt::format(alarm_format::RolledOver, loggedFigure(inDegrees(tilt))), tilt);
         }
         const AlarmId id = idOf(alarm_key::Attitude);
         const double share = shareOfLimits(m_robot.description, roll, pitch);
         if (const auto loud = above(id, share, m_limits.attitude, m_limits.attitudeAct)) {
             add(id, *loud,
-                fmt::format(alarm_says::Tilted, wholeDegrees(roll), wholeDegrees(pitch),
-                            saidFigure(100.0 * share)),
+                fmt::format(alarm_format::Tilted, wholeDegrees(roll), wholeDegrees(pitch),
+                            loggedFigure(100.0 * share)),
                 share);
         }
     }
 
     void battery() {
-        if (!isFresh(m_robot.said.battery, m_now, BatteryAge)) return;
-        const BatterySample& battery = m_robot.said.battery->sample;
+        if (!isFresh(m_robot.reported.battery, m_now, BatteryAge)) return;
+        const BatterySample& battery = m_robot.reported.battery->sample;
         if (battery.status == BatterySample::Status::Charging) return;
         const AlarmId id = idOf(alarm_key::Battery);
-        const double minutes = minutesLeft(m_robot.said);
+        const double minutes = minutesLeft(m_robot.reported);
         const auto byTime = std::isfinite(minutes)
                                 ? below(id, minutes, m_limits.batteryMinutes, m_limits.batteryMinutesAct)
                                 : std::nullopt;
@@ -136,32 +136,32 @@ private:
     }
 
     void gas() {
-        if (!isFresh(m_robot.said.gas, m_now, 5.0)) return;
-        const double ppm = m_robot.said.gas->sample.ppm;
+        if (!isFresh(m_robot.reported.gas, m_now, 5.0)) return;
+        const double ppm = m_robot.reported.gas->sample.ppm;
         const AlarmId id = idOf(alarm_key::Gas);
         if (above(id, ppm, m_limits.gas, std::numeric_limits<double>::infinity()))
-            add(id, Severity::Attention, fmt::format(alarm_says::Gas, saidFigure(ppm)), ppm);
+            add(id, Severity::Attention, fmt::format(alarm_format::Gas, loggedFigure(ppm)), ppm);
     }
 
     void bump() {
         if (m_robot.bumpAge && *m_robot.bumpAge < m_limits.bumped) {
             add(idOf(alarm_key::Bump, m_robot.bumper), Severity::Attention,
-                fmt::format(alarm_says::Bumped, m_robot.bumper));
+                fmt::format(alarm_format::Bumped, m_robot.bumper));
         }
     }
 
     void wheels() {
         if (m_robot.spinning < m_limits.spinning) return;
         add(idOf(alarm_key::WheelsSpin), Severity::Attention,
-            fmt::format(alarm_says::WheelsSpin, saidFigure(m_robot.spinning, 1)), m_robot.spinning);
+            fmt::format(alarm_format::WheelsSpin, loggedFigure(m_robot.spinning, 1)), m_robot.spinning);
     }
 
     void diagnostics() {
-        if (!m_robot.said.diagnostics) return;
-        for (const DiagnosticStatus& part : m_robot.said.diagnostics->sample.statuses) {
+        if (!m_robot.reported.diagnostics) return;
+        for (const DiagnosticStatus& part : m_robot.reported.diagnostics->sample.statuses) {
             if (part.level != DiagnosticStatus::Level::Error) continue;
             add(idOf(alarm_key::Diagnostics, part.name), Severity::Act,
-                fmt::format(alarm_says::Part, part.name, part.message), Unknown, part.message);
+                fmt::format(alarm_format::Part, part.name, part.message), Unknown, part.message);
         }
     }
 
@@ -169,7 +169,7 @@ private:
         for (const CameraView& camera : m_robot.view.cameras) {
             if (!camera.age.isFrozen(m_limits.frozen)) continue;
             add(idOf(alarm_key::FrozenPicture, camera.sensor), Severity::Attention,
-                fmt::format(alarm_says::Frozen, camera.sensor, saidFigure(camera.age.content)),
+                fmt::format(alarm_format::Frozen, camera.sensor, loggedFigure(camera.age.content)),
                 camera.age.content);
         }
     }
@@ -180,9 +180,10 @@ private:
         const double ahead = toSeconds(clock.ahead);
         const AlarmId id = idOf(alarm_key::ClockOffset);
         if (!above(id, surelyOff(clock), m_limits.clock, std::numeric_limits<double>::infinity())) return;
-        const std::string by = saidFigure(std::abs(ahead), 1);
+        const std::string by = loggedFigure(std::abs(ahead), 1);
         add(id, Severity::Attention,
-            ahead > 0.0 ? fmt::format(alarm_says::ClockAhead, by) : fmt::format(alarm_says::ClockBehind, by),
+            ahead > 0.0 ? fmt::format(alarm_format::ClockAhead, by)
+                        : fmt::format(alarm_format::ClockBehind, by),
             ahead);
     }
 
@@ -191,15 +192,15 @@ private:
         const double waits = toSeconds(stop.unanswered);
         if (!stop.supported || !stop.sent || stop.acknowledged || waits < m_limits.unanswered) return;
         add(idOf(alarm_key::StopUnanswered), Severity::Act,
-            fmt::format(alarm_says::StopUnanswered, saidFigure(waits)), waits);
+            fmt::format(alarm_format::StopUnanswered, loggedFigure(waits)), waits);
     }
 
     void grant() {
         const GrantView& grant = m_robot.view.grant;
         if (grant.lostTo.empty() || grant.mine) return;
         const std::string who = grant.holderTitle.empty() ? grant.lostTo : grant.holderTitle;
-        add(idOf(alarm_key::GrantLost), Severity::Attention, fmt::format(alarm_says::GrantLost, who), Unknown,
-            who);
+        add(idOf(alarm_key::GrantLost), Severity::Attention, fmt::format(alarm_format::GrantLost, who),
+            Unknown, who);
     }
 
     const RobotWatch& m_robot;

@@ -33,7 +33,7 @@ struct AlarmLimits {
 struct RobotWatch {
     const RobotDescription& description;
     const RobotView& view;
-    const RobotState& said;
+    const RobotState& reported;
     std::optional<double> bumpAge = {};  ///< since a bumper was hit [s]
     std::string bumper = {};             ///< which one
     double spinning = 0.0;               ///< RobotInMap::spinning [m]

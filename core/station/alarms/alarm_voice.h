@@ -18,7 +18,7 @@ public:
                                                Time now);
 
 private:
-    std::uint64_t m_told = 0;
+    std::uint64_t m_reported = 0;
     Time m_last{};
     bool m_any = false;
 };

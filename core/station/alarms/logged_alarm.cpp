@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "core/base/known_sentence.h"
 #include "core/base/pose.h"
-#include "core/base/said.h"
-#include "core/station/alarms/alarm_says.h"
+#include "core/station/alarms/alarm_format.h"
 
 namespace leitstand {
 namespace {
@@ -25,26 +25,26 @@ struct MeasuredSentence {
 };
 
 constexpr MeasuredSentence MeasuredSentences[] = {
-    {alarm_key::Attitude, alarm_says::Tilted, 0.01, 2},
-    {alarm_key::RollOver, alarm_says::RolledOver, degrees(1.0)},
-    {alarm_key::LinkLost, alarm_says::LinkLost},
-    {alarm_key::Battery, alarm_says::BatteryBoth, 1.0, 1, "minutes"},
-    {alarm_key::Battery, alarm_says::BatteryMinutes, 1.0, 0, "minutes"},
-    {alarm_key::Battery, alarm_says::BatteryShare, 0.01, 0, "share"},
-    {alarm_key::Gas, alarm_says::Gas},
-    {alarm_key::WheelsSpin, alarm_says::WheelsSpin},
-    {alarm_key::StopUnanswered, alarm_says::StopUnanswered},
-    {alarm_key::FrozenPicture, alarm_says::Frozen, 1.0, 1},
-    {alarm_key::ClockOffset, alarm_says::ClockAhead},
-    {alarm_key::ClockOffset, alarm_says::ClockBehind, -1.0},
-    {alarm_key::UncertainScan, alarm_says::UncertainScan},
-    {alarm_key::UncertainScan, alarm_says::UncertainScans},
+    {alarm_key::Attitude, alarm_format::Tilted, 0.01, 2},
+    {alarm_key::RollOver, alarm_format::RolledOver, degrees(1.0)},
+    {alarm_key::LinkLost, alarm_format::LinkLost},
+    {alarm_key::Battery, alarm_format::BatteryBoth, 1.0, 1, "minutes"},
+    {alarm_key::Battery, alarm_format::BatteryMinutes, 1.0, 0, "minutes"},
+    {alarm_key::Battery, alarm_format::BatteryShare, 0.01, 0, "share"},
+    {alarm_key::Gas, alarm_format::Gas},
+    {alarm_key::WheelsSpin, alarm_format::WheelsSpin},
+    {alarm_key::StopUnanswered, alarm_format::StopUnanswered},
+    {alarm_key::FrozenPicture, alarm_format::Frozen, 1.0, 1},
+    {alarm_key::ClockOffset, alarm_format::ClockAhead},
+    {alarm_key::ClockOffset, alarm_format::ClockBehind, -1.0},
+    {alarm_key::UncertainScan, alarm_format::UncertainScan},
+    {alarm_key::UncertainScan, alarm_format::UncertainScans},
 };
 
 void readValue(AlarmCause& cause) {
     for (const MeasuredSentence& one : MeasuredSentences) {
         if (cause.id.key != one.key) continue;
-        const SaidSentence found = knownEnding(cause.text, std::array{one.words});
+        const KnownSentence found = knownEnding(cause.text, std::array{one.words});
         if (found.words == nullptr) continue;
         const auto figure = figureIn(found.values[one.which]);
         if (!figure) continue;
@@ -64,11 +64,11 @@ std::string messageOf(const std::string& part, const std::string& text) {
 
 void readNote(AlarmCause& cause) {
     if (cause.id.key == alarm_key::Diagnostics) cause.note = messageOf(cause.id.detail, cause.text);
-    for (const auto& [key, words] : {std::pair(alarm_key::LinkDegraded, alarm_says::LinkDegraded),
-                                     std::pair(alarm_key::GrantLost, alarm_says::GrantLost),
-                                     std::pair(alarm_key::Unheard, alarm_says::Unheard)}) {
+    for (const auto& [key, words] : {std::pair(alarm_key::LinkDegraded, alarm_format::LinkDegraded),
+                                     std::pair(alarm_key::GrantLost, alarm_format::GrantLost),
+                                     std::pair(alarm_key::NotReceived, alarm_format::NotReceived)}) {
         if (cause.id.key != key) continue;
-        const SaidSentence found = knownEnding(cause.text, std::array{words});
+        const KnownSentence found = knownEnding(cause.text, std::array{words});
         if (found.words != nullptr) cause.note = found.values.front();
     }
 }
@@ -80,19 +80,19 @@ bool isAlarmOfLog(std::string_view key) {
            LogKeys.end();
 }
 
-AlarmCause loggedCause(const AlarmSample& said) {
+AlarmCause loggedCause(const AlarmSample& reported) {
     AlarmCause cause;
     cause.severity =
-        said.severity == AlarmSample::Severity::Critical ? AlarmSeverity::Act : AlarmSeverity::Attention;
-    cause.text = said.text;
-    if (isAlarmOfLog(said.key)) {
-        cause.id = {{}, alarm_key::Log, said.key};
-        cause.note = said.text;
+        reported.severity == AlarmSample::Severity::Critical ? AlarmSeverity::Act : AlarmSeverity::Attention;
+    cause.text = reported.text;
+    if (isAlarmOfLog(reported.key)) {
+        cause.id = {{}, alarm_key::Log, reported.key};
+        cause.note = reported.text;
         return cause;
     }
-    const auto slash = said.key.find('/');
-    cause.id = {said.robot, said.key.substr(0, slash),
-                slash == std::string::npos ? std::string() : said.key.substr(slash + 1)};
+    const auto slash = reported.key.find('/');
+    cause.id = {reported.robot, reported.key.substr(0, slash),
+                slash == std::string::npos ? std::string() : reported.key.substr(slash + 1)};
     readValue(cause);
     readNote(cause);
     return cause;

@@ -20,8 +20,8 @@ inline constexpr const char* Failed = "log_failed";
 
 [[nodiscard]] bool isAlarmOfLog(std::string_view key);
 
-/// Returns the cause that was logged as @p said. Its value, to the figures that were written, and its note
-/// are read out of the text. What cannot be read stays unknown: NaN, and empty.
-[[nodiscard]] AlarmCause loggedCause(const AlarmSample& said);
+/// Returns the cause that was logged as @p reported. Its value, to the figures that were written, and its
+/// note are read out of the text. What cannot be read stays unknown: NaN, and empty.
+[[nodiscard]] AlarmCause loggedCause(const AlarmSample& reported);
 
 }  // namespace leitstand

@@ -28,42 +28,42 @@ bool PadMapping::isHeld(const PadControl& control, const PadState& state, bool b
     return amountOf(control, state) >= m_bindings.press * (before ? Hysteresis : 1.0);
 }
 
-PadWishes PadMapping::update(const PadState& state, PadScope scope) {
-    PadWishes wishes;
+PadRequests PadMapping::update(const PadState& state, PadScope scope) {
+    PadRequests requests;
     if (!state.connected) {
         m_held.fill(false);
         m_known = false;
         needNeutral();
-        return wishes;
+        return requests;
     }
     const bool stopWasHeld = held(PadAction::Stop);
     for (const PadAction action : padActions()) {
         bool& held = m_held[static_cast<std::size_t>(action)];
         held = isHeld(m_bindings.at(action), state, held);
     }
-    wishes.stop = held(PadAction::Stop) && !stopWasHeld;
+    requests.stop = held(PadAction::Stop) && !stopWasHeld;
     const bool moves = scope == PadScope::All;
-    if (!moves || wishes.stop) needNeutral();
-    readCommands(state, scope, wishes);
-    if (!moves) return wishes;
-    readDrive(state, wishes);
-    readCameras(state, wishes);
-    return wishes;
+    if (!moves || requests.stop) needNeutral();
+    readCommands(state, scope, requests);
+    if (!moves) return requests;
+    readDrive(state, requests);
+    readCameras(state, requests);
+    return requests;
 }
 
-void PadMapping::readCommands(const PadState& state, PadScope scope, PadWishes& wishes) {
+void PadMapping::readCommands(const PadState& state, PadScope scope, PadRequests& requests) {
     m_commandHeld.resize(m_bindings.commands.size(), false);
     for (std::size_t i = 0; i < m_bindings.commands.size(); ++i) {
         const bool before = m_commandHeld[i], now = isHeld(m_bindings.commands[i].control, state, before);
         m_commandHeld[i] = now;
         // What is held when the pad is connected was not pressed for us.
         if (now && !before && m_known && scope != PadScope::Nothing)
-            wishes.commands.push_back(m_bindings.commands[i].id);
+            requests.commands.push_back(m_bindings.commands[i].id);
     }
     m_known = true;
 }
 
-void PadMapping::readDrive(const PadState& state, PadWishes& wishes) {
+void PadMapping::readDrive(const PadState& state, PadRequests& requests) {
     const bool trigger = held(PadAction::DeadMan);
     if (!trigger) {
         m_triggerFree = true;
@@ -73,26 +73,26 @@ void PadMapping::readDrive(const PadState& state, PadWishes& wishes) {
     const double forward = shapedOf(m_bindings, PadAction::Forward, state),
                  left = shapedOf(m_bindings, PadAction::SlideLeft, state),
                  turn = shapedOf(m_bindings, PadAction::TurnLeft, state);
-    wishes.driving = m_triggerFree;
-    if (wishes.driving && forward == 0.0 && turn == 0.0 && left == 0.0) m_sticksFree = true;
-    wishes.withoutEyes = wishes.driving && held(PadAction::WithoutEyes);
-    wishes.needsNeutral = !m_triggerFree || !m_sticksFree;
-    if (wishes.needsNeutral) return;
+    requests.driving = m_triggerFree;
+    if (requests.driving && forward == 0.0 && turn == 0.0 && left == 0.0) m_sticksFree = true;
+    requests.withoutEyes = requests.driving && held(PadAction::WithoutEyes);
+    requests.needsNeutral = !m_triggerFree || !m_sticksFree;
+    if (requests.needsNeutral) return;
     const double share = held(PadAction::Slow)    ? DriveKeys::Slowly
                          : held(PadAction::Turbo) ? 1.0
                                                   : DriveKeys::Usual;
-    DriveVelocity wish;
-    wish.forward = share * m_limits.speed * forward;
-    wish.left = share * m_limits.speed * left;
-    wish.turn = share * m_limits.turnRate * turn;
-    wishes.drive = limited(wish, m_limits);
+    DriveVelocity requested;
+    requested.forward = share * m_limits.speed * forward;
+    requested.left = share * m_limits.speed * left;
+    requested.turn = share * m_limits.turnRate * turn;
+    requests.drive = limited(requested, m_limits);
 }
 
-void PadMapping::readCameras(const PadState& state, PadWishes& wishes) {
+void PadMapping::readCameras(const PadState& state, PadRequests& requests) {
     const double pan = shapedOf(m_bindings, PadAction::PanLeft, state),
                  tilt = shapedOf(m_bindings, PadAction::TiltUp, state);
     if (pan == 0.0 && tilt == 0.0) m_camerasFree = true;
-    if (m_camerasFree) wishes.cameras = {m_bindings.cameraRate * pan, m_bindings.cameraRate * tilt};
+    if (m_camerasFree) requests.cameras = {m_bindings.cameraRate * pan, m_bindings.cameraRate * tilt};
 }
 
 }  // namespace leitstand

@@ -17,7 +17,7 @@ struct PanTiltRate {
 };
 
 /// What the operator requests with a gamepad.
-struct PadWishes {
+struct PadRequests {
     DriveVelocity drive;                ///< zero unless driving
     bool driving = false;               ///< the dead-man trigger is held and counts: this pad drives
     bool withoutEyes = false;           ///< while driving: old pictures do not cap the speed
@@ -25,7 +25,7 @@ struct PadWishes {
     PanTiltRate cameras;                ///< needs no trigger: nobody is hurt by a look around
     bool stop = false;                  ///< the button that stops all robots was pressed
     std::vector<std::string> commands;  ///< that were pressed
-    friend bool operator==(const PadWishes&, const PadWishes&) = default;
+    friend bool operator==(const PadRequests&, const PadRequests&) = default;
 };
 
 /// What a gamepad may do now.
@@ -35,7 +35,7 @@ enum class PadScope {
     All,       ///< also drive and turn cameras
 };
 
-/// Maps the state of a gamepad to what the operator requests (design, section 7). Pure.
+/// Maps the state of a gamepad to what the operator requests (docs/design.md, "The window"). Pure.
 ///
 /// Nothing drives without the dead-man trigger; releasing it means zero at once. The sticks count after they
 /// were neutral while the trigger was held: motion begins only with the operator's hand. The trigger must be
@@ -51,14 +51,14 @@ public:
     void needNeutral();  ///< trigger and sticks must be released first
 
     /// Returns the wishes of the pad as it is now. Called with every change.
-    [[nodiscard]] PadWishes update(const PadState& state, PadScope scope);
+    [[nodiscard]] PadRequests update(const PadState& state, PadScope scope);
 
 private:
     [[nodiscard]] bool isHeld(const PadControl& control, const PadState& state, bool before) const;
     [[nodiscard]] bool held(PadAction action) const { return m_held[static_cast<std::size_t>(action)]; }
-    void readCommands(const PadState& state, PadScope scope, PadWishes& wishes);
-    void readDrive(const PadState& state, PadWishes& wishes);
-    void readCameras(const PadState& state, PadWishes& wishes);
+    void readCommands(const PadState& state, PadScope scope, PadRequests& requests);
+    void readDrive(const PadState& state, PadRequests& requests);
+    void readCameras(const PadState& state, PadRequests& requests);
 
     PadBindings m_bindings;
     DriveLimits m_limits;

@@ -195,8 +195,8 @@ std::vector<PreflightCheck> preflight(const PreflightFacts& facts) {
     judgeDisk(page, facts);
     const bool pad = !facts.gamepad.empty();
     page.add(pad ? Kind::Gamepad : Kind::GamepadNone, pad ? CheckState::Ok : CheckState::Note, facts.gamepad);
-    const bool heard = facts.soundProblem.empty();
-    page.add(heard ? Kind::Sound : Kind::SoundNone, heard ? CheckState::Ok : CheckState::Attention,
+    const bool audible = facts.soundProblem.empty();
+    page.add(audible ? Kind::Sound : Kind::SoundNone, audible ? CheckState::Ok : CheckState::Attention,
              facts.soundProblem);
     page.add(facts.secured ? Kind::Secured : Kind::Open, facts.secured ? CheckState::Ok : CheckState::Note,
              facts.security);

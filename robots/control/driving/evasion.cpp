@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/time.h"
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 
 namespace leitstand {
 namespace {
@@ -56,18 +56,18 @@ EvasionStep Evasion::step(const DriveVelocity& wanted, const Pose& baseInOdom, T
         if (m_back == 0 || off != m_back) {
             step.felt = *bump;
             step.touched = true;
-            begin(off, baseInOdom, now, robot_says::BacksOut);
+            begin(off, baseInOdom, now, robot_format::BacksOut);
         }
     } else if (m_back == 0 && m_lean >= m_settings.backFrom) {
         // When backing out led to leaning again, it goes the other way.
         const bool again = m_ended && secondsBetween(*m_ended, now) < m_settings.apart;
         const int off = again ? -m_last : isBackwards(wanted) ? 1 : -1;
         step.felt = off < 0 ? BodySide::Front : BodySide::Rear;
-        begin(off, baseInOdom, now, robot_says::LeansBacksOut);
+        begin(off, baseInOdom, now, robot_format::LeansBacksOut);
     }
     if (m_times > m_settings.most) {
         step.failed = true;
-        step.reason = robot_says::NoWayOff;
+        step.reason = robot_format::NoWayOff;
         reset();
         return step;
     }

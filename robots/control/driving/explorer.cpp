@@ -9,7 +9,7 @@
 
 #include "core/base/rotation/heading.h"
 #include "core/base/time.h"
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 
 namespace leitstand {
 namespace {
@@ -153,11 +153,11 @@ ExplorerStep Explorer::step(const VirtualScanView& view, const Pose& baseInOdom,
     ExplorerStep step;
     see(view, baseInOdom, now);
     if (!newest || secondsBetween(*newest, now) > m_settings.blindAfter) {
-        step.reason = robot_says::ScannerSilent;
+        step.reason = robot_format::ScannerSilent;
         return step;
     }
     if (secondsBetween(*m_seen, now) < m_settings.lookFirst) {
-        step.reason = robot_says::LooksAround;
+        step.reason = robot_format::LooksAround;
         return step;
     }
     const Eigen::Vector2d here = baseInOdom.translation().head<2>();
@@ -167,29 +167,29 @@ ExplorerStep Explorer::step(const VirtualScanView& view, const Pose& baseInOdom,
     };
     if (m_goal && (isAt(*m_goal) || (!m_way.empty() && isAt(m_way.back())))) {
         step.done = true;
-        step.reason = robot_says::AtTheGoal;
+        step.reason = robot_format::AtTheGoal;
         return step;
     }
     plan(baseInOdom, now);
     step.way = m_way;
     if (m_emptyPlans >= EmptyPlans && looksAgain(baseInOdom, now)) {
-        step.reason = robot_says::LooksAgain;
+        step.reason = robot_format::LooksAgain;
         return step;
     }
     if (m_emptyPlans >= EmptyPlans) {
         step.done = !m_goal;
         step.failed = m_goal.has_value();
-        step.reason = m_goal ? robot_says::NoWayToTheGoal : robot_says::NothingLeft;
+        step.reason = m_goal ? robot_format::NoWayToTheGoal : robot_format::NothingLeft;
         return step;
     }
     const auto towards = aim(baseInOdom);
     if (const auto recovery = recover(view, baseInOdom, now, towards.has_value())) {
         step.velocity = *recovery;
-        step.reason = robot_says::MakesRoom;
+        step.reason = robot_format::MakesRoom;
         return step;
     }
     if (!towards) {
-        step.reason = robot_says::LooksForAWay;
+        step.reason = robot_format::LooksForAWay;
         return step;
     }
     const Eigen::Vector2d off = *towards - here;

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 
 namespace leitstand {
 namespace {
@@ -40,11 +40,11 @@ double gap(const VirtualScanView& view, const BodyBox& body, double from, double
 /// it drives on or back, whichever is free for longer, as drivers do in narrow streets. Second choice, when
 /// the goal is behind and it sees there: back out of a blind alley on the curve that is free for longest.
 /// Last choice is to drive straight.
-DriveVelocity turnInTheNarrow(const DriveVelocity& wish, double goal, const VirtualScanView& view,
+DriveVelocity turnInTheNarrow(const DriveVelocity& requested, double goal, const VirtualScanView& view,
                               const FuzzyDriveSettings& settings, double share) {
     const BodyBox body = settings.safety.body.grown(settings.safety.margin);
     const double slow = 0.35 * share * settings.speed;
-    const double turn = std::copysign(0.4 * share * settings.turnRate, wish.turn);
+    const double turn = std::copysign(0.4 * share * settings.turnRate, requested.turn);
     constexpr double Useful = 0.06;  // [m]
     constexpr double Lately = 4.0;   // [s]
     const auto longestOf = [&](std::initializer_list<DriveVelocity> motions) {
@@ -119,25 +119,25 @@ FuzzyDriveStep FuzzyDrive::step(const VirtualScanView& view, std::optional<doubl
     step.result = m_system.infer(step.inputs);
     const int strongest = step.result.strongest();
     if (strongest < 0) {
-        step.reason = robot_says::NoRule;
+        step.reason = robot_format::NoRule;
         return step;
     }
     step.reason = m_system.rules[static_cast<std::size_t>(strongest)].text;
     const double bounded = std::clamp(share, 0.0, 1.0);
-    const DriveVelocity wish{
+    const DriveVelocity requested{
         bounded * m_settings.speed * std::clamp(step.result.outputs["speed"], -1.0, 1.0), 0.0,
         bounded * m_settings.turnRate * std::clamp(step.result.outputs["turn"], -1.0, 1.0)};
-    SafeVelocity safe = safeVelocity(wish, view, m_settings.safety);
-    if (safe.share < 0.15 && std::abs(wish.forward) > 0.01) {
+    SafeVelocity safe = safeVelocity(requested, view, m_settings.safety);
+    if (safe.share < 0.15 && std::abs(requested.forward) > 0.01) {
         // It cannot go on: it turns on the spot to where the rules, or else the free space, lead.
-        const double towards = std::abs(wish.turn) > 0.05 ? wish.turn : step.inputs["open"];
+        const double towards = std::abs(requested.turn) > 0.05 ? requested.turn : step.inputs["open"];
         const DriveVelocity turn{0.0, 0.0, std::copysign(0.5 * bounded * m_settings.turnRate, towards)};
         const SafeVelocity turning = safeVelocity(turn, view, m_settings.safety);
         if (turning.share > safe.share) safe = turning;
     }
-    if (safe.share < 0.15 && std::abs(wish.turn) > 0.05) {
-        const DriveVelocity bent =
-            turnInTheNarrow(wish, std::remainder(goal.value_or(0.0), 2.0 * Pi), view, m_settings, bounded);
+    if (safe.share < 0.15 && std::abs(requested.turn) > 0.05) {
+        const DriveVelocity bent = turnInTheNarrow(requested, std::remainder(goal.value_or(0.0), 2.0 * Pi),
+                                                   view, m_settings, bounded);
         const SafeVelocity moving = safeVelocity(bent, view, m_settings.safety);
         if (!isZero(bent) && moving.share > safe.share) safe = moving;
     }

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/time.h"
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 
 namespace leitstand {
 namespace {
@@ -158,12 +158,12 @@ bool VictimApproach::isStuck(const Pose& baseInOdom, Time now) {
 
 ApproachStep VictimApproach::settled(const HeatTarget& target, const Pose& baseInOdom) {
     const Eigen::Vector2d place = flat(baseInOdom) * target.inBase;
-    if (isKnown(place)) return giveUp(robot_says::VictimKnown, place, m_settings.sameVictim);
+    if (isKnown(place)) return giveUp(robot_format::VictimKnown, place, m_settings.sameVictim);
     if (isHidden(m_seen, target.heat)) {
         m_hidden.push_back(leftAt(place, m_settings.sameVictim));
-        return leave(robot_says::HeatHidden);
+        return leave(robot_format::HeatHidden);
     }
-    if (isBare(m_seen, target.heat)) return giveUp(robot_says::HeatBare, place, m_settings.sameLamp);
+    if (isBare(m_seen, target.heat)) return giveUp(robot_format::HeatBare, place, m_settings.sameLamp);
     const bool right = std::abs(target.distance - m_settings.distance) < 1.2 * m_settings.tolerance;
     return right || m_stuck || m_corrections >= 4 ? reach(target, baseInOdom) : ApproachStep{};
 }
@@ -179,12 +179,12 @@ ApproachStep VictimApproach::reach(const HeatTarget& target, const Pose& baseInO
     sighting.deviation = 0.15;
     sighting.confidence = m_cue.confidence;
     sighting.value = m_cue.temperature;
-    sighting.text = fmt::format(robot_says::BodyHeat, fmt::format("{:.1f}", m_cue.temperature));
+    sighting.text = fmt::format(robot_format::BodyHeat, fmt::format("{:.1f}", m_cue.temperature));
     m_sightings.push_back(sighting);
     ApproachStep step;
     step.done = true;
     step.distance = target.distance;
-    step.reason = fmt::format(robot_says::BeforeAVictim, metres(target.distance));
+    step.reason = fmt::format(robot_format::BeforeAVictim, metres(target.distance));
     return step;
 }
 
@@ -207,7 +207,7 @@ ApproachStep VictimApproach::goAround(const Eigen::Vector2d& place, const Virtua
         m_around.step(view, baseInOdom, now - std::chrono::nanoseconds(std::llround(age * 1e9)), now);
     ApproachStep step;
     step.velocity = around.velocity;
-    step.reason = robot_says::DrivesAround;
+    step.reason = robot_format::DrivesAround;
     return step;
 }
 
@@ -223,7 +223,8 @@ DriveVelocity VictimApproach::towards(const std::optional<HeatTarget>& target, d
         if (std::abs(error) < 0.2 * m_settings.tolerance) forward = 0.0;
     }
     const SafeVelocity safe = safeVelocity({forward, 0.0, turn}, view, drive.safety);
-    reason = target ? fmt::format(robot_says::HeatAhead, metres(target->distance)) : robot_says::DrivesToHeat;
+    reason =
+        target ? fmt::format(robot_format::HeatAhead, metres(target->distance)) : robot_format::DrivesToHeat;
     if (!safe.reason.empty()) reason += "; " + safe.reason;
     return safe.velocity;
 }
@@ -233,7 +234,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     ApproachStep step;
     if (m_phase == Phase::Idle) {
         step.failed = true;
-        step.reason = robot_says::NoHeat;
+        step.reason = robot_format::NoHeat;
         return step;
     }
     const Time before = m_cue.at;
@@ -249,7 +250,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     if (m_cue.at > before) m_seen.add(m_cue);
     if (m_phase == Phase::Reached) {
         step.done = true;
-        step.reason = robot_says::AtAVictim;
+        step.reason = robot_format::AtAVictim;
         return step;
     }
     const double direction = bearingOf(m_cue, baseInOdom);
@@ -260,9 +261,9 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
     // Near the end a victim on the floor may be out of the camera's sight.
     const bool close = surface && surface->distance < m_settings.distance + 0.5;
     if (secondsBetween(m_cueAt, now) > m_settings.lostAfter * (close || m_detour ? 3.0 : 1.0))
-        return giveUp(robot_says::HeatLost, place, m_settings.sameVictim);
+        return giveUp(robot_format::HeatLost, place, m_settings.sameVictim);
     if (secondsBetween(m_started, now) > m_settings.giveUpAfter)
-        return giveUp(robot_says::HeatUnreachable, place, m_settings.sameVictim);
+        return giveUp(robot_format::HeatUnreachable, place, m_settings.sameVictim);
 
     const double bearing = std::atan2(ahead.y(), ahead.x());
     const double error = surface ? surface->distance - m_settings.distance : 1.0;
@@ -271,7 +272,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
         case Phase::Reached:
             break;
         case Phase::Turn:
-            step.reason = robot_says::TurnsToHeat;
+            step.reason = robot_format::TurnsToHeat;
             if (std::abs(bearing) < 0.15) {
                 m_phase = Phase::Approach;
                 break;
@@ -289,7 +290,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
                 m_phase = Phase::Settle;
                 m_since = now;
                 m_seen = {};
-                step.reason = robot_says::MeasuresAgain;
+                step.reason = robot_format::MeasuresAgain;
                 break;
             }
             // A target out of sight on a detour is still where it was.
@@ -303,7 +304,7 @@ ApproachStep VictimApproach::step(const std::optional<HeatCue>& cue, const Virtu
             step.velocity = towards(surface, bearing, view, step.reason);
             break;
         case Phase::Settle:
-            step.reason = robot_says::MeasuresAgain;
+            step.reason = robot_format::MeasuresAgain;
             // What was seen only on the way here may belong to something else.
             if (secondsBetween(m_since, now) < m_settings.settle || m_cueAt <= m_since) break;
             if (surface) {

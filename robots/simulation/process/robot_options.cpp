@@ -15,7 +15,7 @@
 namespace leitstand::simulation {
 namespace {
 
-int told(const Result<void>& outcome) {
+int reported(const Result<void>& outcome) {
     if (outcome) return 0;
     std::fprintf(stderr, "%s\n", printable(outcome.error().text).c_str());
     return 1;
@@ -61,7 +61,7 @@ void addRobots(CLI::App& app, int& exitCode) {
             command->add_flag("--tilting", options->tilting, "Carries the tilting scanner of 2004");
         else
             command->add_flag("--turning-laser", options->turningLaser, "Its laser turns: 3D slices");
-        command->callback([options, &exitCode] { exitCode = told(runRobot(*options)); });
+        command->callback([options, &exitCode] { exitCode = reported(runRobot(*options)); });
     }
 }
 
@@ -73,7 +73,7 @@ void addArena(CLI::App& app, int& exitCode) {
     command->add_option("--seed", options->seed, "Another seed rearranges everything (1)");
     addBuilding(*command, options->building);
     command->add_option("--out", *file, "Arena file (YAML)")->required();
-    command->callback([options, file, &exitCode] { exitCode = told(writeTo(*file, *options)); });
+    command->callback([options, file, &exitCode] { exitCode = reported(writeTo(*file, *options)); });
 }
 
 }  // namespace leitstand::simulation

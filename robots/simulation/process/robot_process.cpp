@@ -66,7 +66,7 @@ Result<RobotDescription> describe(const RobotOptions& options) {
 SensorMotion motionOf(const RobotDescription& robot, StreamRole role) {
     const StreamDescription* stream = robot.stream(role);
     const auto sensor = robot.sensors.find(stream == nullptr ? std::string() : stream->sensor);
-    return sensor == robot.sensors.end() ? SensorMotion::Unsaid : sensor->second.motion;
+    return sensor == robot.sensors.end() ? SensorMotion::Unknown : sensor->second.motion;
 }
 
 Result<FuzzySystem> fuzzyRules() {
@@ -125,19 +125,19 @@ void turn(const Life& life) {
     auto& [world, agent, wire, truth, cameras] = life;
     truth.take(world);
     world.advance(Pace::Step);
-    for (const HeardCommand& heard : wire.take()) {
-        if (const auto* grant = std::get_if<GrantSample>(&heard.sample)) {
-            agent.hear(*grant, heard.from);
+    for (const ReceivedCommand& command : wire.take()) {
+        if (const auto* grant = std::get_if<GrantSample>(&command.sample)) {
+            agent.receive(*grant, command.from);
         } else {
-            agent.hear(heard.role, heard.sample, heard.from);
+            agent.receive(command.role, command.sample, command.from);
         }
     }
     for (HardwareSample& sample : agent.step()) {
         cameras.pass(sample, frozen != 0);
-        wire.say(sample);
-        if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) truth.sayLabels(world, *cloud);
+        wire.publish(sample);
+        if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) truth.publishLabels(world, *cloud);
     }
-    truth.say(world);
+    truth.publishTruth(world);
 }
 
 /// Requests the robot to end; the system ends it when a library hangs.
@@ -182,13 +182,13 @@ Result<void> runRobot(const RobotOptions& options) {
                                                    : makeCrawlerHardware(world, number, *robot, fitting);
     const auto agent = agentFor(options, *hardware, *robot);
     if (!agent) return agent.error();
-    ScreenTelling telling;
+    ScreenMessages publishing;
     const auto node = join(options, robot->name, options.domain, !options.keys.empty());
     if (!node) return node.error();
     for (const std::string& warning : (*node)->warnings())
         std::fprintf(stderr, "%s\n", printable(warning).c_str());
-    (*node)->onDiscovery([&telling, raw = node->get()] {
-        for (const ScreenDrop& drop : telling.due(raw->dropped()))
+    (*node)->onDiscovery([&publishing, raw = node->get()] {
+        for (const ScreenDrop& drop : publishing.due(raw->dropped()))
             std::fprintf(stderr, "%s\n", printable(toString(drop)).c_str());
     });
     const auto truths = join(options, robot->name + " truth", options.domain + 100, false);

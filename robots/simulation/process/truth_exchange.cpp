@@ -70,7 +70,7 @@ std::string topicPart(const Arena& arena) {
 struct TruthExchange::State {
     State(const RobotDescription& description, int its)
         : name(description.name), robot(its), pointLabels(description, its) {}
-    struct Heard {
+    struct Received {
         std::string kind;
         Pose baseInArena = Pose::Identity();
         Time at{};
@@ -82,7 +82,7 @@ struct TruthExchange::State {
     };
 
     Result<void> open(Node& node, const Arena& arena);
-    void hear(const std::string& kind, const StreamDescription& stream, const ReceivedSample& sample);
+    void receive(const std::string& kind, const StreamDescription& stream, const ReceivedSample& sample);
 
     std::string kind;
     const std::string name;
@@ -92,11 +92,11 @@ struct TruthExchange::State {
     std::map<std::string, Ghost> ghosts;
     BumpSample bumps;
     std::size_t bumpsSeen = 0;
-    Time said{};
-    bool victimsSaid = false;
+    Time published{};
+    bool victimsPublished = false;
     SightingSample allVictims;
     std::mutex mutex;
-    std::map<std::string, Heard> heard;                        ///< by name; guarded by the mutex
+    std::map<std::string, Received> others;                    ///< by name; guarded by the mutex
     std::vector<std::unique_ptr<Subscription>> subscriptions;  ///< last: callbacks use the members above
 };
 
@@ -119,24 +119,24 @@ Result<void> TruthExchange::State::open(Node& node, const Arena& arena) {
         return made;
     for (const std::string one : {"kurt3d", "crawler"}) {
         const StreamDescription stream = odometryOn(root + one);
-        auto made =
-            node.subscribe({stream.topic, stream.type, stream.qos, Lane::Small},
-                           [this, one, stream](const ReceivedSample& sample) { hear(one, stream, sample); });
+        auto made = node.subscribe(
+            {stream.topic, stream.type, stream.qos, Lane::Small},
+            [this, one, stream](const ReceivedSample& sample) { receive(one, stream, sample); });
         if (!made) return made.error();
         subscriptions.push_back(std::move(made).value());
     }
     return {};
 }
 
-void TruthExchange::State::hear(const std::string& from, const StreamDescription& stream,
-                                const ReceivedSample& sample) {
+void TruthExchange::State::receive(const std::string& from, const StreamDescription& stream,
+                                   const ReceivedSample& sample) {
     const auto decoded = decode(sample.event, stream);
     const auto* pose = decoded ? std::get_if<OdometrySample>(&*decoded) : nullptr;
     if (pose == nullptr || pose->header.frame != Frame) return;
     const std::string who = pose->childFrame.substr(0, pose->childFrame.find('/'));
     const std::lock_guard lock(mutex);
-    if (who == name || (heard.size() >= MostGhosts && !heard.contains(who))) return;
-    heard[who] = {from, pose->baseInOdom, sample.event.received, true};
+    if (who == name || (others.size() >= MostGhosts && !others.contains(who))) return;
+    others[who] = {from, pose->baseInOdom, sample.event.received, true};
 }
 
 TruthExchange::TruthExchange(std::unique_ptr<State> state) : m_state(std::move(state)) {}
@@ -157,18 +157,18 @@ Result<std::unique_ptr<TruthExchange>> TruthExchange::create(Node& node, const A
 void TruthExchange::take(World& world) {
     const Time now = std::chrono::system_clock::now();
     const std::lock_guard lock(m_state->mutex);
-    for (auto& [name, heard] : m_state->heard) {
+    for (auto& [name, others] : m_state->others) {
         auto found = m_state->ghosts.find(name);
-        if (heard.fresh) {
-            heard.fresh = false;
+        if (others.fresh) {
+            others.fresh = false;
             if (found == m_state->ghosts.end()) {
-                BodySpec body = heard.kind == "kurt3d" ? kurt3dBody() : crawlerBody();
+                BodySpec body = others.kind == "kurt3d" ? kurt3dBody() : crawlerBody();
                 body.name = name;
                 found = m_state->ghosts.emplace(name, State::Ghost{world.addGhost(body)}).first;
             }
             found->second.there = true;
-            world.placeGhost(found->second.number, heard.baseInArena);
-        } else if (found != m_state->ghosts.end() && found->second.there && now - heard.at > Forgotten) {
+            world.placeGhost(found->second.number, others.baseInArena);
+        } else if (found != m_state->ghosts.end() && found->second.there && now - others.at > Forgotten) {
             // The ghost's process ended: moves it out of everybody's way.
             Pose away = Pose::Identity();
             away.translation() = Eigen::Vector3d(0.0, 0.0, -100.0);
@@ -178,13 +178,13 @@ void TruthExchange::take(World& world) {
     }
 }
 
-void TruthExchange::sayLabels(const World& world, const CloudSample& cloud) {
+void TruthExchange::publishLabels(const World& world, const CloudSample& cloud) {
     if (m_state->labels->matched() > 0) write(*m_state->labels, m_state->pointLabels.of(cloud, world));
 }
 
-void TruthExchange::say(const World& world) {
-    if (!m_state->victimsSaid) {
-        m_state->victimsSaid = true;
+void TruthExchange::publishTruth(const World& world) {
+    if (!m_state->victimsPublished) {
+        m_state->victimsPublished = true;
         m_state->allVictims.header.stamp = world.now();
         write(*m_state->victims, m_state->allVictims);
     }
@@ -200,8 +200,8 @@ void TruthExchange::say(const World& world) {
         m_state->bumps.header = {bump.at, m_state->name + "/base_link"};
         write(*m_state->contacts, m_state->bumps);
     }
-    if (world.now() - m_state->said < Period) return;
-    m_state->said = world.now();
+    if (world.now() - m_state->published < Period) return;
+    m_state->published = world.now();
     const BodyState& state = world.state(m_state->robot);
     OdometrySample pose;
     pose.header = {world.now(), Frame};

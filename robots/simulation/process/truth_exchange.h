@@ -27,10 +27,10 @@ public:
     TruthExchange(const TruthExchange&) = delete;
     TruthExchange& operator=(const TruthExchange&) = delete;
 
-    void take(World& world);       ///< moves ghosts to the poses that were received
-    void say(const World& world);  ///< publishes the pose at 50 Hz of world time, and new contacts
+    void take(World& world);                ///< moves ghosts to the poses that were received
+    void publishTruth(const World& world);  ///< publishes the pose at 50 Hz of world time, and new contacts
     /// Publishes the labels of @p cloud (at most 5 s old) while somebody subscribes to them.
-    void sayLabels(const World& world, const CloudSample& cloud);
+    void publishLabels(const World& world, const CloudSample& cloud);
 
 private:
     struct State;

@@ -35,7 +35,7 @@ struct BodyState {
 };
 
 /// An arena with robots in it, on a clock of its own; deterministic for an arena and a seed.
-/// docs/simulation.md, "Ground", describes how robots move. Where an arena has no floor, one lies at z = 0.
+/// docs/simulated-robots.md, "How robots move". Where an arena has no floor, one lies at z = 0.
 class World {
 public:
     World(const Arena& arena, std::uint64_t seed, Time start = Time(std::chrono::seconds(1'000'000)));

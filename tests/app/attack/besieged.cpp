@@ -85,7 +85,7 @@ void Besieged::begin(Keys keys) {
     listener.onEvent = [this](const Event& event) {
         if (event.role != StreamRole::Odometry) return;
         const std::scoped_lock lock(m_heardMutex);
-        m_heard[event.robot].push_back(event.received);
+        m_received[event.robot].push_back(event.received);
     };
     m_station = must(Station::open(settings, std::move(listener)));
     m_attacker = std::make_unique<Attacker>(m_domain.number());
@@ -97,8 +97,8 @@ void Besieged::begin(Keys keys) {
     ASSERT_TRUE(
         waitUntil([&] { return m_recorder->out().find("recording domain") != std::string::npos; }, 60s));
     for (const char* robot : Robots) {
-        const std::string heard = fmt::format("{}: connected", robot);
-        ASSERT_TRUE(waitUntil([&] { return m_recorder->out().find(heard) != std::string::npos; }, 60s))
+        const std::string gotOne = fmt::format("{}: connected", robot);
+        ASSERT_TRUE(waitUntil([&] { return m_recorder->out().find(gotOne) != std::string::npos; }, 60s))
             << m_recorder->out();
     }
     std::vector<std::string> network = {"--interface", "lo"};
@@ -107,7 +107,7 @@ void Besieged::begin(Keys keys) {
     m_other = std::make_unique<ListeningStation>(m_folder / "other", m_domain, network);
     ASSERT_TRUE(waitUntil(
         [&] {
-            return m_other->hears({odometryOf("kurt3d"), odometryOf("crawler")});
+            return m_other->receives({odometryOf("kurt3d"), odometryOf("crawler")});
         },
         60s));
     for (std::size_t i = 0; i < m_robots.size(); ++i) watch(Robots[i], m_robots[i]->id());
@@ -188,14 +188,14 @@ void Besieged::storm(Mutator& mutator, Mutation how, int count) {
 bool Besieged::hearsAgain() {
     const auto heardFrom = [this](const std::string& robot, Time from) {
         const std::scoped_lock lock(m_heardMutex);
-        return countFrom(m_heard[robot], from);
+        return countFrom(m_received[robot], from);
     };
     return waitUntil(
         [&] {
             const Time from = stationTime() - 1s;
             return std::all_of(std::begin(Robots), std::end(Robots), [&](const char* robot) {
-                const std::uint64_t said = saidFrom(robot, from);
-                return said >= LeastRate && double(heardFrom(robot, from)) >= FullRate * double(said);
+                const std::uint64_t reported = saidFrom(robot, from);
+                return reported >= LeastRate && double(heardFrom(robot, from)) >= FullRate * double(reported);
             });
         },
         5s);
@@ -204,8 +204,8 @@ bool Besieged::hearsAgain() {
 void Besieged::expectUnharmed(const std::string& what, std::uint64_t packets) {
     m_proofs.push_back({what, stationTime()});
     for (const Watched& one : m_watched) EXPECT_TRUE(lives(one.process)) << one.who << " after " << what;
-    const bool hears = hearsAgain();
-    EXPECT_TRUE(hears) << what;
+    const bool receives = hearsAgain();
+    EXPECT_TRUE(receives) << what;
     double more = 0.0;
     for (const Watched& one : m_watched) {
         const double grown = residentMegabytes(one.process) - one.megabytes;
@@ -216,7 +216,7 @@ void Besieged::expectUnharmed(const std::string& what, std::uint64_t packets) {
     tellAttack(
         "wire", what + (m_keys == Keys::All ? ", with keys" : ""), packets,
         fmt::format("{}, {:.0f} MB more at most",
-                    hears ? "all live, robots heard at full rate within 5 s" : "ROBOTS NOT HEARD", more));
+                    receives ? "all live, robots heard at full rate within 5 s" : "ROBOTS NOT HEARD", more));
 }
 
 void Besieged::endAndExpectWhole() {
@@ -230,14 +230,14 @@ void Besieged::endAndExpectWhole() {
         BagQuery query;
         query.topics = {odometryOf(robot)};
         BagCursor cursor = bag->read(query);
-        std::vector<Time> heard;
-        while (const auto event = cursor.next()) heard.push_back(event->received);
+        std::vector<Time> gotOne;
+        while (const auto event = cursor.next()) gotOne.push_back(event->received);
         for (const Proof& proof : m_proofs) {
             bool full = false;
             for (auto from = proof.end; from < proof.end + 4s; from += 250ms) {
-                const std::uint64_t said = saidFrom(robot, from);
-                full =
-                    full || (said >= LeastRate && double(countFrom(heard, from)) >= FullRate * double(said));
+                const std::uint64_t reported = saidFrom(robot, from);
+                full = full || (reported >= LeastRate &&
+                                double(countFrom(gotOne, from)) >= FullRate * double(reported));
             }
             EXPECT_TRUE(full) << proof.what << ", recorded of " << robot << "; " << m_recorder->out();
         }

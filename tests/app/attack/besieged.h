@@ -63,7 +63,7 @@ private:
     std::map<std::string, Inbox> m_inboxes;     ///< odometry, of the node
     std::vector<std::unique_ptr<Subscription>> m_listening;
     mutable std::mutex m_heardMutex;
-    std::map<std::string, std::vector<Time>> m_heard;  ///< odometry, by the station
+    std::map<std::string, std::vector<Time>> m_received;  ///< odometry, by the station
     std::vector<Proof> m_proofs;
     std::unique_ptr<Attacker> m_attacker;
     std::unique_ptr<Station> m_station;  ///< last: its callbacks use the others

@@ -33,12 +33,12 @@ TEST(GraphCommand, SolvesAGraphTellsItsCostAndWritesIt) {
     const std::string out = (folder / "solved.g2o").string();
     const auto run = leitstandctl({"graph", (folder / "row.g2o").string(), "--out", out, "--json"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
-    const json told = json::parse(run.out);
-    EXPECT_EQ(told["nodes"], 3);
-    EXPECT_EQ(told["links"], 3);
-    EXPECT_NEAR(told["cost_before"].get<double>(), 0.04, 1e-12) << "half of 0.2 squared, twice";
-    EXPECT_LT(told["cost"].get<double>(), 1e-9);
-    EXPECT_TRUE(told["converged"]);
+    const json reported = json::parse(run.out);
+    EXPECT_EQ(reported["nodes"], 3);
+    EXPECT_EQ(reported["links"], 3);
+    EXPECT_NEAR(reported["cost_before"].get<double>(), 0.04, 1e-12) << "half of 0.2 squared, twice";
+    EXPECT_LT(reported["cost"].get<double>(), 1e-9);
+    EXPECT_TRUE(reported["converged"]);
     const auto solved = readG2o(out);
     ASSERT_TRUE(solved) << solved.error().text;
     EXPECT_NEAR(solved->nodes.back().pose.translation().x(), 2.0, 1e-6);

@@ -46,10 +46,10 @@ json bothWays(std::vector<std::string> command, int exitCode = 0) {
     EXPECT_EQ(words.exitCode, exitCode) << command[0] << ": " << words.err;
     EXPECT_EQ(obeyed(words.out + words.err), 0U) << command[0];
     command.push_back("--json");
-    const auto told = leitstandctl(command);
-    EXPECT_EQ(told.exitCode, exitCode) << command[0] << ": " << told.err;
-    EXPECT_EQ(obeyed(told.out + told.err), 0U) << command[0];
-    return json::parse(told.out, nullptr, false);
+    const auto reported = leitstandctl(command);
+    EXPECT_EQ(reported.exitCode, exitCode) << command[0] << ": " << reported.err;
+    EXPECT_EQ(obeyed(reported.out + reported.err), 0U) << command[0];
+    return json::parse(reported.out, nullptr, false);
 }
 
 void writeHostileBag(const fs::path& mission) {
@@ -75,10 +75,10 @@ TEST(HostileNames, OfTopicsAndFilesAreShownNotObeyed) {
     EXPECT_TRUE(
         bothWays({"replay", mission.string(), "--domain", std::to_string(domain.number())}).is_object());
     for (const char* out : {"thin1", "thin2"}) {
-        const auto told =
+        const auto reported =
             leitstandctl({"thin", mission.string(), "--out", (folder / out).string(), "--json"});
-        EXPECT_EQ(told.exitCode, 0) << told.err;
-        EXPECT_EQ(obeyed(told.out + told.err), 0U);
+        EXPECT_EQ(reported.exitCode, 0) << reported.err;
+        EXPECT_EQ(obeyed(reported.out + reported.err), 0U);
     }
     (void)leitstandctl(
         {"report", mission.string(), "--out", (folder / "report").string(), "--no-pdf", "--json"});

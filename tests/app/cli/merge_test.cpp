@@ -46,10 +46,10 @@ TEST_F(MergeCommand, TwoMissionsOfARoomAreOneMapInWhichNothingChanged) {
     const std::string both = (folder / "both").string();
     const auto merged = leitstandctl({"merge", monday, tuesday, "-o", both, "--json"});
     ASSERT_EQ(merged.exitCode, 0) << merged.err;
-    const json told = json::parse(merged.out);
-    EXPECT_EQ(told["first"], 24);
-    EXPECT_EQ(told["second"], 24);
-    EXPECT_EQ(told["together"], true);
+    const json reported = json::parse(merged.out);
+    EXPECT_EQ(reported["first"], 24);
+    EXPECT_EQ(reported["second"], 24);
+    EXPECT_EQ(reported["together"], true);
     const auto changes = leitstandctl({"changes", both});
     EXPECT_EQ(changes.exitCode, 0) << changes.err;
     EXPECT_THAT(changes.out, HasSubstr("monday -> tuesday: 24 and 24 key scans"));

@@ -58,8 +58,8 @@ void record(const fs::path& mission, const std::vector<std::string>& robot = {},
             const std::vector<std::string>& recorder = {}) {
     const TestDomain domain;
     Recording recording(domain, mission, recorder);
-    Robot saying(domain, robot);
-    ASSERT_TRUE(saying.saidAll()) << saying.out() << recording.out();
+    Robot pending(domain, robot);
+    ASSERT_TRUE(pending.saidAll()) << pending.out() << recording.out();
     ASSERT_EQ(recording.stop(), 0) << recording.out();
 }
 
@@ -82,13 +82,13 @@ TEST(Mission, WhatARobotSaysIsRecordedAndRegistered) {
     ASSERT_NO_FATAL_FAILURE(record(mission));
     const auto info = leitstandctl({"info", mission.string(), "--json"});
     ASSERT_EQ(info.exitCode, 0) << info.err;
-    const json told = json::parse(info.out);
-    EXPECT_EQ(messagesOn(told, "/kurt3d/points"), 3u);
-    EXPECT_EQ(messagesOn(told, "/kurt3d/tf_static"), 1u);
-    EXPECT_GT(messagesOn(told, "/kurt3d/odom"), 20u);
-    EXPECT_EQ(messagesOn(told, "/leitstand/sessions"), 2u) << "its beginning and its end";
-    EXPECT_GE(messagesOn(told, "/leitstand/checkpoints"), 1u);
-    EXPECT_EQ(told["problems"].size(), 0u) << info.out;
+    const json reported = json::parse(info.out);
+    EXPECT_EQ(messagesOn(reported, "/kurt3d/points"), 3u);
+    EXPECT_EQ(messagesOn(reported, "/kurt3d/tf_static"), 1u);
+    EXPECT_GT(messagesOn(reported, "/kurt3d/odom"), 20u);
+    EXPECT_EQ(messagesOn(reported, "/leitstand/sessions"), 2u) << "its beginning and its end";
+    EXPECT_GE(messagesOn(reported, "/leitstand/checkpoints"), 1u);
+    EXPECT_EQ(reported["problems"].size(), 0u) << info.out;
 
     const auto run = leitstandctl({"register", mission.string(), "--json"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
@@ -188,14 +188,14 @@ TEST(Mission, ALinkThatBreaksIsToldWhileItIsRecorded) {
     const TemporaryFolder folder;
     const TestDomain domain;
     Recording recording(domain, folder / "mission", {"--robot", "kurt3d", "crawler"});
-    const auto told = [&](const std::string& text) {
+    const auto reported = [&](const std::string& text) {
         return waitUntil([&] { return recording.out().find(text) != std::string::npos; });
     };
     {
         Robot robot(domain);
-        EXPECT_TRUE(told("kurt3d: connected")) << recording.out();
+        EXPECT_TRUE(reported("kurt3d: connected")) << recording.out();
     }
-    EXPECT_TRUE(told("kurt3d: lost: ")) << recording.out();
+    EXPECT_TRUE(reported("kurt3d: lost: ")) << recording.out();
     Robot again(domain, {"--wait-for", "0"});
     EXPECT_TRUE(waitUntil([&] {
         const std::string out = recording.out();
@@ -228,17 +228,17 @@ TEST(Replay, StandsStillWhilePausedAndGoesOnWhereItWas) {
     ChildProcess replay(program("leitstandctl"), {"replay", mission.string(), "--domain",
                                                   std::to_string(domain.number()), "--loop", "--rate", "2"});
     Recording recording(domain, folder / "heard");
-    const auto heard = [&] {
+    const auto received = [&] {
         const auto bag = BagReader::open(folder / "heard");
         return bag ? (*bag)->lastSequence() : 0;
     };
-    ASSERT_TRUE(waitUntil([&] { return heard() > 50; }, std::chrono::seconds(30))) << replay.out();
+    ASSERT_TRUE(waitUntil([&] { return received() > 50; }, std::chrono::seconds(30))) << replay.out();
     replay.signal(SIGUSR1);
     // Once nothing has come for a second and a half, three commits of the log, it stands still.
     std::uint64_t before = 0;
     ASSERT_TRUE(waitUntil(
         [&] {
-            const auto now = heard();
+            const auto now = received();
             std::this_thread::sleep_for(std::chrono::milliseconds(1500));
             return std::exchange(before, now) == now;
         },
@@ -246,8 +246,8 @@ TEST(Replay, StandsStillWhilePausedAndGoesOnWhereItWas) {
     replay.signal(SIGUSR1);
     // It loops: far more comes than the mission holds.
     const auto whole = (*BagReader::open(mission))->lastSequence();
-    EXPECT_TRUE(waitUntil([&] { return heard() > before + whole; }, std::chrono::seconds(40)))
-        << heard() << " of " << before + whole;
+    EXPECT_TRUE(waitUntil([&] { return received() > before + whole; }, std::chrono::seconds(40)))
+        << received() << " of " << before + whole;
     replay.signal(SIGINT);
     EXPECT_EQ(replay.wait(), 0) << replay.out();
     EXPECT_EQ(recording.stop(), 0);

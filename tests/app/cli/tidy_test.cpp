@@ -23,8 +23,8 @@ void writeUntidy(const std::filesystem::path& folder) {
     std::vector<ScanPose> poses = writeRoom(mission, alongTheRoom(), seconds);
     for (std::size_t i = 1; i < poses.size(); ++i)
         poses[i].scanInMap = poses[i].scanInMap * poseFrom({i % 2 == 0 ? 0.05 : -0.04, 0.03, 0}, 0, 0, 0);
-    mission.say(seconds, std::string(station_topic::ScanPoses),
-                ScanPosesSample{Time{}, "us", ScanPosesSample::Cause::Registration, poses});
+    mission.publish(seconds, std::string(station_topic::ScanPoses),
+                    ScanPosesSample{Time{}, "us", ScanPosesSample::Cause::Registration, poses});
 }
 
 TEST(TidyCommand, MovesScansTellsItAndTakesItBack) {
@@ -33,11 +33,11 @@ TEST(TidyCommand, MovesScansTellsItAndTakesItBack) {
     writeUntidy(mission);
     const auto run = leitstandctl({"tidy", mission, "--json"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
-    const json told = json::parse(run.out);
-    EXPECT_EQ(told["scans"], 6);
-    EXPECT_EQ(told["moved"], 5);
-    EXPECT_GT(told["largest_shift"], 0.03);
-    EXPECT_LT(told["rms_after"], told["rms_before"]);
+    const json reported = json::parse(run.out);
+    EXPECT_EQ(reported["scans"], 6);
+    EXPECT_EQ(reported["moved"], 5);
+    EXPECT_GT(reported["largest_shift"], 0.03);
+    EXPECT_LT(reported["rms_after"], reported["rms_before"]);
     const auto again = leitstandctl({"tidy", mission});
     EXPECT_EQ(again.exitCode, 0) << again.err;
     EXPECT_THAT(again.out, HasSubstr("nothing moved noticeably, nothing was written"));

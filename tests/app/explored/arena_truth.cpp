@@ -27,13 +27,13 @@ ArenaTruth::ArenaTruth(const TestDomain& domain, const std::string& arena,
             [this, &track, stream, child = robot + "/base_link"](const ReceivedSample& received) {
                 const auto sample = decode(received.event, stream);
                 if (!sample) return;
-                const auto* said = std::get_if<OdometrySample>(&sample.value());
-                if (said == nullptr || said->childFrame != child) return;
+                const auto* reported = std::get_if<OdometrySample>(&sample.value());
+                if (reported == nullptr || reported->childFrame != child) return;
                 const std::scoped_lock lock(m_mutex);
                 if (track.newest)
-                    track.way += (said->baseInOdom.translation() - track.newest->translation()).norm();
-                track.newest = said->baseInOdom;
-                track.track.add(said->header.stamp, said->baseInOdom);
+                    track.way += (reported->baseInOdom.translation() - track.newest->translation()).norm();
+                track.newest = reported->baseInOdom;
+                track.track.add(reported->header.stamp, reported->baseInOdom);
             })));
     }
 }

@@ -95,7 +95,7 @@ public:
         return waitUntil(
             [&] {
                 return std::all_of(Robots.begin(), Robots.end(), [&](const std::string& robot) {
-                    m_station->ask(robot);
+                    m_station->requestGrant(robot);
                     return m_station->robot(robot).grant.mine && m_truth.newest(robot) &&
                            m_station->robot(robot).link.state == LinkState::Connected;
                 });
@@ -164,7 +164,7 @@ private:
                 if (!place) continue;
                 m_filings = m_station->finds().filings();
                 m_filing = &victim;
-                m_station->finds().freezeAt(robot, VictimSample::Kind::Victim, *place);
+                m_station->finds().freezeAt(robot, FindSample::Kind::Victim, *place);
                 return;
             }
         }

@@ -22,8 +22,9 @@ Pose TouredByStation::baseInArena() const {
 
 ModeSample TouredByStation::mode() const {
     const auto mission = m_station.mission();
-    const auto said = mission->robots.find(m_robot);
-    return said != mission->robots.end() && said->second->mode ? said->second->mode->sample : ModeSample();
+    const auto reported = mission->robots.find(m_robot);
+    return reported != mission->robots.end() && reported->second->mode ? reported->second->mode->sample
+                                                                       : ModeSample();
 }
 
 void TouredByStation::ask(const std::string& mode) {
@@ -46,18 +47,18 @@ bool TouredByStation::take() {
         return other.name != m_robot && m_station.robot(other.name).drive.focus;
     });
     if (others) return false;
-    m_station.focus(m_robot);
-    m_station.push({}, true);
+    m_station.setDriveFocus(m_robot);
+    m_station.setStick({}, true);
     return m_station.robot(m_robot).drive.focus && !m_station.robot(m_robot).drive.needsNeutral;
 }
 
 void TouredByStation::drive(double forward, double turn) {
-    m_station.push({forward, 0.0, turn}, true);
+    m_station.setStick({forward, 0.0, turn}, true);
 }
 
 void TouredByStation::release() {
-    m_station.push({});
-    m_station.focus({});
+    m_station.setStick({});
+    m_station.setDriveFocus({});
 }
 
 }  // namespace leitstand::test

@@ -58,7 +58,7 @@ public:
             m_drives = false;
             m_neutralSince = now;
         }
-        m_station.push({isNeutral(now) ? 0.0 : m_speed, 0.0, 0.0});
+        m_station.setStick({isNeutral(now) ? 0.0 : m_speed, 0.0, 0.0});
         if (m_drives || !moves()) return;
         m_drives = true;
         std::puts("drives");
@@ -108,8 +108,8 @@ int main(int argc, char** argv) {
     auto station = Station::open(settings, listener);
     if (!station) return std::puts(station.error().text.c_str()), 1;
     if (says("--nevertheless")) (*station)->brakes().setOverridden(words[2], true);
-    (*station)->ask(words[2]);
-    (*station)->focus(words[2]);
+    (*station)->requestGrant(words[2]);
+    (*station)->setDriveFocus(words[2]);
     Hand hand(**station, words[2], std::stod(words[3]));
     bool failed = false;
     for (auto next = Clock::now();; next += 20ms) {

@@ -18,7 +18,7 @@ CommandWire::CommandWire(const TestDomain& domain) {
     NodeSettings settings;
     settings.domain = domain.number();
     m_node = Node::create(settings).value();
-    const auto hear = [this, stream](const ReceivedSample& sample) {
+    const auto receive = [this, stream](const ReceivedSample& sample) {
         const auto now = Clock::now();
         const auto command = decode(sample.event, stream);
         if (!command) return;
@@ -30,10 +30,10 @@ CommandWire::CommandWire(const TestDomain& domain) {
         m_any = true;
         m_turning = turning;
     };
-    m_commands = m_node->subscribe({stream.topic, stream.type, stream.qos, Lane::Small}, hear).value();
+    m_commands = m_node->subscribe({stream.topic, stream.type, stream.qos, Lane::Small}, receive).value();
 }
 
-bool CommandWire::hears() const {
+bool CommandWire::receives() const {
     const std::lock_guard lock(m_mutex);
     return m_any;
 }

@@ -19,7 +19,7 @@ public:
 
     /// Waits until a command turns (or not, with @p turning false); when it came. Nothing after 10 s.
     [[nodiscard]] std::optional<Clock::time_point> waitFor(bool turning) const;
-    [[nodiscard]] bool hears() const;
+    [[nodiscard]] bool receives() const;
 
 private:
     mutable std::mutex m_mutex;

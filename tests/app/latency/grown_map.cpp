@@ -30,8 +30,8 @@ void growMap(const std::filesystem::path& folder, const std::vector<RobotDescrip
         copy.scanInMap = one.pose.scanInMap;
         copy.matched = newest;
         copy.id = ++newest;
-        const auto said = mission->say(copy, station_topic::KeyScans);
-        ASSERT_TRUE(said.ok()) << said.error().text;
+        const auto reported = mission->record(copy, station_topic::KeyScans);
+        ASSERT_TRUE(reported.ok()) << reported.error().text;
     }
     const auto closed = mission->close();
     ASSERT_TRUE(closed.ok()) << closed.error().text;

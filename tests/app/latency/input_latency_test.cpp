@@ -39,7 +39,7 @@ protected:
         take();
         ASSERT_TRUE(soon([&] {
             return robot().grant.mine && robot().drive.listening && robot().drive.focus &&
-                   !robot().drive.needsNeutral && m_wire.hears();
+                   !robot().drive.needsNeutral && m_wire.receives();
         }));
     }
     /// All presses of a few attempts at press(), taken together, are fast enough.
@@ -69,9 +69,10 @@ protected:
                 const bool on = i % 2 == 0;
                 const auto since = Clock::now();
                 turn(on);
-                const auto heard = m_wire.waitFor(on);
-                lost = !heard;
-                if (heard) took.push_back(std::chrono::duration<double, std::milli>(*heard - since).count());
+                const auto received = m_wire.waitFor(on);
+                lost = !received;
+                if (received)
+                    took.push_back(std::chrono::duration<double, std::milli>(*received - since).count());
             }
             done = true;
         });

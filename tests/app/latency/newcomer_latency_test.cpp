@@ -49,7 +49,7 @@ public:
     /// From the window's appearance until the robot moved [s]; nothing when it never did.
     [[nodiscard]] std::optional<double> seconds() const { return m_seconds; }
     /// What the strip said last, for a failure's text.
-    [[nodiscard]] const std::string& said() const { return m_said; }
+    [[nodiscard]] const std::string& reported() const { return m_said; }
 
 private:
     void look() {
@@ -84,7 +84,7 @@ private:
              {"does not hear", "not on this robot", "must be neutral", "held:", "LOST"}) {
             if (text.contains(QLatin1String(obstacle))) return false;
         }
-        return text.contains(QStringLiteral("you have the grant"));
+        return text.contains(QStringLiteral("drive control: yours"));
     }
     void hold(LiveWindow& window, bool on) {
         m_holds = on;
@@ -100,11 +100,11 @@ private:
         return nullptr;
     }
     [[nodiscard]] bool moved() const {
-        const auto heard = m_ears->all<OdometrySample>(m_topic);
-        if (heard.empty()) return false;
+        const auto received = m_ears->all<OdometrySample>(m_topic);
+        if (received.empty()) return false;
         const Eigen::Vector3d way =
-            heard.back().baseInOdom.translation() - heard.front().baseInOdom.translation();
-        return heard.back().linear.x() > Moves || way.norm() > Moves;
+            received.back().baseInOdom.translation() - received.front().baseInOdom.translation();
+        return received.back().linear.x() > Moves || way.norm() > Moves;
     }
 
     std::string m_topic, m_said;
@@ -128,7 +128,7 @@ TEST(NewcomerLatency, DrivesWithinTenSecondsOfTheWindowsAppearance) {
     options.domain = domain.number();
     options.mission = (home / "mission").string();
     EXPECT_EQ(runLive(options), 0);
-    ASSERT_TRUE(newcomer.seconds().has_value()) << "it never moved; the strip said: " << newcomer.said();
+    ASSERT_TRUE(newcomer.seconds().has_value()) << "it never moved; the strip said: " << newcomer.reported();
     std::cout << "drives " << *newcomer.seconds() << " s after the window's appearance\n";
     EXPECT_LE(*newcomer.seconds(), MostSeconds);
 }

@@ -77,7 +77,7 @@ bool explores(const Station& station, const std::string& robot) {
     return found != state->robots.end() && found->second->mode && found->second->mode->sample.autonomous;
 }
 
-void tell(const LinkStatus& link) {
+void print(const LinkStatus& link) {
     std::printf("link %s %s\n", link.robot.c_str(), toString(link.state).c_str());
     for (const StreamStatus& stream : link.streams) {
         if (!stream.steady) continue;
@@ -104,10 +104,10 @@ int main(int count, char** words) {
     }
     while (ended == 0) {
         for (const std::string& robot : arguments.robots) {
-            if (arguments.explore && !station.robot(robot).grant.mine) station.ask(robot);
+            if (arguments.explore && !station.robot(robot).grant.mine) station.requestGrant(robot);
             if (arguments.explore && station.robot(robot).grant.mine && !explores(station, robot))
                 (void)station.setMode(robot, "explore");
-            tell(station.robot(robot).link);
+            print(station.robot(robot).link);
         }
         std::puts("told");
         std::fflush(stdout);

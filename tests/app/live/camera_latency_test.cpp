@@ -53,7 +53,7 @@ public:
         m_node = nodeIn(domain);
         m_publisher = must(m_node->publisher({stream.topic, stream.type, stream.qos, Flow::Immediate}));
     }
-    [[nodiscard]] bool heard() const { return m_publisher->matched() > 0; }
+    [[nodiscard]] bool received() const { return m_publisher->matched() > 0; }
     void send() {
         QImage image(640, 480, QImage::Format_RGB32);
         image.fill(QColor::fromHsv(17 * ++m_count % 360, 120, 180));
@@ -135,7 +135,7 @@ protected:
         m_window->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(m_window.get()));
         m_camera.emplace(m_domain, *robots.back().stream(StreamRole::Picture, "left"));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return m_camera->heard(); }, Patience));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return m_camera->received(); }, Patience));
         m_window->selection().select(QString::fromStdString(robots.back().name));
     }
     /// All pictures of a few attempts, taken together, are painted soon enough.

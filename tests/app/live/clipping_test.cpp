@@ -85,7 +85,7 @@ protected:
     EventfulTexts() : LivePage(Robots::None) {}
     ~EventfulTexts() override { useLanguage(QStringLiteral("en")); }
     void fillForm() {
-        VictimSample form = station().mission()->victims->at({VictimSample::Kind::Victim, 1}).victim;
+        FindSample form = station().mission()->finds->at({FindSample::Kind::Victim, 1}).victim;
         const VictimSign present{VictimSign::State::Present, "", Unknown};
         form.form = form.motion = form.sound = present;
         form.heat = {VictimSign::State::Present, "face", 34.0};
@@ -94,7 +94,7 @@ protected:
         form.area = "yellow";
         form.tag = "R-17";
         ASSERT_TRUE(station().finds().edit(form).ok());
-        ASSERT_TRUE(station().finds().confirm({VictimSample::Kind::Victim, 1}).ok());
+        ASSERT_TRUE(station().finds().confirm({FindSample::Kind::Victim, 1}).ok());
     }
     template <class View>
     [[nodiscard]] int rowsOf(const char* name) const {

@@ -16,18 +16,19 @@ class Closing : public LivePage {
 protected:
     [[nodiscard]] bool drivesItself() const {
         const auto mission = station().mission();
-        const auto said = mission->robots.find("kurt3d");
-        return said != mission->robots.end() && said->second->mode && said->second->mode->sample.autonomous;
+        const auto reported = mission->robots.find("kurt3d");
+        return reported != mission->robots.end() && reported->second->mode &&
+               reported->second->mode->sample.autonomous;
     }
     void explore() {
-        station().ask("kurt3d");
+        station().requestGrant("kurt3d");
         ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
         ASSERT_TRUE(soon([&] { return station().setMode("kurt3d", "explore").ok() && drivesItself(); }));
         // What the window shows is of its newest tick.
         ASSERT_TRUE(soon([&] {
             const LiveMoment& moment = m_bridge->moment();
-            return moment.mission && moment.said("kurt3d").mode &&
-                   moment.said("kurt3d").mode->sample.autonomous;
+            return moment.mission && moment.reported("kurt3d").mode &&
+                   moment.reported("kurt3d").mode->sample.autonomous;
         }));
     }
     [[nodiscard]] QMessageBox* question() const {

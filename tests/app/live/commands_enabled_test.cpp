@@ -88,7 +88,7 @@ TEST_F(CommandsEnabled, TheFormsCommandsOpenTheForm) {
     command("form.next").trigger();
     EXPECT_TRUE(window().newest().contains(QStringLiteral("Choose a filed find"))) << "none is chosen";
     EXPECT_FALSE(window().panes().isPaneVisible(QStringLiteral("form")));
-    station().finds().freezeAt("kurt3d", VictimSample::Kind::Victim, {1.0, 0.0, 0.2});
+    station().finds().freezeAt("kurt3d", FindSample::Kind::Victim, {1.0, 0.0, 0.2});
     auto* const finds = window().findChild<QTableView*>(QStringLiteral("finds"));
     ASSERT_NE(finds, nullptr);
     ASSERT_TRUE(soon([&] { return finds->model()->rowCount() == 1 && finds->currentIndex().isValid(); }));

@@ -11,7 +11,7 @@ namespace leitstand::test {
 /// of each robot, and finds of all kinds. @p soon: QTest::qWaitFor or the like.
 template <class Soon>
 [[nodiscard]] bool makeEventful(Station& station, Soon soon) {
-    using Kind = VictimSample::Kind;
+    using Kind = FindSample::Kind;
     station.stopAll();
     double x = 1.0;
     for (const Kind kind : {Kind::Victim, Kind::Victim, Kind::Hazard, Kind::Code, Kind::Object}) {
@@ -19,7 +19,7 @@ template <class Soon>
         x += 2.5;
     }
     return soon([&] {
-        return station.mission()->victims->size() >= 5 &&
+        return station.mission()->finds->size() >= 5 &&
                station.alarms().view().alarms.size() >= station.robots().size();
     });
 }

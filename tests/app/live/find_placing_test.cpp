@@ -18,7 +18,7 @@
 namespace leitstand::test {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 
 /// Finds and candidates that are moved, pointed to and dismissed, through the real widgets.
 class LiveFindPlacing : public LivePage {
@@ -42,8 +42,8 @@ protected:
     }
     [[nodiscard]] std::optional<Eigen::Vector3d> placeOf(Kind kind, std::uint32_t number) const {
         const MissionStatePtr mission = station().mission();
-        const auto found = mission->victims->find({kind, number});
-        if (found == mission->victims->end()) return std::nullopt;
+        const auto found = mission->finds->find({kind, number});
+        if (found == mission->finds->end()) return std::nullopt;
         return positionInMap(*mission, found->second.victim);
     }
     /// Row of the list whose column @p column begins so; -1: none.
@@ -63,7 +63,7 @@ protected:
             settings.robots.push_back(shippedRobot("kurt3d"));
             const auto mission = LiveMission::open(settings);
             ASSERT_TRUE(mission) << mission.error().text;
-            ASSERT_TRUE((*mission)->say(candidate, station_topic::Candidates));
+            ASSERT_TRUE((*mission)->record(candidate, station_topic::Candidates));
             ASSERT_TRUE((*mission)->close());
         });
     }
@@ -154,10 +154,10 @@ TEST_F(LiveFindPlacing, ACandidateIsDismissedByKeyAndUndoBringsItBack) {
     ASSERT_TRUE(soon([&] { return row("object, candidate", 1) >= 0; }));
     choose(row("object, candidate", 1));
     QTest::keyClick(m_window.get(), Qt::Key_Delete, Qt::ShiftModifier);
-    const auto said = [&] { return station().mission()->candidates->at(900).candidate; };
-    ASSERT_TRUE(soon([&] { return isDismissal(said()); })) << m_window->newest().toStdString();
+    const auto reported = [&] { return station().mission()->candidates->at(900).candidate; };
+    ASSERT_TRUE(soon([&] { return isDismissal(reported()); })) << m_window->newest().toStdString();
     ASSERT_TRUE(soon([&] { return row("object, candidate", 1) < 0; }));
-    EXPECT_TRUE(station().mission()->victims->empty()) << "nothing was filed";
+    EXPECT_TRUE(station().mission()->finds->empty()) << "nothing was filed";
     trigger("victim.undo");
     EXPECT_TRUE(soon([&] { return row("object, candidate", 1) >= 0; }));
 }

@@ -22,7 +22,7 @@ protected:
         m_window->selection().select("kurt3d");
         emit map().groundActivated(place("kurt3d").baseInMap * Eigen::Vector3d(1.2, 0, 0));
         ASSERT_TRUE(soon([&] { return goals() == 1; }))
-            << told() << "; " << m_window->recent().join("; ").toStdString();
+            << reported() << "; " << m_window->recent().join("; ").toStdString();
     }
     /// That Kurt3D was sent so far.
     [[nodiscard]] std::size_t goals() const {
@@ -37,7 +37,7 @@ TEST_F(GoalOnAMovingMap, ByMuchItIsWithdrawnAndAskedAbout) {
     ASSERT_NO_FATAL_FAILURE(sendAndAsk({1.8, 2.4, 0.0}));
     std::size_t sent = goals();
     trigger("loop.close");
-    EXPECT_TRUE(soon([&] { return asked().isVisible(); })) << told();
+    EXPECT_TRUE(soon([&] { return asked().isVisible(); })) << reported();
     EXPECT_TRUE(asked().accessibleName().startsWith("Kurt3D: the map moved by "))
         << asked().accessibleName().toStdString();
     lookAt("goal_question");
@@ -57,8 +57,8 @@ TEST_F(GoalOnAMovingMap, AStoppedRobotIsSentNowhere) {
     const Pose before = newest();
     trigger("loop.close");
     ASSERT_TRUE(soon([&] { return distanceBetween(newest(), before) > 0.05; }));
-    const Time heard = place("kurt3d").stamp;
-    EXPECT_TRUE(soon([&] { return place("kurt3d").stamp > heard + std::chrono::seconds(1); }));
+    const Time received = place("kurt3d").stamp;
+    EXPECT_TRUE(soon([&] { return place("kurt3d").stamp > received + std::chrono::seconds(1); }));
     EXPECT_EQ(goals(), sent);
     EXPECT_FALSE(asked().isVisible());
 }

@@ -80,7 +80,7 @@ bool mine(Station& station, const char* robot) {
 /// Both robots are asked to explore; they do until they are asked for something else.
 void explore(Station& station) {
     for (const char* robot : Robots) {
-        station.ask(robot);
+        station.requestGrant(robot);
         ASSERT_TRUE(soon([&] { return mine(station, robot); })) << robot;
         ASSERT_TRUE(station.setMode(robot, "explore")) << robot;
         ASSERT_TRUE(soon([&] {
@@ -108,7 +108,7 @@ void operate(const fs::path& folder, int domain, bool reported) {
     live.window->layouts().use("map");
     ASSERT_TRUE(soon([&] { return live.window->missing().isEmpty(); }));
     ASSERT_TRUE(station.clock().limit(Limit).ok());
-    for (const char* robot : Robots) station.ask(robot);
+    for (const char* robot : Robots) station.requestGrant(robot);
     ASSERT_TRUE(soon([&] { return mine(station, Robots[0]) && mine(station, Robots[1]); }));
     ASSERT_TRUE(soon([&] { return Had::of(station).scans >= 1; }));
     if (reported) {
@@ -125,7 +125,7 @@ void operate(const fs::path& folder, int domain, bool reported) {
 }
 
 /// What the other process told last.
-Had toldBy(const ChildProcess& station) {
+Had guessedBy(const ChildProcess& station) {
     const std::string out = station.out();
     Had had;
     const auto end = out.rfind('\n');
@@ -178,12 +178,12 @@ protected:
                              {std::string("--gtest_filter=") + test->test_suite_name() + "." + test->name()},
                              {std::string(FolderTold) + "=" + m_folder.path().string(),
                               std::string(DomainTold) + "=" + std::to_string(m_domain.number())});
-        const bool came = QTest::qWaitFor([&] { return enough(toldBy(station)); }, 1000 * seconds);
+        const bool came = QTest::qWaitFor([&] { return enough(guessedBy(station)); }, 1000 * seconds);
         EXPECT_TRUE(came) << station.out();
         station.signal(SIGKILL);
         m_killed = std::chrono::steady_clock::now();
         EXPECT_EQ(station.wait(), -1) << station.out();
-        return toldBy(station);
+        return guessedBy(station);
     }
     /// Opens a station on what the killed one left; how long it took from the kill until all of @p before was
     /// there [s].
@@ -334,7 +334,7 @@ protected:
         EXPECT_TRUE(soon([&] { return rowWith(3, QStringLiteral("Anna")) >= 0; }));
         const MissionStatePtr written = bridge->pen().state();
         ASSERT_TRUE(written) << "it is an event of a session of its own";
-        EXPECT_TRUE(std::any_of(written->victims->begin(), written->victims->end(), [](const auto& one) {
+        EXPECT_TRUE(std::any_of(written->finds->begin(), written->finds->end(), [](const auto& one) {
             return one.second.victim.tag.find("Anna") != std::string::npos;
         }));
     }
@@ -369,8 +369,8 @@ TEST_F(LongKill, WhatTheRobotsFindByThemselvesOutlastsTheKillAndIsTrue) {
     explore(station());
     const auto anyRight = [&] {
         const MissionStatePtr mission = station().mission();
-        return std::ranges::any_of(*mission->victims, [&](const auto& one) {
-            return one.first.first == VictimSample::Kind::Victim &&
+        return std::ranges::any_of(*mission->finds, [&](const auto& one) {
+            return one.first.first == FindSample::Kind::Victim &&
                    fromTruth(positionInMap(*mission, one.second.victim)) <= 0.2;
         });
     };

@@ -90,8 +90,8 @@ TEST_F(LiveLanguage, TheWindowIsMadeAnewWhileStationGrantsAndReportGoOn) {
     const auto elapsed = station().clock().now().elapsed;
     EXPECT_TRUE(soon([&] { return gasCurve() > 0.07; })) << "8 s of two minutes";
     const double measured = gasCurve();
-    const QStringList told = messages();
-    EXPECT_FALSE(told.isEmpty());
+    const QStringList notified = messages();
+    EXPECT_FALSE(notified.isEmpty());
     QString wanted;
     QObject::connect(m_window.get(), &LiveWindow::languageWanted, m_window.get(),
                      [&](const QString& code) { wanted = code; });
@@ -102,7 +102,7 @@ TEST_F(LiveLanguage, TheWindowIsMadeAnewWhileStationGrantsAndReportGoOn) {
     EXPECT_EQ(command("mission.report").text().toStdString(), "&Bericht in einen Ordner…");
     EXPECT_GE(gasCurve(), measured - 0.01) << "what was measured before is known, all of it";
     const QStringList still = messages();  // with severity and time as the language has them
-    for (const QString& one : told) {
+    for (const QString& one : notified) {
         const QString text = one.section(QStringLiteral("  "), 2);
         EXPECT_TRUE(!text.isEmpty() && still.filter(text).size() == 1) << one.toStdString();
     }

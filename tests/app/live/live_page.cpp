@@ -52,9 +52,9 @@ void fileNextFind(LiveWindow& window) {
 std::size_t confirmedVictims(const Station& station) {
     const MissionStatePtr mission = station.mission();
     return static_cast<std::size_t>(
-        std::count_if(mission->victims->begin(), mission->victims->end(), [](const auto& one) {
-            return one.first.first == VictimSample::Kind::Victim &&
-                   one.second.victim.status == VictimSample::Status::Confirmed;
+        std::count_if(mission->finds->begin(), mission->finds->end(), [](const auto& one) {
+            return one.first.first == FindSample::Kind::Victim &&
+                   one.second.victim.status == FindSample::Status::Confirmed;
         }));
 }
 
@@ -97,9 +97,9 @@ void LivePage::restart(const std::function<void()>& between) {
 
 double LivePage::speed(const char* name) const {
     const auto mission = station().mission();
-    const auto said = mission->robots.find(name);
-    if (said == mission->robots.end() || !said->second->odometry) return 0.0;
-    return said->second->odometry->sample.linear.x();
+    const auto reported = mission->robots.find(name);
+    if (reported == mission->robots.end() || !reported->second->odometry) return 0.0;
+    return reported->second->odometry->sample.linear.x();
 }
 
 void LivePage::lookAt(const QString& name) {

@@ -82,8 +82,8 @@ TEST_F(LiveWindowTest, SpaceHaltsTheRobotThatIsDrivenAndTheOneThatDrivesByItself
     QTest::keyRelease(m_window.get(), Qt::Key_W);
 
     const auto mode = [&] {
-        const auto said = station().mission()->robots.at("kurt3d")->mode;
-        return said ? said->sample.mode : std::string();
+        const auto reported = station().mission()->robots.at("kurt3d")->mode;
+        return reported ? reported->sample.mode : std::string();
     };
     ASSERT_TRUE(soon([&] {
         (void)station().setMode("kurt3d", "explore");

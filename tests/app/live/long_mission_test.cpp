@@ -52,7 +52,7 @@ TEST_F(LongMission, DrivenByTheRobotsFiledByKeysResumedAndReported) {
     ASSERT_TRUE(station().describe(info));
     for (const char* name : {"kurt3d", "crawler"}) {
         const auto mode = [&] { return station().mission()->robots.at(name)->mode; };
-        station().ask(name);
+        station().requestGrant(name);
         ASSERT_TRUE(soon([&] { return robot(name).grant.mine; })) << name;
         ASSERT_TRUE(station().setMode(name, "explore")) << name;
         ASSERT_TRUE(soon([&] { return mode() && mode()->sample.autonomous; })) << name;

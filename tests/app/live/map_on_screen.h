@@ -71,10 +71,10 @@ protected:
         return count;
     }
     /// What Kurt3D says of itself, for a failure's text.
-    [[nodiscard]] std::string told() const {
-        const auto said = station().mission()->robots.at("kurt3d");
+    [[nodiscard]] std::string reported() const {
+        const auto reported = station().mission()->robots.at("kurt3d");
         const std::string mode =
-            said->mode ? said->mode->sample.mode + ", " + said->mode->sample.reason : "no mode";
+            reported->mode ? reported->mode->sample.mode + ", " + reported->mode->sample.reason : "no mode";
         return mode + (robot().stop.standing ? ", stopped, " : ", ") + std::to_string(speed()) + " m/s";
     }
     [[nodiscard]] MapView& map() const { return m_window->mapView(); }
@@ -113,7 +113,7 @@ protected:
             settings.folder = m_folder.path().toStdString() + "/mission";
             settings.robots = {shippedRobot("kurt3d"), shippedRobot("crawler")};
             auto mission = LiveMission::open(settings).value();
-            ASSERT_TRUE(mission->say(question, station_topic::ScanLinks).ok());
+            ASSERT_TRUE(mission->record(question, station_topic::ScanLinks).ok());
             ASSERT_TRUE(mission->close());
         });
         return link;
@@ -122,7 +122,7 @@ protected:
     enum class Then { IsStopped, Waits };
     /// Kurt3D goes until the map has two scans that count, and stands.
     void mapTwoScans(Then then = Then::IsStopped) {
-        station().ask("kurt3d");
+        station().requestGrant("kurt3d");
         ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
         ASSERT_TRUE(station().setMode("kurt3d", "explore").ok());
         ASSERT_TRUE(soon([&] {
@@ -130,13 +130,13 @@ protected:
             return std::count_if(scans.begin(), scans.end(), [](const auto& one) { return one.counts(); }) >=
                    2;
         })) << "it moved not: "
-            << told();
+            << reported();
         if (then == Then::Waits) {
             ASSERT_TRUE(station().setMode("kurt3d", "teleoperation").ok());
             ASSERT_TRUE(soon([&] {
                 return station().mission()->robots.at("kurt3d")->mode->sample.mode == "teleoperation" &&
                        std::abs(speed()) < 0.01;
-            })) << told();
+            })) << reported();
             return;
         }
         station().stopAll();

@@ -97,10 +97,10 @@ TEST_F(LiveMapOnScreen, SpaceTakesBackAGoalThatWasNotSentYet) {
     const auto word = [&] { return m_window->recent().join("; "); };
     EXPECT_TRUE(soon([&] { return word().contains("not sent"); })) << word().toStdString();
     // Some scans later it still was not.
-    const Time heard = place("kurt3d").stamp;
-    EXPECT_TRUE(soon([&] { return place("kurt3d").stamp > heard + std::chrono::seconds(2); }));
-    const MissionStatePtr said = station().mission();
-    const auto& streams = said->robots.at("kurt3d")->streams;
+    const Time received = place("kurt3d").stamp;
+    EXPECT_TRUE(soon([&] { return place("kurt3d").stamp > received + std::chrono::seconds(2); }));
+    const MissionStatePtr reported = station().mission();
+    const auto& streams = reported->robots.at("kurt3d")->streams;
     const auto goals = streams.find("/kurt3d/goal_pose");
     EXPECT_TRUE(goals == streams.end() || goals->second.events == 0);
 }
@@ -189,15 +189,15 @@ TEST_F(LiveMapOnScreen, TheCrawlerIsPlacedWhereItIsDrawn) {
     // Away from where it is and turned, farther than its laser is matched about a drawn place.
     const Pose before = place("crawler").baseInMap;
     const Pose drawn = before * poseFrom(Eigen::Vector3d(0.5, 0.3, 0), 0, 0, degrees(60));
-    const auto told = [&] { return station().mission()->robots.at("crawler")->place; };
-    ASSERT_TRUE(told().has_value());
-    ASSERT_NE(told()->sample.cause, RobotPlaceSample::Cause::Operator) << "it was placed by itself";
+    const auto reported = [&] { return station().mission()->robots.at("crawler")->place; };
+    ASSERT_TRUE(reported().has_value());
+    ASSERT_NE(reported()->sample.cause, RobotPlaceSample::Cause::Operator) << "it was placed by itself";
     trigger("map.placeRobot");
     ASSERT_NO_FATAL_FAILURE(draw(drawn));
     // Its laser may go on to look for it: what the operator did is told first.
     std::optional<RobotPlaceSample> placed;
     ASSERT_TRUE(soon([&] {
-        if (told()->sample.cause == RobotPlaceSample::Cause::Operator) placed = told()->sample;
+        if (reported()->sample.cause == RobotPlaceSample::Cause::Operator) placed = reported()->sample;
         return placed.has_value();
     }));
     const double off = (placed->baseInMap.translation() - drawn.translation()).head<2>().norm();
@@ -259,7 +259,7 @@ TEST_F(LiveMapOnScreen, APlaceWhereTheMapMayMeetItselfIsAskedAboutAnsweredAndTak
     trigger("loop.refuse");
     EXPECT_TRUE(soon([&] { return !asked->isVisible(); }));
     QAction* const undo = m_window->commands().find("scan.undo");
-    EXPECT_TRUE(soon([&] { return undo->text().contains("told from another"); }))
+    EXPECT_TRUE(soon([&] { return undo->text().contains("kept apart"); }))
         << undo->text().toStdString();
     trigger("scan.undo");
     EXPECT_TRUE(soon([&] { return asked->isVisible(); })) << "it is asked again";

@@ -81,10 +81,10 @@ protected:
         }
     }
     /// The first victim as the mission has it.
-    [[nodiscard]] std::optional<VictimSample> victim() const {
+    [[nodiscard]] std::optional<FindSample> victim() const {
         const MissionStatePtr mission = station().mission();
-        const auto found = mission->victims->find({VictimSample::Kind::Victim, 1});
-        return found == mission->victims->end() ? std::nullopt : std::optional(found->second.victim);
+        const auto found = mission->finds->find({FindSample::Kind::Victim, 1});
+        return found == mission->finds->end() ? std::nullopt : std::optional(found->second.victim);
     }
     /// How long until the robot is commanded to stand [ms].
     [[nodiscard]] double untilZero(Clock::time_point since) {
@@ -209,9 +209,9 @@ TEST_F(PadDriveTest, OneButtonFilesAVictimAnotherConfirmsItAndTheCrossFillsInIts
     tap(button::X);
     ASSERT_TRUE(soon([&] { return victim().has_value(); })) << word().toStdString();
     EXPECT_EQ(victim()->robot, "kurt3d");
-    EXPECT_EQ(victim()->status, VictimSample::Status::Hypothesis);
+    EXPECT_EQ(victim()->status, FindSample::Status::Hypothesis);
     tap(button::A);
-    ASSERT_TRUE(soon([&] { return victim()->status == VictimSample::Status::Confirmed; }))
+    ASSERT_TRUE(soon([&] { return victim()->status == FindSample::Status::Confirmed; }))
         << word().toStdString();
 
     auto* form = m_window->findChild<VictimForm*>("formPane");

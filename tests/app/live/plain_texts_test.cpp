@@ -72,11 +72,11 @@ std::vector<std::pair<StreamRole, Sample>> wordsOfARobot() {
 /// What another station says.
 std::vector<std::pair<std::string_view, Sample>> wordsOfAStation() {
     const Time now = std::chrono::system_clock::now();
-    VictimSample victim;
+    FindSample victim;
     victim.stamp = victim.found = now;
     victim.station = victim.tag = victim.text = victim.situation = victim.area = victim.robot = Hostile;
     victim.number = 2;
-    victim.kind = VictimSample::Kind::Code;
+    victim.kind = FindSample::Kind::Code;
     AlarmSample alarm;
     alarm.stamp = now;
     alarm.station = alarm.robot = alarm.key = alarm.text = Hostile;
@@ -145,7 +145,7 @@ TEST_F(HostileRobot, ItsWordsAreShownAsTheyAre) {
     const HostileVoice voice(m_domain, hostileRobot());
     ASSERT_TRUE(soon([&] { return robot().link.state == LinkState::Connected; }));
     ASSERT_TRUE(soon([&] { return !station().alarms().view().alarms.empty(); }));
-    ASSERT_TRUE(soon([&] { return !station().mission()->victims->empty(); })) << "of the other station";
+    ASSERT_TRUE(soon([&] { return !station().mission()->finds->empty(); })) << "of the other station";
     for (const char* layout : {"drive", "explore", "map", "link", "report"}) {
         ASSERT_TRUE(m_window->layouts().use(QString::fromLatin1(layout)));
         m_window->showMessage(QString::fromUtf8(Hostile));

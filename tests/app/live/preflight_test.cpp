@@ -47,7 +47,7 @@ protected:
 
 TEST_F(PreflightOfACarelessRobot, FailsItsBrakeTestAndABadgeTellsThatItIsDrivenNevertheless) {
     ASSERT_TRUE(soon([&] {
-        const auto around = station().around("rover");
+        const auto around = station().surroundings("rover");
         return around && around->oldest(-0.4, 0.4) < 5.0 && robot("rover").drive.reachable;
     }));
     auto* const badge = m_window->findChild<QLabel*>(QStringLiteral("brakeBadge"));
@@ -145,7 +145,7 @@ public:
         m_glance.start(100);
     }
     [[nodiscard]] bool connected() const { return m_connected; }
-    [[nodiscard]] const std::string& said() const { return m_said; }  ///< for a failure's text
+    [[nodiscard]] const std::string& reported() const { return m_said; }  ///< for a failure's text
 
 private:
     void look() {
@@ -163,14 +163,14 @@ private:
     void add(LiveWindow& window) {
         auto* const page = window.findChild<PreflightPage*>();
         if (!page->isVisible()) return QTest::keyClick(&window, Qt::Key_F9);
-        auto* const heard = page->findChild<QComboBox*>(QStringLiteral("stranger"));
+        auto* const received = page->findChild<QComboBox*>(QStringLiteral("stranger"));
         m_said = page->findChild<QLabel*>(QStringLiteral("complaint"))->text().toStdString();
-        heard->setCurrentIndex(heard->findText(QStringLiteral("rover")));
-        if (heard->currentIndex() < 0) return m_heard.reset();
-        if (!m_heard) m_heard = Clock::now();
+        received->setCurrentIndex(received->findText(QStringLiteral("rover")));
+        if (received->currentIndex() < 0) return m_received.reset();
+        if (!m_received) m_received = Clock::now();
         // A robot's topics are heard one by one.
-        if (Clock::now() - *m_heard < std::chrono::seconds(5)) return;
-        m_heard.reset();
+        if (Clock::now() - *m_received < std::chrono::seconds(5)) return;
+        m_received.reset();
         page->findChild<QPushButton*>(QStringLiteral("add"))->click();
     }
     static bool isConnected(const LiveWindow& window, const char* robot) {
@@ -189,7 +189,7 @@ private:
     }
 
     const Clock::time_point m_began = Clock::now();
-    std::optional<Clock::time_point> m_heard;
+    std::optional<Clock::time_point> m_received;
     std::string m_said;
     bool m_connected = false, m_closed = false;
     QTimer m_glance;
@@ -210,7 +210,7 @@ TEST(PreflightOfAStranger, ARobotThatIsHeardJoinsTheStationWhichGoesOnWithItsMis
     options.domain = domain.number();
     options.mission = (home / "mission").string();
     EXPECT_EQ(runLive(options), 0);
-    EXPECT_TRUE(operates.connected()) << "the page said: " << operates.said();
+    EXPECT_TRUE(operates.connected()) << "the page said: " << operates.reported();
     const auto last = lastOptions();
     ASSERT_TRUE(last.has_value());
     ASSERT_EQ(last->robots.size(), 2u) << "it is remembered";

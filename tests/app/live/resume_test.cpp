@@ -129,8 +129,8 @@ TEST_F(ResumeTest, ASignalEndsItAsClosingItsWindowDoes) {
         station->signal(signal);
         EXPECT_EQ(station->wait(), 0) << station->out();
         EXPECT_TRUE(fs::exists(out / "SHA256SUMS")) << "the report is written once more";
-        const ProcessOutcome told = runProcess(program("leitstandctl"), {"info", mission.string()});
-        EXPECT_THAT(told.out, testing::Not(HasSubstr("cut off"))) << told.err;
+        const ProcessOutcome reported = runProcess(program("leitstandctl"), {"info", mission.string()});
+        EXPECT_THAT(reported.out, testing::Not(HasSubstr("cut off"))) << reported.err;
     }
 }
 

@@ -61,7 +61,7 @@ protected:
 };
 
 TEST_F(ScannerQuestionOnScreen, AWrongScannerIsAskedAboutOverTheMapAndCorrectedInItsFile) {
-    station().ask("kurt3d");
+    station().requestGrant("kurt3d");
     ASSERT_TRUE(soon([&] { return robot().grant.mine; }));
     ASSERT_TRUE(station().setMode("kurt3d", "explore").ok());
     auto* const asked = m_window->findChild<QFrame*>("scannerQuestion");

@@ -70,7 +70,7 @@ TEST_F(SubmapsOnScreen, ARunIsDraggedTurnedSnappedLeftThereAndTakenBack) {
         << seam().toStdString() << ", dragged " << dragged.toStdString();
     trigger("submap.leave");
     EXPECT_TRUE(soon([&] { return movedByHand() == 1; }))
-        << told() << "\nthe bar: " << bar().accessibleName().toStdString();
+        << reported() << "\nthe bar: " << bar().accessibleName().toStdString();
     EXPECT_TRUE(soon([&] { return !bar().isVisible() && !map().drawing(); }));
     EXPECT_TRUE(soon([&] { return countViolet(map()) == 0; }));
     const auto off = [&] {

@@ -35,11 +35,11 @@ protected:
           m_node(nodeIn(m_domain)),
           m_wire(must(RobotWire::create(*m_node, m_description))) {
         QObject::connect(m_window->findChild<AlarmsFeature*>(), &AlarmsFeature::sounded, &m_beat,
-                         [this](AlarmTone tone) { m_heard.push_back(tone); });
-        QObject::connect(&m_beat, &QTimer::timeout, &m_beat, [this] { say(); });
+                         [this](AlarmTone tone) { m_received.push_back(tone); });
+        QObject::connect(&m_beat, &QTimer::timeout, &m_beat, [this] { publish(); });
         m_beat.start(50);
     }
-    void say() {
+    void publish() {
         const StreamDescription& stream = *m_description.stream(StreamRole::Imu);
         const auto mounted = m_description.sensors.find(stream.sensor);
         Eigen::Matrix3d baseInLevel = Eigen::AngleAxisd(m_roll, Eigen::Vector3d::UnitX()).toRotationMatrix();
@@ -48,7 +48,7 @@ protected:
         ImuSample imu;
         imu.header = {stationTime(), "kurt3d/imu"};
         imu.orientation = Eigen::Quaterniond(baseInLevel);
-        m_wire->say({StreamRole::Imu, stream.sensor, imu});
+        m_wire->publish({StreamRole::Imu, stream.sensor, imu});
     }
     /// @p share of the roll at which it tips over.
     void tilt(double share) { m_roll = share * m_description.maxRoll; }
@@ -64,7 +64,7 @@ protected:
     std::unique_ptr<Node> m_node;
     std::unique_ptr<RobotWire> m_wire;
     double m_roll = 0.0;
-    std::vector<AlarmTone> m_heard;
+    std::vector<AlarmTone> m_received;
     QTimer m_beat;  ///< last: it ends first
 };
 
@@ -74,29 +74,29 @@ TEST_F(TiltTest, IsHeardAndFeltBeforeTheRobotTipsOverAndOverAndOverWhereItIsAbou
     tilt(0.5);
     QTest::qWait(1'000);
     ASSERT_EQ(tilted(), std::nullopt);
-    ASSERT_THAT(m_heard, IsEmpty());
+    ASSERT_THAT(m_received, IsEmpty());
     const int before = m_pad.rumbles();
 
     tilt(0.8);
-    ASSERT_TRUE(soon([&] { return !m_heard.empty(); }));
+    ASSERT_TRUE(soon([&] { return !m_received.empty(); }));
     EXPECT_EQ(tilted(), AlarmSeverity::Attention);
     QTest::qWait(3'000);
-    EXPECT_THAT(m_heard, ElementsAre(AlarmTone::Attention)) << "once";
+    EXPECT_THAT(m_received, ElementsAre(AlarmTone::Attention)) << "once";
     EXPECT_EQ(m_pad.rumbles(), before + 1);
 
     tilt(0.95);
-    ASSERT_TRUE(soon([&] { return m_heard.size() >= 3; })) << "until somebody acknowledges";
+    ASSERT_TRUE(soon([&] { return m_received.size() >= 3; })) << "until somebody acknowledges";
     EXPECT_EQ(tilted(), AlarmSeverity::Act);
-    EXPECT_EQ(m_heard[1], AlarmTone::Act);
-    EXPECT_EQ(m_heard[2], AlarmTone::Act);
+    EXPECT_EQ(m_received[1], AlarmTone::Act);
+    EXPECT_EQ(m_received[2], AlarmTone::Act);
     EXPECT_TRUE(soon([&] { return m_pad.rumbles() >= before + 3; }));
 
     tilt(0.3);
     ASSERT_TRUE(soon([&] { return !tilted(); }));
     QTest::qWait(500);  // what was on its way
-    const std::size_t after = m_heard.size();
+    const std::size_t after = m_received.size();
     QTest::qWait(3'000);
-    EXPECT_EQ(m_heard.size(), after) << "it stands well again";
+    EXPECT_EQ(m_received.size(), after) << "it stands well again";
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ std::vector<RobotDescription> team(int count) {
 /// What a robot may be like.
 enum class As {
     Calm,
-    Unheard,
+    NotReceived,
     Degraded,
     Lost,
     Sent,
@@ -74,9 +74,9 @@ enum class As {
     Zeros
 };
 
-constexpr As Everything[] = {As::Calm,     As::Unheard,    As::Degraded, As::Lost,
-                             As::Sent,     As::Unanswered, As::Moves,    As::MotionUnknown,
-                             As::Standing, As::Releasing,  As::Zeros};
+constexpr As Everything[] = {As::Calm,     As::NotReceived, As::Degraded, As::Lost,
+                             As::Sent,     As::Unanswered,  As::Moves,    As::MotionUnknown,
+                             As::Standing, As::Releasing,   As::Zeros};
 
 RobotView viewOf(As as) {
     RobotView view;
@@ -84,7 +84,7 @@ RobotView viewOf(As as) {
     view.link.roundTrip = RoundTripStatus{.last = 0.021, .median = 0.022};
     view.link.streams.resize(1);
     view.grant.mine = true;
-    if (as == As::Unheard) view.link.state = LinkState::NeverSeen;
+    if (as == As::NotReceived) view.link.state = LinkState::NeverSeen;
     if (as == As::Lost) view.link.state = LinkState::Lost, view.link.silence = 4.2;
     if (as == As::Degraded) {
         view.link.state = LinkState::Degraded;

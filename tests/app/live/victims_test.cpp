@@ -24,8 +24,8 @@
 namespace leitstand::test {
 namespace {
 
-using Kind = VictimSample::Kind;
-using Status = VictimSample::Status;
+using Kind = FindSample::Kind;
+using Status = FindSample::Status;
 
 /// Finds on robots that are processes, through the real widgets.
 class LiveVictims : public LivePage {
@@ -39,13 +39,13 @@ protected:
         ASSERT_NE(action, nullptr) << id;
         action->trigger();
     }
-    [[nodiscard]] const VictimState* victim(std::uint32_t number, Kind kind = Kind::Victim) {
+    [[nodiscard]] const FindState* victim(std::uint32_t number, Kind kind = Kind::Victim) {
         m_mission = station().mission();
-        const auto found = m_mission->victims->find({kind, number});
-        return found == m_mission->victims->end() ? nullptr : &found->second;
+        const auto found = m_mission->finds->find({kind, number});
+        return found == m_mission->finds->end() ? nullptr : &found->second;
     }
     [[nodiscard]] bool is(std::uint32_t number, Status status) {
-        const VictimState* one = victim(number);
+        const FindState* one = victim(number);
         return one != nullptr && one->victim.status == status;
     }
 
@@ -56,7 +56,7 @@ private:
 TEST_F(LiveVictims, OneKeyFreezesAnotherConfirmsTheFormFollowsAndARestartKeepsAll) {
     press(Qt::Key_F);
     ASSERT_TRUE(soon([&] { return victim(1) != nullptr; })) << m_window->newest().toStdString();
-    const VictimSample filed = victim(1)->victim;
+    const FindSample filed = victim(1)->victim;
     EXPECT_EQ(filed.robot, "kurt3d");
     EXPECT_NE(filed.scan, 0U) << "it hangs on a scan and moves with it";
     EXPECT_LT((filed.positionInMap).head<2>().norm(), 12.0);
@@ -144,7 +144,7 @@ TEST_F(LiveVictims, AreFiledWhereTheOperatorPoints) {
                       QPointF(area.left() + 0.3 * area.width(), area.top() + 0.6 * area.height()).toPoint());
     ASSERT_TRUE(soon([&] { return victim(1) != nullptr; })) << m_window->newest().toStdString();
     EXPECT_FALSE(m_window->driving()) << "that click is not for driving";
-    const VictimSample pictured = victim(1)->victim;
+    const FindSample pictured = victim(1)->victim;
     Eigen::Vector3d seen = pictured.positionInMap;
     Pose base = Pose::Identity();
     const RobotsInMapPtr robots = station().mapping().robots();

@@ -86,8 +86,8 @@ TEST_F(PadInputTest, DrivesWhileTheTriggerIsHeld) {
     EXPECT_NEAR(m_sticks.forward, 0.3, 1e-6) << "60 %";
     ASSERT_TRUE(arrives(axis::RightTrigger, 1.0));
     EXPECT_TRUE(soon([&] { return m_sticks.forward > 0.499; })) << "turbo";
-    QSignalSpy told(m_input.get(), &PadInput::sticks);
-    ASSERT_TRUE(soon([&] { return told.count() >= 5; })) << "again and again while it is held";
+    QSignalSpy reported(m_input.get(), &PadInput::sticks);
+    ASSERT_TRUE(soon([&] { return reported.count() >= 5; })) << "again and again while it is held";
     ASSERT_TRUE(arrives(axis::LeftTrigger, 0.0));
     EXPECT_TRUE(isZero(m_sticks));
     EXPECT_FALSE(m_driving);
@@ -214,11 +214,11 @@ TEST_F(PadInputTest, WhatIsBoundIsKeptForThisKindOfPad) {
 }
 
 TEST_F(PadInputTest, AnUnknownJoystickSaysSoAndCanBeBound) {
-    QSignalSpy told(m_input.get(), &PadInput::notified);
+    QSignalSpy reported(m_input.get(), &PadInput::notified);
     m_pad.reset();
     VirtualPad stick(PadLayout::Plain, "Old stick");
-    ASSERT_TRUE(soon([&] { return m_input->chosen().name == "Old stick" && told.count() == 1; }));
-    EXPECT_THAT(told[0][0].toString().toStdString(), testing::HasSubstr("Old stick"));
+    ASSERT_TRUE(soon([&] { return m_input->chosen().name == "Old stick" && reported.count() == 1; }));
+    EXPECT_THAT(reported[0][0].toString().toStdString(), testing::HasSubstr("Old stick"));
     EXPECT_EQ(m_input->chosen().layout, PadLayout::Plain);
     PadBindings bindings = m_input->bindings();
     ASSERT_TRUE(bindPad(bindings, PadAction::DeadMan, padButton(0)));

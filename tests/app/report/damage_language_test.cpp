@@ -24,7 +24,7 @@ protected:
         const fs::path log = m_folder / "torn" / "torn_0.db3";
         fs::resize_file(log, fs::file_size(log) * 3 / 4);
     }
-    [[nodiscard]] std::string told(const char* language) const {
+    [[nodiscard]] std::string reported(const char* language) const {
         const ProcessOutcome outcome =
             runProcess(program("leitstandctl"), {"report", (m_folder / "torn").string(), "--out",
                                                  (m_folder / language).string(), "--language", language});
@@ -36,8 +36,8 @@ protected:
 };
 
 TEST_F(DamageLanguage, IsThatOfTheReport) {
-    EXPECT_THAT(told("en"), HasSubstr("read page by page"));
-    const std::string german = told("de"), japanese = told("ja");
+    EXPECT_THAT(reported("en"), HasSubstr("read page by page"));
+    const std::string german = reported("de"), japanese = reported("ja");
     EXPECT_THAT(german, HasSubstr("Seite für Seite gelesen"));
     EXPECT_THAT(japanese, HasSubstr("ページごとに読み込み"));
     for (const std::string& text : {german, japanese}) {

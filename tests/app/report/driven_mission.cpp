@@ -166,7 +166,7 @@ public:
             if (tick > 0 && every(VictimEvery)) victim(t);
             if (tick > 0 && every(CheckpointEvery)) m_log.checkpoint(t);
         }
-        say(Length, station_topic::Sessions, session(Length, false));
+        publish(Length, station_topic::Sessions, session(Length, false));
         m_log.checkpoint(Length);
         m_log.close();
         return m_made;
@@ -176,7 +176,7 @@ private:
     static RobotDescription file(const std::string& name) {
         return readRobot(sourceFolder() + "/resources/robots/" + name + ".yaml").value();
     }
-    std::uint64_t say(double t, std::string_view topic, const Sample& sample) {
+    std::uint64_t publish(double t, std::string_view topic, const Sample& sample) {
         ++m_made.events;
         return m_log.write(t, std::string(topic), sample);
     }
@@ -191,16 +191,16 @@ private:
     void begin() {
         for (unsigned i = 0; i < 8; ++i) m_pictures.push_back(cameraPicture(i + 1));
         m_warmth = warmth();
-        say(0.0, station_topic::Sessions, session(0.0, true));
+        publish(0.0, station_topic::Sessions, session(0.0, true));
         MissionInfoSample info;
         info.stamp = at(0.0);
         info.competition = "RoboCup2013";
         info.team = "Deutschland1";
         info.mission = "Final 2";
         info.area = "yellow";
-        say(0.0, station_topic::Mission, info);
-        say(0.0, m_kurt.stream(StreamRole::Mode)->topic,
-            ModeSample{{at(0.0), ""}, "teleoperation", false, "", {"teleoperation", "explore"}});
+        publish(0.0, station_topic::Mission, info);
+        publish(0.0, m_kurt.stream(StreamRole::Mode)->topic,
+                ModeSample{{at(0.0), ""}, "teleoperation", false, "", {"teleoperation", "explore"}});
     }
     void odometry(double t, const RobotDescription& robot, const Pose& base) {
         OdometrySample odometry;
@@ -208,7 +208,7 @@ private:
         odometry.childFrame = robot.baseFrame;
         odometry.baseInOdom = base;
         odometry.linear.x() = Speed;
-        say(t, robot.stream(StreamRole::Odometry)->topic, odometry);
+        publish(t, robot.stream(StreamRole::Odometry)->topic, odometry);
     }
     /// A picture that Kurt3D's camera @p sensor took; the event's number.
     std::uint64_t look(double t, StreamRole role, const std::string& sensor, const SharedBytes& content) {
@@ -217,7 +217,7 @@ private:
         picture.compressed = true;
         picture.encoding = "png";
         picture.content = content;
-        return say(t, m_kurt.stream(role, sensor)->topic, picture);
+        return publish(t, m_kurt.stream(role, sensor)->topic, picture);
     }
     /// What is said once a second.
     void second(double t) {
@@ -227,8 +227,8 @@ private:
         info.height = 240;
         info.distortionModel = "plumb_bob";
         info.intrinsics = {280, 0, 160, 0, 280, 120, 0, 0, 1};
-        say(t, m_kurt.stream(StreamRole::CameraInfo, "left")->topic, info);
-        m_gas = say(t, m_kurt.stream(StreamRole::Gas)->topic, GasSample{{at(t), ""}, "co2", 1210.0});
+        publish(t, m_kurt.stream(StreamRole::CameraInfo, "left")->topic, info);
+        m_gas = publish(t, m_kurt.stream(StreamRole::Gas)->topic, GasSample{{at(t), ""}, "co2", 1210.0});
         RobotPlaceSample place;
         place.stamp = place.measured = at(t);
         place.station = "test";
@@ -237,7 +237,7 @@ private:
         place.certainty = 1.0;
         place.overlap = 0.9;
         place.certain = true;
-        say(t, station_topic::RobotPlaces, place);
+        publish(t, station_topic::RobotPlaces, place);
     }
     void keyScan(double t) {
         KeyScanSample scan;
@@ -248,15 +248,15 @@ private:
         scan.scanInMap = baseAt(t) * scan.sensorInBase;
         scan.scan = scanAt(t, scan.scanInMap, static_cast<unsigned>(scan.id));
         m_made.points += scan.scan->points.size();
-        say(t, station_topic::KeyScans, scan);
+        publish(t, station_topic::KeyScans, scan);
     }
     /// One of the room where Kurt3D is, seen a moment ago.
     void victim(double t) {
-        VictimSample victim;
+        FindSample victim;
         victim.stamp = victim.found = at(t);
         victim.station = "test";
         victim.number = static_cast<std::uint32_t>(++m_made.victims);
-        victim.status = VictimSample::Status::Confirmed;
+        victim.status = FindSample::Status::Confirmed;
         victim.robot = m_kurt.name;
         victim.positionInMap = roomOf(baseAt(t).translation()) + Eigen::Vector3d(-1.0, 1.5, 0.4);
         victim.deviation = 0.05;
@@ -271,7 +271,7 @@ private:
         shows("picture", StreamRole::Picture, "left", m_picture);
         shows("thermal", StreamRole::Thermal, "ir", m_heat);
         shows("gas", StreamRole::Gas, "", m_gas);
-        say(t, station_topic::Victims, victim);
+        publish(t, station_topic::Victims, victim);
     }
 
     const RobotDescription m_kurt, m_crawler;

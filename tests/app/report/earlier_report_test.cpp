@@ -59,7 +59,7 @@ protected:
         info.competition = "RoboCup2013";
         info.team = "Deutschland1";
         info.mission = "Final 1";
-        ASSERT_TRUE((*mission)->say(info, station_topic::Mission));
+        ASSERT_TRUE((*mission)->record(info, station_topic::Mission));
         ASSERT_TRUE((*mission)->close());
     }
     void report(const char* mission, const ReportOptions& options = {}) const {

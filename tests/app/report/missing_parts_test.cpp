@@ -34,7 +34,7 @@ public:
         const ProcessOutcome made = runProcess(program("leitstandctl"),
                                                {"report", mission.string(), "--out", out.string(), "--json"});
         EXPECT_EQ(made.exitCode, 0) << made.out << made.err;
-        told = made.err;
+        reported = made.err;
         if (made.exitCode == 0) json = nlohmann::json::parse(made.out);
         for (const auto& one : json["files"]) EXPECT_TRUE(one["whole"].get<bool>()) << one;
     }
@@ -44,7 +44,7 @@ public:
     }
     [[nodiscard]] bool has(const std::string& ending) const { return fs::exists(file(ending)); }
 
-    std::string told;
+    std::string reported;
     nlohmann::json json;
 
 private:
@@ -55,7 +55,7 @@ void expectNoMap(const Made& report) {
     for (const char* ending : {".tif", "_upper.tif", ".bt", ".ply"})
         EXPECT_FALSE(report.has(ending)) << ending;
     EXPECT_TRUE(report.has(".pdf"));
-    EXPECT_THAT(report.told, HasSubstr("without a map there are no GeoTIFF"));
+    EXPECT_THAT(report.reported, HasSubstr("without a map there are no GeoTIFF"));
 }
 
 void expectTheFinds(const Made& report) {
@@ -78,7 +78,7 @@ TEST(MissingParts, OfTwoSessionsWhoseFirstIsLostTheSecondIsReported) {
     writeTwoSessions(folder / "final");
     writeText(folder / "final" / "final_0.db3", "no database");
     const Made report(folder / "final", folder / "out");
-    EXPECT_THAT(report.told, HasSubstr("final_0.db3"));
+    EXPECT_THAT(report.reported, HasSubstr("final_0.db3"));
     expectTheFinds(report);
     expectNoMap(report);
 }
@@ -90,7 +90,7 @@ TEST(MissingParts, OfTwoSessionsWhoseFirstHasABrokenHeadAllIsReported) {
     head << std::string(100, '?');
     head.close();
     const Made report(folder / "final", folder / "out");
-    EXPECT_THAT(report.told, HasSubstr("final_0.db3"));
+    EXPECT_THAT(report.reported, HasSubstr("final_0.db3"));
     expectTheFinds(report);
     EXPECT_EQ(report.json["scans"], 3) << "its pages are read one by one";
     EXPECT_TRUE(report.has(".tif") && report.has(".ply") && report.has("_kurt3d.tum"));
@@ -148,7 +148,7 @@ TEST(MissingParts, ABagOfOthersWithoutOdometryIsMappedByItsCloudsAlone) {
     const auto map = readGeoTiff(report.file(".tif"));
     ASSERT_TRUE(map) << map.error().text;
     EXPECT_GT(report.json["explored_m2"].get<double>(), 10.0);
-    EXPECT_THAT(report.told, HasSubstr("no odometry"));
+    EXPECT_THAT(report.reported, HasSubstr("no odometry"));
 }
 
 TEST(MissingParts, ABagOfOthersWithoutCloudsHasNoMapAndSaysWhy) {
@@ -165,8 +165,8 @@ TEST(MissingParts, ABagOfOthersWithoutCloudsHasNoMapAndSaysWhy) {
     }
     const Made report(folder / "rover", folder / "out");
     expectNoMap(report);
-    EXPECT_THAT(report.told, AllOf(HasSubstr("there is no map: rover: no 3D scans in it"),
-                                   Not(HasSubstr(folder.path().string()))));
+    EXPECT_THAT(report.reported, AllOf(HasSubstr("there is no map: rover: no 3D scans in it"),
+                                       Not(HasSubstr(folder.path().string()))));
     const auto victims = readFindList(report.file("_victims.csv"));
     ASSERT_TRUE(victims) << victims.error().text;
     EXPECT_TRUE(victims->finds.empty());
@@ -178,7 +178,7 @@ TEST(MissingParts, ADamagedBagOfOthersTellsEachDamageOnce) {
     const fs::path log = folder / "rover" / "rover_0.db3";
     fs::resize_file(log, fs::file_size(log) * 3 / 4);
     const Made report(folder / "rover", folder / "out");
-    EXPECT_THAT(report.told, HasSubstr("rover_0.db3"));
+    EXPECT_THAT(report.reported, HasSubstr("rover_0.db3"));
     std::multiset<std::string> warnings;
     for (const auto& one : report.json["warnings"]) warnings.insert(one.get<std::string>());
     for (const std::string& one : warnings) EXPECT_EQ(warnings.count(one), 1U) << one;

@@ -163,10 +163,10 @@ TEST_F(PlacesByOthers, PythonReadsTheOtherLists) {
             file(ending));
         LEITSTAND_NEEDS(read);
         ASSERT_EQ(read.exitCode, 0) << read.err;
-        const auto told = nlohmann::json::parse(read.out);
-        EXPECT_EQ(told["columns"], line) << ending;
-        EXPECT_EQ(told["wide"], 1) << ending << ": every row has every column";
-        EXPECT_EQ(told["finds"], 1) << ending;
+        const auto reported = nlohmann::json::parse(read.out);
+        EXPECT_EQ(reported["columns"], line) << ending;
+        EXPECT_EQ(reported["wide"], 1) << ending << ": every row has every column";
+        EXPECT_EQ(reported["finds"], 1) << ending;
     }
 }
 

@@ -92,8 +92,8 @@ TEST_F(Report, OfAMapWithTwoStoreysHasBoth) {
     what.upstairs = true;
     writeSampleMission(folder / "two", what);
     const fs::path made = folder / "out";
-    const ProcessOutcome told = ctl({"report", (folder / "two").string(), "--out", made.string()});
-    ASSERT_EQ(told.exitCode, 0) << told.err;
+    const ProcessOutcome reported = ctl({"report", (folder / "two").string(), "--out", made.string()});
+    ASSERT_EQ(reported.exitCode, 0) << reported.err;
     const auto map = [&](const std::string& ending) { return readGeoTiff(made / (Name + ending)).value(); };
     const MapPicture below = map("_storey0.tif"), above = map("_storey1.tif");
     EXPECT_EQ(at(below, 1.5 + 0.14, 1.0), map_colour::Victim) << "V1";

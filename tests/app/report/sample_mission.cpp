@@ -96,10 +96,10 @@ public:
         }
         return arrived(topic, before);
     }
-    std::uint64_t say(const Sample& sample, std::string_view topic) {
+    std::uint64_t publish(const Sample& sample, std::string_view topic) {
         const std::uint64_t before = newestOf(std::string(topic));
-        const auto said = m_mission->say(sample, topic);
-        EXPECT_TRUE(said.ok()) << said.error().text;
+        const auto reported = m_mission->record(sample, topic);
+        EXPECT_TRUE(reported.ok()) << reported.error().text;
         return arrived(std::string(topic), before);
     }
 
@@ -132,11 +132,11 @@ PictureSample pictureOf(const Picture& picture, const char* frame, double second
     return sample;
 }
 
-VictimSample find(VictimSample::Kind kind, std::uint32_t number, const Eigen::Vector3d& place) {
-    VictimSample made;
+FindSample find(FindSample::Kind kind, std::uint32_t number, const Eigen::Vector3d& place) {
+    FindSample made;
     made.kind = kind;
     made.number = number;
-    made.status = VictimSample::Status::Confirmed;
+    made.status = FindSample::Status::Confirmed;
     made.found = Time(std::chrono::system_clock::now().time_since_epoch());
     made.robot = "kurt3d";
     made.positionInMap = place;
@@ -154,7 +154,7 @@ CloudSample cloudOf(const ReportScan& scan) {
 }
 
 /// CO2 that rises for a minute.
-void smell(Writer& writer, VictimSample& find) {
+void smell(Writer& writer, FindSample& find) {
     for (int i = 0; i <= 20; ++i) {
         const double seconds = 10.2 - 3.0 * (20 - i), ppm = i < 10 ? 420.0 : 420.0 + 79.0 * (i - 10);
         const auto gas = writer.receive(GasSample{{at(seconds), ""}, "co2", ppm}, "/kurt3d/co2");
@@ -164,8 +164,8 @@ void smell(Writer& writer, VictimSample& find) {
 
 /// @p odometry: sequence of a sample of it; 0: there is none.
 void sayFinds(Writer& writer, const std::vector<ReportScan>& scans, std::uint64_t odometry) {
-    using Kind = VictimSample::Kind;
-    VictimSample first = find(Kind::Victim, 1, {1.5, 1.0, 0.4});
+    using Kind = FindSample::Kind;
+    FindSample first = find(Kind::Victim, 1, {1.5, 1.0, 0.4});
     first.autonomous = true;
     first.form = {VictimSign::State::Present, "whole body"};
     first.motion = {VictimSign::State::Present, "waving"};
@@ -190,21 +190,21 @@ void sayFinds(Writer& writer, const std::vector<ReportScan>& scans, std::uint64_
             {"scan", topic, writer.receive(cloudOf(scans[1]), topic), scans[1].scan->end});
     }
     if (odometry != 0) first.evidence.push_back({"odometry", "/kurt3d/odom", odometry, Time()});
-    writer.say(first, station_topic::Victims);
-    VictimSample second = find(Kind::Victim, 2, {-2.0, -1.5, 0.3});
-    second.status = VictimSample::Status::Hypothesis;
-    writer.say(second, station_topic::Victims);
-    VictimSample third = find(Kind::Victim, 3, {1.6, 1.0, 0.4});
-    third.status = VictimSample::Status::Discarded;
+    writer.publish(first, station_topic::Victims);
+    FindSample second = find(Kind::Victim, 2, {-2.0, -1.5, 0.3});
+    second.status = FindSample::Status::Hypothesis;
+    writer.publish(second, station_topic::Victims);
+    FindSample third = find(Kind::Victim, 3, {1.6, 1.0, 0.4});
+    third.status = FindSample::Status::Discarded;
     third.mergedInto = 1;
-    writer.say(third, station_topic::Victims);
-    writer.say(find(Kind::Hazard, 1, {2.5, -1.0, 0.5}), station_topic::Victims);
-    VictimSample code = find(Kind::Code, 1, {0.5, -2.5, 0.5});
+    writer.publish(third, station_topic::Victims);
+    writer.publish(find(Kind::Hazard, 1, {2.5, -1.0, 0.5}), station_topic::Victims);
+    FindSample code = find(Kind::Code, 1, {0.5, -2.5, 0.5});
     code.tag = "exit, \"left\"";
-    writer.say(code, station_topic::Victims);
-    VictimSample object = find(Kind::Object, 1, {-1.0, 2.0, 0.1});
+    writer.publish(code, station_topic::Victims);
+    FindSample object = find(Kind::Object, 1, {-1.0, 2.0, 0.1});
     object.text = "valve";
-    writer.say(object, station_topic::Victims);
+    writer.publish(object, station_topic::Victims);
 }
 
 /// What could be registered is there, but the operator has set every scan aside.
@@ -222,7 +222,7 @@ void rejectAll(Writer& writer, const std::vector<ReportScan>& scans) {
         pose.trust = ScanTrust::SetAside;
         poses.poses.push_back(pose);
     }
-    writer.say(poses, station_topic::ScanPoses);
+    writer.publish(poses, station_topic::ScanPoses);
 }
 
 }  // namespace
@@ -237,7 +237,7 @@ void writeSampleMission(const std::filesystem::path& folder, const SampleMission
         info.mission = "Final 1";
         info.area = "yellow";
         info.profile = "2005";
-        writer.say(info, station_topic::Mission);
+        writer.publish(info, station_topic::Mission);
     }
     writer.receive(ModeSample{{at(100), ""}, "explore", true, "", {"explore"}}, "/kurt3d/mode");
     const auto scans = what.upstairs ? storeyScans(what.scans) : roomScans(what.scans);
@@ -257,19 +257,19 @@ void writeSampleMission(const std::filesystem::path& folder, const SampleMission
         sample.scan = scan.scan;
         sample.sensorInBase = scan.sensorInBase;
         sample.scanInMap = scan.scanInMap;
-        writer.say(sample, station_topic::KeyScans);
+        writer.publish(sample, station_topic::KeyScans);
     }
     if (what.setAside) rejectAll(writer, scans);
     if (what.finds) sayFinds(writer, scans, frozen);
     if (what.upstairs) {
-        writer.say(find(VictimSample::Kind::Victim, 4, {2.5, 1.5, 3.4}), station_topic::Victims);
-        writer.say(find(VictimSample::Kind::Code, 2, {1.5, 1.0, 3.6}), station_topic::Victims);
+        writer.publish(find(FindSample::Kind::Victim, 4, {2.5, 1.5, 3.4}), station_topic::Victims);
+        writer.publish(find(FindSample::Kind::Code, 2, {1.5, 1.0, 3.6}), station_topic::Victims);
     }
     for (int i = 0; i < what.victims; ++i) {
         const Eigen::Vector3d far(-20.0 + 40.0 * (i % 4) / 3, -20.0 + 20.0 * (i / 4 % 3), 0.3),
             beside(3.0 + 0.15 * i, 2.0 - 0.1 * i, 0.3);
         const auto number = static_cast<std::uint32_t>(i + 1);
-        writer.say(find(VictimSample::Kind::Victim, number, i < 3 ? beside : far), station_topic::Victims);
+        writer.publish(find(FindSample::Kind::Victim, number, i < 3 ? beside : far), station_topic::Victims);
     }
 }
 

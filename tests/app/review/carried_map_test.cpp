@@ -33,10 +33,10 @@ protected:
         std::vector<ScanPose> poses = writeRoom(mission, alongTheRoom(), seconds);
         poses[2].trust = ScanTrust::SetAside;
         poses[5].scanInMap.translation().x() += 0.01;  // as after a loop
-        mission.say(seconds, std::string(station_topic::ScanPoses),
-                    ScanPosesSample{Time{}, "us", ScanPosesSample::Cause::Operator, poses});
+        mission.publish(seconds, std::string(station_topic::ScanPoses),
+                        ScanPosesSample{Time{}, "us", ScanPosesSample::Cause::Operator, poses});
         MapCropSample crop{Time{}, "us", {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, 2.0};
-        mission.say(seconds + 1.0, std::string(station_topic::MapCrop), crop);
+        mission.publish(seconds + 1.0, std::string(station_topic::MapCrop), crop);
         m_poses = poses;
     }
     [[nodiscard]] CarriedInto today() const { return {m_today, {}, "test"}; }
@@ -107,7 +107,7 @@ TEST_F(CarriedMap, AMissionThatHasAMapKeepsItAndOneWithoutHasNoneToGive) {
     const auto again = carryMap(m_yesterday, today());
     ASSERT_FALSE(again);
     EXPECT_THAT(again.error().text, HasSubstr("today: it is there already"));
-    WrittenMission(m_folder / "empty").say(1.0, std::string(station_topic::Notes), NoteSample{});
+    WrittenMission(m_folder / "empty").publish(1.0, std::string(station_topic::Notes), NoteSample{});
     EXPECT_TRUE(hasMap(m_yesterday).ok());
     EXPECT_FALSE(hasMap(m_folder / "empty").ok());
     EXPECT_FALSE(hasMap(m_folder / "absent").ok());

@@ -25,7 +25,7 @@ protected:
     }
     const TemporaryFolder m_folder;
     const std::filesystem::path m_mission = m_folder / "mission";
-    VictimSample find;
+    FindSample find;
 };
 
 TEST_F(EvidenceReaderTest, APictureIsTheOneThatTheFindNames) {
@@ -53,7 +53,7 @@ TEST_F(EvidenceReaderTest, WhatIsNoPictureIsLeftOutAndNoMissionIsNoPicture) {
 
 TEST_F(EvidenceReaderTest, AnswersOnItsOwnThread) {
     std::promise<std::size_t> answer;
-    EvidenceReader reader(m_mission, [&](const VictimSample&, const ReadEvidence& read) {
+    EvidenceReader reader(m_mission, [&](const FindSample&, const ReadEvidence& read) {
         answer.set_value(read.pictures.size());
     });
     reader.want(find);

@@ -85,12 +85,12 @@ TEST_F(ForeignReview, EveryStateIsTheSameFromWhereverOneCameToIt) {
 
 TEST_F(ForeignReview, TellsHowFarItIs) {
     std::mutex mutex;
-    std::vector<double> told;
+    std::vector<double> reported;
     ReviewIndexPtr index;
     ReviewListener listener;
     listener.onOpening = [&](double fraction) {
         const std::lock_guard lock(mutex);
-        told.push_back(fraction);
+        reported.push_back(fraction);
     };
     listener.onIndex = [&](const ReviewIndexPtr& made) {
         const std::lock_guard lock(mutex);
@@ -100,10 +100,10 @@ TEST_F(ForeignReview, TellsHowFarItIs) {
     ASSERT_TRUE(waitUntil([&] { return player->moment() != nullptr; }, std::chrono::seconds(60)));
     EXPECT_TRUE(player->mapsOffline());
     const std::lock_guard lock(mutex);
-    ASSERT_GT(told.size(), 2 * Scans);
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-    EXPECT_LT(told.front(), 0.1);
-    EXPECT_GT(told.back(), 0.99);
+    ASSERT_GT(reported.size(), 2 * Scans);
+    EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+    EXPECT_LT(reported.front(), 0.1);
+    EXPECT_GT(reported.back(), 0.99);
     EXPECT_EQ(index->keyScans.size(), Scans);
 }
 

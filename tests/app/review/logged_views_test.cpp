@@ -39,7 +39,7 @@ protected:
         sample.scan = scan;
         sample.sensorInBase = seen.sensorInBase;
         sample.scanInMap = seen.scanInMap;
-        m_mission.say(1.0, std::string(station_topic::KeyScans), sample);
+        m_mission.publish(1.0, std::string(station_topic::KeyScans), sample);
     }
     /// From @p from to @p to [s], in that time to @p x of its odometry, with a picture every half second.
     void drive(double from, double to, double x) {
@@ -58,7 +58,7 @@ protected:
         sample.baseInMap = poseFrom({x, 0, 0}, 0, 0, 0);
         sample.certain = true;
         sample.certainty = 1.0;
-        m_mission.say(seconds, std::string(station_topic::RobotPlaces), sample);
+        m_mission.publish(seconds, std::string(station_topic::RobotPlaces), sample);
     }
     [[nodiscard]] std::vector<SearchView> views() {
         m_mission.close();
@@ -125,7 +125,7 @@ TEST_F(LoggedViewsTest, AScanThatWasSetAsideByMistakeCountsAgain) {
     aside.station = "test";
     aside.cause = ScanPosesSample::Cause::Operator;
     aside.poses = {{.scan = 1, .scanInMap = SearchScene{}.scan().scanInMap, .trust = ScanTrust::SetAside}};
-    m_mission.say(2.0, std::string(station_topic::ScanPoses), aside);
+    m_mission.publish(2.0, std::string(station_topic::ScanPoses), aside);
     const std::uint64_t decided = m_mission.sequence();
     drive(2.0, 3.0, 0.4);
     m_mission.sayUndo(3.0, decided);
@@ -177,12 +177,12 @@ TEST_F(LoggedViewsTest, WhatWasSearchedIsThereAgainAfterARestart) {
     setup.earlierViews = [folder = m_mission.folder()](const std::stop_token& stop) {
         return loggedViews(folder, {.report = {}, .stop = stop}).views;
     };
-    std::vector<std::string> told;
-    setup.tell = [&](const std::string& text) { told.push_back(text); };
+    std::vector<std::string> reported;
+    setup.notify = [&](const std::string& text) { reported.push_back(text); };
     CoverageWatch again(std::move(setup));
     EXPECT_TRUE(waitUntil([&] { return isSo(again); }, Patience));
     again.close();
-    EXPECT_TRUE(told.empty()) << told.front();
+    EXPECT_TRUE(reported.empty()) << reported.front();
 
     // It drives on: what was seen before the restart is not counted twice, and not forgotten.
     place(4.0, -1.3);

@@ -156,7 +156,7 @@ protected:
             link.active = m_closed;
             asked.links.push_back(link);
         }
-        mission.say(m_seconds, std::string(station_topic::ScanLinks), asked);
+        mission.publish(m_seconds, std::string(station_topic::ScanLinks), asked);
     }
 
     const bool m_closed;
@@ -218,8 +218,8 @@ TEST(MapsByHand, NeedAMapOfOurs) {
     EXPECT_THAT(none.error().text, HasSubstr("none"));
     {
         WrittenMission mission(folder / "empty");
-        mission.say(1.0, std::string(station_topic::Notes),
-                    NoteSample{WrittenMission::at(1.0), "us", "", "no scan"});
+        mission.publish(1.0, std::string(station_topic::Notes),
+                        NoteSample{WrittenMission::at(1.0), "us", "", "no scan"});
     }
     {
         WrittenMission mission(folder / "old");

@@ -38,7 +38,7 @@ protected:
             victim.kind = "victim";
             victim.position = World * Eigen::Vector3d(1.0, 0.8, 0.3);
             victims.sightings = {victim};
-            mission.say(0.0, "/truth/test/victims", victims);
+            mission.publish(0.0, "/truth/test/victims", victims);
         }
         for (int i = 0; i <= 200; ++i) {
             const double t = 0.1 * i;
@@ -48,10 +48,10 @@ protected:
                 pose.header = {Mission::at(t), "arena"};
                 pose.childFrame = "kurt3d/base_link";
                 pose.baseInOdom = World * poseFrom({0.1 * t, 0, 0}, 0, 0, 0);
-                mission.say(t, "/truth/test/kurt3d", pose);
+                mission.publish(t, "/truth/test/kurt3d", pose);
             }
             if (i % 50 == 0) mission.sayKeyScan(t, static_cast<std::uint64_t>(i / 50 + 1), 0.1 * t);
-            if (i == 100) mission.sayVictim(t, 1, VictimSample::Status::Confirmed);
+            if (i == 100) mission.sayVictim(t, 1, FindSample::Status::Confirmed);
         }
         if (wrong != 0.0) mission.moveKeyScan(20.0, 3, 1.0 + wrong);
         mission.close();

@@ -46,10 +46,10 @@ protected:
             const double off = i % 2 == 0 ? 0.05 : -0.04;
             poses[i].scanInMap = poses[i].scanInMap * poseFrom({off, -off, 0}, 0, 0, 0.2 * off);
         }
-        mission.say(seconds, std::string(station_topic::ScanPoses),
-                    ScanPosesSample{Time{}, "us", ScanPosesSample::Cause::Registration, poses});
-        mission.say(seconds + 1.0, std::string(station_topic::Notes),
-                    NoteSample{WrittenMission::at(seconds + 1.0), "us", "", "done"});
+        mission.publish(seconds, std::string(station_topic::ScanPoses),
+                        ScanPosesSample{Time{}, "us", ScanPosesSample::Cause::Registration, poses});
+        mission.publish(seconds + 1.0, std::string(station_topic::Notes),
+                        NoteSample{WrittenMission::at(seconds + 1.0), "us", "", "done"});
     }
     [[nodiscard]] std::filesystem::path folder() const { return m_folder / "mission"; }
     [[nodiscard]] MissionState state() const {
@@ -128,9 +128,9 @@ TEST_F(TidyingTest, AMapOfBeforeThereWereLinksGetsThemThoughNothingMoves) {
     ASSERT_TRUE(again) << again.error().text;
     EXPECT_EQ(again->linked, 0U) << "it has them";
     ASSERT_TRUE(untidyMap(old, "test"));
-    const auto anew = tidyMap(old, settings);
-    ASSERT_TRUE(anew) << anew.error().text;
-    EXPECT_GE(anew->linked, std::size_t{Scans - 1}) << "they were taken back";
+    const auto remade = tidyMap(old, settings);
+    ASSERT_TRUE(remade) << remade.error().text;
+    EXPECT_GE(remade->linked, std::size_t{Scans - 1}) << "they were taken back";
 }
 
 TEST_F(TidyingTest, AStationThatGoesOnHasTheTidiedMapAndWhatHoldsIt) {
@@ -183,7 +183,7 @@ TEST_F(TidyingTest, IsNotTakenBackOnceScansEnteredTheTidiedMap) {
         settings.robots = {WrittenMission::robot()};
         const auto mission = LiveMission::open(settings);
         ASSERT_TRUE(mission) << mission.error().text;
-        ASSERT_TRUE((*mission)->say(later, station_topic::KeyScans));
+        ASSERT_TRUE((*mission)->record(later, station_topic::KeyScans));
         ASSERT_TRUE((*mission)->close());
     }
     EXPECT_THAT(untidyMap(folder(), "test").error().text, HasSubstr("the tidied map went on since"));

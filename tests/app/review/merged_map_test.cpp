@@ -131,8 +131,8 @@ TEST_F(MergedMaps, AReportWarnsOfWhatHasNotMetTheRestWhateverAreaIsDrawn) {
         WrittenMission mission(order.first);
         double seconds = 1.0;
         (void)writeRoom(mission, alongTheRoom(), seconds);
-        mission.say(seconds, std::string(station_topic::MapCrop),
-                    MapCropSample{Time{}, "us", {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, 2.0});
+        mission.publish(seconds, std::string(station_topic::MapCrop),
+                        MapCropSample{Time{}, "us", {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, 2.0});
     }
     ASSERT_TRUE(mergeMaps(order));
     const auto source = ReportSource::open(order.into);
@@ -153,7 +153,7 @@ TEST_F(MergedMaps, MissionsOfOneNameAreToldApart) {
 }
 
 TEST_F(MergedMaps, AMissionWithoutAMapIsNamedAndNothingIsLeftBehind) {
-    WrittenMission(folder / "empty").say(1.0, std::string(station_topic::Notes), NoteSample{});
+    WrittenMission(folder / "empty").publish(1.0, std::string(station_topic::Notes), NoteSample{});
     order.second = folder / "empty";
     const auto merged = mergeMaps(order);
     ASSERT_FALSE(merged);

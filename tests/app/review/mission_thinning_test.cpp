@@ -64,7 +64,7 @@ TEST_F(ThinningTest, TheStateAtTheEndIsTheSameButForWhatWasCounted) {
         return stateAt(history, bag->lastSequence());
     };
     const MissionState whole = stateOf(m_folder / "whole"), thin = stateOf(m_folder / "thin");
-    EXPECT_EQ(thin.victims->size(), whole.victims->size());
+    EXPECT_EQ(thin.finds->size(), whole.finds->size());
     EXPECT_EQ(thin.keyScans->size(), whole.keyScans->size());
     EXPECT_EQ(thin.notes->size(), whole.notes->size());
     EXPECT_EQ(thin.decisions->size(), whole.decisions->size());
@@ -82,7 +82,7 @@ TEST_F(ThinningTest, KeepsTheEvidenceOfFindsThatAnotherStationTold) {
             mission.sayPicture(0.1 * i, 20 + i);
             if (i == 15) picture = mission.sequence();
         }
-        VictimSample find;
+        FindSample find;
         find.stamp = find.found = WrittenMission::at(2.0);
         find.station = "other";
         find.number = 1;
@@ -91,7 +91,7 @@ TEST_F(ThinningTest, KeepsTheEvidenceOfFindsThatAnotherStationTold) {
         find.evidence = {{"picture", pictures, 0, WrittenMission::at(1.5)},
                          {"scan", clouds, 0, WrittenMission::at(1.5)},
                          {"picture", "/crawler/left", 0, WrittenMission::at(1.5)}};
-        mission.say(2.5, "/leitstand/victims", find);
+        mission.publish(2.5, "/leitstand/victims", find);
     }
     ASSERT_TRUE(thinMission(m_folder / "shared", m_folder / "thin", {}));
     const auto thin = eventsOf(m_folder / "thin");

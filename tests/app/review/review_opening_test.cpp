@@ -35,7 +35,7 @@ protected:
                 gas.gas = "co2";
                 gas.ppm = 500.0;
                 if (const auto* stream = Mission::robot().stream(StreamRole::Gas))
-                    mission.say(t, stream->topic, gas);
+                    mission.publish(t, stream->topic, gas);
             }
         }
     }

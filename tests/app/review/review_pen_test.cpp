@@ -69,18 +69,18 @@ TEST_F(ReviewPenTest, ANoteStandsAtTheMomentThatItIsAbout) {
 
 TEST_F(ReviewPenTest, AVictimIsCorrectedAndTheCorrectionTakenBack) {
     const auto writes = pen();
-    VictimSample victim =
-        ReviewLog::open(m_mission).value()->stateAt(Mission::at(60.0)).victims->begin()->second.victim;
-    ASSERT_EQ(victim.status, VictimSample::Status::Confirmed);
-    victim.status = VictimSample::Status::Discarded;
+    FindSample victim =
+        ReviewLog::open(m_mission).value()->stateAt(Mission::at(60.0)).finds->begin()->second.victim;
+    ASSERT_EQ(victim.status, FindSample::Status::Confirmed);
+    victim.status = FindSample::Status::Discarded;
     victim.text = "a heap of rags";
     ASSERT_TRUE(writes->correct(victim).ok());
-    const auto now = [&] { return writes->state()->victims->begin()->second.victim; };
-    EXPECT_EQ(now().status, VictimSample::Status::Discarded);
+    const auto now = [&] { return writes->state()->finds->begin()->second.victim; };
+    EXPECT_EQ(now().status, FindSample::Status::Discarded);
     EXPECT_EQ(now().station, "reviewer");
     EXPECT_TRUE(writes->canUndo());
     ASSERT_TRUE(writes->undo().ok());
-    EXPECT_EQ(now().status, VictimSample::Status::Confirmed);
+    EXPECT_EQ(now().status, FindSample::Status::Confirmed);
     EXPECT_FALSE(writes->canUndo()) << "the mission's own decisions are not this pen's";
     EXPECT_FALSE(writes->undo().ok());
     victim.number = 77;
@@ -94,12 +94,12 @@ TEST_F(ReviewPenTest, FindsAreMergedAndMoved) {
     {
         WrittenMission mission(folder);
         writeMinute(mission);
-        mission.sayVictim(61.0, 2, VictimSample::Status::Hypothesis);
+        mission.sayVictim(61.0, 2, FindSample::Status::Hypothesis);
         mission.close();
     }
     ReviewPen writes(folder, {Mission::robot()}, "reviewer", "test");
-    const FindKey first{VictimSample::Kind::Victim, 1}, second{VictimSample::Kind::Victim, 2};
-    const auto now = [&](const FindKey& find) { return writes.state()->victims->at(find).victim; };
+    const FindKey first{FindSample::Kind::Victim, 1}, second{FindSample::Kind::Victim, 2};
+    const auto now = [&](const FindKey& find) { return writes.state()->finds->at(find).victim; };
     ASSERT_TRUE(writes.merge(second, 1).ok());
     EXPECT_EQ(now(second).mergedInto, 1U);
     EXPECT_EQ(now(second).station, "reviewer");
@@ -107,14 +107,14 @@ TEST_F(ReviewPenTest, FindsAreMergedAndMoved) {
     ASSERT_TRUE(writes.move(first, there).ok());
     EXPECT_TRUE(now(first).positionInMap.isApprox(Eigen::Vector3d(2.0, -0.4, before.z())))
         << now(first).positionInMap.transpose() << ": as high as it was";
-    EXPECT_EQ(now(first).status, VictimSample::Status::Confirmed) << "it is the same find";
+    EXPECT_EQ(now(first).status, FindSample::Status::Confirmed) << "it is the same find";
     ASSERT_TRUE(writes.undo().ok());
     EXPECT_TRUE(now(first).positionInMap.isApprox(before));
     EXPECT_EQ(now(second).mergedInto, 1U) << "one at a time";
     ASSERT_TRUE(writes.undo().ok());
     EXPECT_EQ(now(second).mergedInto, 0U);
     EXPECT_FALSE(writes.merge(first, 9).ok());
-    EXPECT_FALSE(writes.move({VictimSample::Kind::Hazard, 1}, there).ok());
+    EXPECT_FALSE(writes.move({FindSample::Kind::Hazard, 1}, there).ok());
 }
 
 TEST_F(ReviewPenTest, WhatNobodyFiledIsFiledWithThePicturesOfItsMoment) {
@@ -131,25 +131,25 @@ TEST_F(ReviewPenTest, WhatNobodyFiledIsFiledWithThePicturesOfItsMoment) {
     EXPECT_THAT(evidenceAt(*moment, "crawler", *moment->mission, there).evidence, SizeIs(0))
         << "another robot";
     const auto writes = pen();
-    using Kind = VictimSample::Kind;
+    using Kind = FindSample::Kind;
     ASSERT_TRUE(writes->file(Kind::Hazard, seen).ok());
     const FindKey hazard{Kind::Hazard, 1}, second{Kind::Victim, 2};
-    ASSERT_TRUE(writes->state()->victims->contains(hazard));
-    const VictimSample filed = writes->state()->victims->at(hazard).victim;
+    ASSERT_TRUE(writes->state()->finds->contains(hazard));
+    const FindSample filed = writes->state()->finds->at(hazard).victim;
     EXPECT_EQ(filed.found, Mission::at(12.04));
     EXPECT_EQ(filed.robot, "kurt3d");
-    EXPECT_EQ(filed.status, VictimSample::Status::Hypothesis);
+    EXPECT_EQ(filed.status, FindSample::Status::Hypothesis);
     EXPECT_TRUE(filed.positionInMap.isApprox(there + Eigen::Vector3d(0.5, 0, 0)))
         << "it hangs on the third scan, which was moved later";
     ASSERT_TRUE(writes->file(Kind::Victim, seen).ok());
-    EXPECT_TRUE(writes->state()->victims->contains(second)) << "V1 lies elsewhere";
-    const std::size_t finds = writes->state()->victims->size();
+    EXPECT_TRUE(writes->state()->finds->contains(second)) << "V1 lies elsewhere";
+    const std::size_t finds = writes->state()->finds->size();
     ASSERT_TRUE(writes->file(Kind::Victim, seen).ok());
-    EXPECT_EQ(writes->state()->victims->size(), finds) << "the same one again";
+    EXPECT_EQ(writes->state()->finds->size(), finds) << "the same one again";
     ASSERT_TRUE(writes->undo().ok());
     ASSERT_TRUE(writes->undo().ok());
-    EXPECT_FALSE(writes->state()->victims->contains(second));
-    EXPECT_TRUE(writes->state()->victims->contains(hazard));
+    EXPECT_FALSE(writes->state()->finds->contains(second));
+    EXPECT_TRUE(writes->state()->finds->contains(hazard));
 }
 
 TEST_F(ReviewPenTest, WhatAnEarlierReviewWroteIsTakenBack) {
@@ -167,8 +167,8 @@ TEST_F(ReviewPenTest, WhatAnEarlierReviewWroteIsTakenBack) {
         writes->know(recorded->finished);
         EXPECT_FALSE(writes->canUndo()) << "no review wrote anything";
         ASSERT_TRUE(writes->note(Mission::at(33.0), "kurt3d", "a lamp").ok());
-        VictimSample victim = recorded->finished->victims->begin()->second.victim;
-        victim.status = VictimSample::Status::Discarded;
+        FindSample victim = recorded->finished->finds->begin()->second.victim;
+        victim.status = FindSample::Status::Discarded;
         ASSERT_TRUE(writes->correct(victim).ok());
     }
     const ReviewIndexPtr reviewed = read();
@@ -181,8 +181,8 @@ TEST_F(ReviewPenTest, WhatAnEarlierReviewWroteIsTakenBack) {
         ASSERT_TRUE(writes->canUndo());
         EXPECT_EQ(writes->state(), nullptr) << "nothing is written by that";
         ASSERT_TRUE(writes->undo().ok());
-        const auto now = [&] { return writes->state()->victims->begin()->second.victim.status; };
-        EXPECT_EQ(now(), VictimSample::Status::Confirmed);
+        const auto now = [&] { return writes->state()->finds->begin()->second.victim.status; };
+        EXPECT_EQ(now(), FindSample::Status::Confirmed);
         EXPECT_THAT(*writes->state()->notes, SizeIs(2)) << "one at a time";
         ASSERT_TRUE(writes->undo().ok());
         auto marks = reviewed->marks;
@@ -190,7 +190,7 @@ TEST_F(ReviewPenTest, WhatAnEarlierReviewWroteIsTakenBack) {
         EXPECT_THAT(notes(marks), ElementsAre("door on the left"));
         EXPECT_FALSE(writes->canUndo()) << "the rest was recorded";
         EXPECT_FALSE(writes->undo().ok());
-        EXPECT_EQ(now(), VictimSample::Status::Confirmed);
+        EXPECT_EQ(now(), FindSample::Status::Confirmed);
     }
     const ReviewIndexPtr after = read();
     EXPECT_THAT(notes(after->marks), ElementsAre("door on the left"));
@@ -212,11 +212,11 @@ TEST_F(ReviewPenTest, AMissionThatWentOnAfterAReviewIsNoPartOfIt) {
         start.stamp = Mission::at(seconds);
         start.station = station;
         start.title = "Review";
-        mission.say(seconds, std::string(station_topic::Sessions), start);
+        mission.publish(seconds, std::string(station_topic::Sessions), start);
     };
     const auto note = [&](double seconds, const std::string& text) {
-        mission.say(seconds, std::string(station_topic::Notes),
-                    NoteSample{.stamp = Mission::at(seconds), .station = "x", .robot = {}, .text = text});
+        mission.publish(seconds, std::string(station_topic::Notes),
+                        NoteSample{.stamp = Mission::at(seconds), .station = "x", .robot = {}, .text = text});
     };
     session(100.0, "review-elsewhere");
     note(101.0, "of the review");
@@ -246,13 +246,13 @@ protected:
         m_candidate.cues.push_back({.kind = "heat", .robot = "kurt3d", .value = 33.5});
         WrittenMission mission(m_mission);
         writeMinute(mission);
-        mission.say(61.0, std::string(station_topic::Candidates), m_candidate);
+        mission.publish(61.0, std::string(station_topic::Candidates), m_candidate);
         m_candidate.stamp = Mission::at(64.0);  // told anew, while somebody drives it by hand
         m_candidate.confidence = 0.9;
         ModeSample byHand;
         byHand.mode = "manual";
-        mission.say(63.0, Mission::robot().stream(StreamRole::Mode)->topic, byHand);
-        mission.say(64.0, std::string(station_topic::Candidates), m_candidate);
+        mission.publish(63.0, Mission::robot().stream(StreamRole::Mode)->topic, byHand);
+        mission.publish(64.0, std::string(station_topic::Candidates), m_candidate);
         mission.close();
     }
     CandidateSample m_candidate;
@@ -262,9 +262,9 @@ TEST_F(ReviewPenAndCandidateTest, ItIsFiled) {
     const auto pen = this->pen();
     ReviewPen& writes = *pen;
     ASSERT_TRUE(writes.fileCandidate(7).ok());
-    const FindKey second{VictimSample::Kind::Victim, 2};
-    ASSERT_TRUE(writes.state()->victims->contains(second));
-    const VictimSample filed = writes.state()->victims->at(second).victim;
+    const FindKey second{FindSample::Kind::Victim, 2};
+    ASSERT_TRUE(writes.state()->finds->contains(second));
+    const FindSample filed = writes.state()->finds->at(second).victim;
     EXPECT_EQ(filed.heat.value, 33.5);
     EXPECT_EQ(filed.found, Mission::at(31.0)) << "when it was told first";
     EXPECT_TRUE(filed.autonomous) << "so it drove then";
@@ -324,13 +324,13 @@ TEST_F(ReviewPenAndCandidateTest, WhatWasDismissedWhileItWasRecordedStaysSo) {
         WrittenMission mission(m_folder / "dismissed");
         writeMinute(mission);
         m_candidate.dismissed = true;
-        mission.say(61.0, std::string(station_topic::Candidates), m_candidate);
+        mission.publish(61.0, std::string(station_topic::Candidates), m_candidate);
         m_candidate.stamp = Mission::at(64.0);  // told anew, while somebody drives it by hand
         m_candidate.confidence = 0.9;
         ModeSample byHand;
         byHand.mode = "manual";
-        mission.say(63.0, Mission::robot().stream(StreamRole::Mode)->topic, byHand);
-        mission.say(64.0, std::string(station_topic::Candidates), m_candidate);
+        mission.publish(63.0, Mission::robot().stream(StreamRole::Mode)->topic, byHand);
+        mission.publish(64.0, std::string(station_topic::Candidates), m_candidate);
         mission.close();
     }
     ReviewPen writes(m_folder / "dismissed", {Mission::robot()}, "reviewer", "test");
@@ -342,10 +342,10 @@ TEST_F(ReviewPenAndCandidateTest, WhatWasDismissedWhileItWasRecordedStaysSo) {
 
     // As it was before that it can be filed.
     ASSERT_TRUE(writes.fileCandidate(m_candidate.id).ok());
-    const FindKey second{VictimSample::Kind::Victim, 2};
-    ASSERT_TRUE(writes.state()->victims->contains(second));
+    const FindKey second{FindSample::Kind::Victim, 2};
+    ASSERT_TRUE(writes.state()->finds->contains(second));
     ASSERT_TRUE(writes.undo().ok());
-    EXPECT_FALSE(writes.state()->victims->contains(second)) << "at once";
+    EXPECT_FALSE(writes.state()->finds->contains(second)) << "at once";
     EXPECT_TRUE(dismissed());
     EXPECT_FALSE(writes.canUndo());
 }

@@ -67,8 +67,8 @@ TEST_F(ReviewSceneTest, TheIndexMarksWhatHappened) {
 
 TEST_F(ReviewSceneTest, AMomentHasWhatTheStationHadThen) {
     const ReviewMomentPtr early = at(12.04), late = at(47.0), again = at(12.04);
-    EXPECT_EQ(early->mission->victims->size(), 0U);
-    EXPECT_EQ(late->mission->victims->size(), 1U);
+    EXPECT_EQ(early->mission->finds->size(), 0U);
+    EXPECT_EQ(late->mission->finds->size(), 1U);
     EXPECT_EQ(early->scans->scans.size(), 3U);
     EXPECT_EQ(late->scans->scans.size(), 10U);
     EXPECT_EQ(again->map->scans.size(), 3U);
@@ -103,7 +103,7 @@ TEST_F(ReviewSceneTest, TheMapIsAsThenOrAsFinished) {
 
 TEST_F(ReviewSceneTest, OfTheMapIsThereWhatBelongedIntoItThen) {
     const auto folder = m_folder / "cropped";
-    std::uint64_t said = 0;
+    std::uint64_t reported = 0;
     {
         WrittenMission mission(folder);
         mission.sayKeyScan(5.0, 1, 0.0);
@@ -111,10 +111,10 @@ TEST_F(ReviewSceneTest, OfTheMapIsThereWhatBelongedIntoItThen) {
         crop.stamp = Mission::at(9.0);
         crop.station = "test";
         crop.polygon = {{-5.0, -5.0}, {1.0, -5.0}, {1.0, 5.0}, {-5.0, 5.0}};
-        mission.say(9.0, std::string(station_topic::MapCrop), crop);
-        said = mission.sequence();
+        mission.publish(9.0, std::string(station_topic::MapCrop), crop);
+        reported = mission.sequence();
         mission.sayKeyScan(15.0, 2, 0.5);
-        mission.sayUndo(20.0, said);
+        mission.sayUndo(20.0, reported);
         mission.sayKeyScan(25.0, 3, 1.0);
     }
     const auto log = ReviewLog::open(folder).value();
@@ -147,8 +147,8 @@ TEST_F(ReviewSceneTest, ARobotThatWasPlacedLaterIsInTheMapOnlyUntilThen) {
         BodyInScan all{
             "crawler", {{9.0, 9.0}, {-9.0, 9.0}, {-9.0, -9.0}, {9.0, -9.0}}, 3.0, Pose::Identity(), 0.1};
         all.baseInScan.translation() = Eigen::Vector3d(10.0, 0.0, -1.5);
-        mission.say(9.0, std::string(station_topic::ScanBodies),
-                    ScanBodiesSample{Mission::at(9.0), "test", {{1, {all}}}});
+        mission.publish(9.0, std::string(station_topic::ScanBodies),
+                        ScanBodiesSample{Mission::at(9.0), "test", {{1, {all}}}});
     }
     const auto log = ReviewLog::open(folder).value();
     const auto index = indexOf(*log);
@@ -295,7 +295,7 @@ TEST_F(ReviewPlayerTest, PlaysToTheEndAndBackToTheStart) {
     m_player->play(-32.0);
     EXPECT_TRUE(reaches(0.0));
     EXPECT_TRUE(waitUntil([this] { return m_player->rate() == 0.0; }, 60s));
-    EXPECT_EQ(m_player->moment()->mission->victims->size(), 0U);
+    EXPECT_EQ(m_player->moment()->mission->finds->size(), 0U);
 }
 
 TEST_F(ReviewPlayerTest, RatesStayWithinTheirBounds) {

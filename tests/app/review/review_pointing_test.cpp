@@ -60,7 +60,7 @@ protected:
         scan.sensorInBase = poseFrom({0, 0, 0.4}, 0, 0, 0);
         scan.scanInMap = poseFrom({x, 0, 0.4}, 0, 0, 0);
         scan.matched = id - 1;
-        mission.say(seconds, std::string(station_topic::KeyScans), scan);
+        mission.publish(seconds, std::string(station_topic::KeyScans), scan);
     }
     Result<FrozenEvidence> point(double seconds, const Eigen::Vector2d& share,
                                  const std::string& sensor = "left") {
@@ -92,8 +92,8 @@ TEST_F(ReviewPointingTest, WhatIsPointedToIsWhereTheScannerSawIt) {
     EXPECT_GT(beside->positionInMap.y(), seen->positionInMap.y() + 0.3) << "left in the picture is left";
 
     ReviewPen pen(m_mission, {Mission::robot()}, "reviewer", "test");
-    ASSERT_TRUE(pen.file(VictimSample::Kind::Hazard, *seen).ok());
-    const VictimSample filed = pen.state()->victims->at({VictimSample::Kind::Hazard, 1}).victim;
+    ASSERT_TRUE(pen.file(FindSample::Kind::Hazard, *seen).ok());
+    const FindSample filed = pen.state()->finds->at({FindSample::Kind::Hazard, 1}).victim;
     EXPECT_TRUE(filed.positionInMap.isApprox(seen->positionInMap, 1e-6));
 }
 
@@ -129,7 +129,7 @@ TEST(ReviewPointing, ABodyInAPictureOfTheShippedMissionIsWhereItsVictimWasFiled)
         evidenceIn(mission, *index, *moment, "kurt3d", *moment->mission, {"left", {0.14, 0.69}});
     ASSERT_TRUE(seen) << seen.error().text;
     const Eigen::Vector3d filed =
-        index->finished->victims->at({VictimSample::Kind::Victim, 1}).victim.positionInMap;
+        index->finished->finds->at({FindSample::Kind::Victim, 1}).victim.positionInMap;
     EXPECT_LT((seen->positionInMap - filed).head<2>().norm(), 0.6)
         << seen->positionInMap.transpose() << " and " << filed.transpose();
 }

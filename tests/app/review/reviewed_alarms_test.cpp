@@ -6,11 +6,11 @@
 namespace leitstand::test {
 namespace {
 
-/// A mission in which each of @p said was raised, the last one newest.
-MissionState raised(const std::vector<AlarmSample>& said) {
+/// A mission in which each of @p reported was raised, the last one newest.
+MissionState raised(const std::vector<AlarmSample>& reported) {
     MissionState state;
     std::uint64_t sequence = 0;
-    for (const AlarmSample& alarm : said)
+    for (const AlarmSample& alarm : reported)
         state.alarms.edit()[{alarm.station, alarm.robot, alarm.key}] = {++sequence, sequence, 1, alarm};
     return state;
 }

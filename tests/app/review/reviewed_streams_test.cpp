@@ -28,7 +28,7 @@ protected:
                     ModeSample mode;
                     mode.header.stamp = Mission::at(10.0);
                     mode.mode = "explore";
-                    mission.say(10.0, Mission::robot().stream(StreamRole::Mode)->topic, mode);
+                    mission.publish(10.0, Mission::robot().stream(StreamRole::Mode)->topic, mode);
                 }
             }
             mission.close();

@@ -79,7 +79,7 @@ void WrittenMission::write(double seconds, const std::string& topic, const Sampl
     m_writer->write(raw);
 }
 
-void WrittenMission::say(double seconds, const std::string& topic, const Sample& sample) {
+void WrittenMission::publish(double seconds, const std::string& topic, const Sample& sample) {
     write(seconds, topic, sample);
     if (m_interval <= 0.0 || seconds < m_checkpointed + m_interval) return;
     m_checkpointed = seconds;
@@ -92,7 +92,7 @@ void WrittenMission::sayOdometry(double seconds, double x) {
     odometry.childFrame = "kurt3d/base_link";
     odometry.baseInOdom = poseFrom({x, 0, 0}, 0, 0, 0);
     odometry.linear.x() = 0.1;
-    say(seconds, "/kurt3d/odom", odometry);
+    publish(seconds, "/kurt3d/odom", odometry);
 }
 
 void WrittenMission::sayPlace(double seconds, double x) {
@@ -107,7 +107,7 @@ void WrittenMission::sayPlace(double seconds, double x) {
             wall.points.emplace_back(2.0F * std::cos(heading), 2.0F * std::sin(heading),
                                      -0.4F + 0.05F * static_cast<float>(column));
     }
-    say(seconds, robot().stream(StreamRole::Points)->topic, wall);
+    publish(seconds, robot().stream(StreamRole::Points)->topic, wall);
 }
 
 void WrittenMission::sayPicture(double seconds, int grey) {
@@ -120,7 +120,7 @@ void WrittenMission::sayPicture(double seconds, int grey) {
     picture.compressed = true;
     picture.encoding = "png";
     picture.content = {bytes, *bytes};
-    say(seconds, robot().stream(StreamRole::Picture, "left")->topic, picture);
+    publish(seconds, robot().stream(StreamRole::Picture, "left")->topic, picture);
 }
 
 void WrittenMission::sayKeyScan(double seconds, std::uint64_t id, double x) {
@@ -131,7 +131,7 @@ void WrittenMission::sayKeyScan(double seconds, std::uint64_t id, double x) {
     scan.sensorInBase = poseFrom({0, 0, 0.4}, 0, 0, 0);
     scan.scanInMap = poseFrom({x, 0, 0.4}, 0, 0, 0);
     scan.matched = id - 1;
-    say(seconds, std::string(station_topic::KeyScans), scan);
+    publish(seconds, std::string(station_topic::KeyScans), scan);
 }
 
 void WrittenMission::moveKeyScan(double seconds, std::uint64_t id, double x) {
@@ -144,7 +144,7 @@ void WrittenMission::moveKeyScan(double seconds, std::uint64_t id, double x) {
     pose.scanInMap = poseFrom({x, 0, 0.4}, 0, 0, 0);
     pose.converged = true;
     poses.poses = {pose};
-    say(seconds, std::string(station_topic::ScanPoses), poses);
+    publish(seconds, std::string(station_topic::ScanPoses), poses);
 }
 
 void WrittenMission::sayUndo(double seconds, std::uint64_t sequence) {
@@ -152,7 +152,7 @@ void WrittenMission::sayUndo(double seconds, std::uint64_t sequence) {
     undo.stamp = at(seconds);
     undo.station = "test";
     undo.event = sequence;
-    say(seconds, std::string(station_topic::Undo), undo);
+    publish(seconds, std::string(station_topic::Undo), undo);
 }
 
 void WrittenMission::sayCamera(double seconds) {
@@ -161,51 +161,51 @@ void WrittenMission::sayCamera(double seconds) {
     info.width = 320;
     info.height = 240;
     info.intrinsics = {320, 0, 160, 0, 320, 120, 0, 0, 1};
-    say(seconds, robot().stream(StreamRole::CameraInfo, "left")->topic, info);
+    publish(seconds, robot().stream(StreamRole::CameraInfo, "left")->topic, info);
 }
 
-void WrittenMission::sayVictim(double seconds, std::uint32_t number, VictimSample::Status status) {
-    VictimSample victim;
+void WrittenMission::sayVictim(double seconds, std::uint32_t number, FindSample::Status status) {
+    FindSample victim;
     victim.stamp = victim.found = at(seconds);
     victim.station = "test";
     victim.number = number;
     victim.status = status;
     victim.robot = "kurt3d";
     victim.positionInMap = {1.0, 0.5, 0.3};
-    say(seconds, std::string(station_topic::Victims), victim);
+    publish(seconds, std::string(station_topic::Victims), victim);
 }
 
 void writeMinute(WrittenMission& mission) {
-    mission.say(0.0, std::string(station_topic::Sessions),
-                SessionSample{.stamp = WrittenMission::at(0.0),
-                              .station = "test",
-                              .title = "Test desk",
-                              .start = true,
-                              .mission = "minute",
-                              .version = "test"});
+    mission.publish(0.0, std::string(station_topic::Sessions),
+                    SessionSample{.stamp = WrittenMission::at(0.0),
+                                  .station = "test",
+                                  .title = "Test desk",
+                                  .start = true,
+                                  .mission = "minute",
+                                  .version = "test"});
     const auto mode = [&](double seconds, const std::string& name) {
         ModeSample sample;
         sample.header = {WrittenMission::at(seconds), ""};
         sample.mode = name;
         sample.autonomous = name == "explore";
         sample.available = {"teleoperation", "explore"};
-        mission.say(seconds, WrittenMission::robot().stream(StreamRole::Mode)->topic, sample);
+        mission.publish(seconds, WrittenMission::robot().stream(StreamRole::Mode)->topic, sample);
     };
     const auto bump = [&](double seconds, std::uint32_t hits) {
         BumpSample sample;
         sample.header = {WrittenMission::at(seconds), ""};
         sample.bumpers = {{"front_left", false, hits}};
-        mission.say(seconds, WrittenMission::robot().stream(StreamRole::Bumps)->topic, sample);
+        mission.publish(seconds, WrittenMission::robot().stream(StreamRole::Bumps)->topic, sample);
     };
     const auto alarm = [&](double seconds, AlarmSample::State state) {
-        mission.say(seconds, std::string(station_topic::Alarms),
-                    AlarmSample{.stamp = WrittenMission::at(seconds),
-                                .station = "test",
-                                .robot = "kurt3d",
-                                .key = "link_lost",
-                                .severity = AlarmSample::Severity::Critical,
-                                .state = state,
-                                .text = "link lost, silent for 4 s"});
+        mission.publish(seconds, std::string(station_topic::Alarms),
+                        AlarmSample{.stamp = WrittenMission::at(seconds),
+                                    .station = "test",
+                                    .robot = "kurt3d",
+                                    .key = "link_lost",
+                                    .severity = AlarmSample::Severity::Critical,
+                                    .state = state,
+                                    .text = "link lost, silent for 4 s"});
     };
     for (int i = 0; i <= 600; ++i) {
         const double t = 0.1 * i;
@@ -213,17 +213,17 @@ void writeMinute(WrittenMission& mission) {
         if (i == 1) mode(t, "teleoperation"), bump(t, 3);
         if (i % 5 == 0) mission.sayPicture(t, 20 + i / 5);
         if (i % 50 == 0) mission.sayKeyScan(t, static_cast<std::uint64_t>(i / 50 + 1), 0.1 * t);
-        if (i == 200) mission.sayVictim(t, 1, VictimSample::Status::Hypothesis);
+        if (i == 200) mission.sayVictim(t, 1, FindSample::Status::Hypothesis);
         if (i == 250) alarm(t, AlarmSample::State::Raised);
         if (i == 280) alarm(t, AlarmSample::State::Cleared);
         if (i == 300) mode(t, "explore");
         if (i == 400)
-            mission.say(t, std::string(station_topic::Notes),
-                        NoteSample{.stamp = WrittenMission::at(t),
-                                   .station = "test",
-                                   .robot = "kurt3d",
-                                   .text = "door on the left"});
-        if (i == 450) mission.sayVictim(t, 1, VictimSample::Status::Confirmed);
+            mission.publish(t, std::string(station_topic::Notes),
+                            NoteSample{.stamp = WrittenMission::at(t),
+                                       .station = "test",
+                                       .robot = "kurt3d",
+                                       .text = "door on the left"});
+        if (i == 450) mission.sayVictim(t, 1, FindSample::Status::Confirmed);
         if (i == 500) bump(t, 4);
         if (i == 580) mission.moveKeyScan(t, 3, 1.5);
     }

@@ -19,7 +19,7 @@ public:
     ~WrittenMission();
 
     /// @p seconds: after begin(). Times must not fall.
-    void say(double seconds, const std::string& topic, const Sample& sample);
+    void publish(double seconds, const std::string& topic, const Sample& sample);
     /// The robot at x = @p x [m], looking ahead, and a slice of its scanner.
     void sayPlace(double seconds, double x);
     void sayOdometry(double seconds, double x);  ///< the robot only
@@ -33,7 +33,7 @@ public:
     void sayUndo(double seconds, std::uint64_t sequence);
     /// How the left camera is calibrated: 320 x 240 pixels (pictures are made smaller), 53 degrees wide.
     void sayCamera(double seconds);
-    void sayVictim(double seconds, std::uint32_t number, VictimSample::Status status);
+    void sayVictim(double seconds, std::uint32_t number, FindSample::Status status);
     /// Ends the session; the next thing that is said begins another.
     void close();
 

@@ -12,9 +12,10 @@ std::vector<ScanPose> writeRoom(WrittenMission& mission, std::span<const Pose> p
     std::vector<ScanPose> poses;
     for (const Pose& place : places) {
         const MapUpdate update = room.add(place);
-        mission.say(seconds, std::string(station_topic::KeyScans), *update.keyScan);
-        if (links && update.links) mission.say(seconds, std::string(station_topic::ScanLinks), *update.links);
-        mission.say(seconds, std::string(station_topic::ScanPoses), *update.poses);
+        mission.publish(seconds, std::string(station_topic::KeyScans), *update.keyScan);
+        if (links && update.links)
+            mission.publish(seconds, std::string(station_topic::ScanLinks), *update.links);
+        mission.publish(seconds, std::string(station_topic::ScanPoses), *update.poses);
         poses.push_back(update.poses->poses.front());
         seconds += 1.0;
     }
@@ -32,7 +33,7 @@ void writeDriftedRoom(WrittenMission& mission, double& seconds) {
     std::vector<ScanPose> poses;
     for (int place = 0; place < DriftedPlaces; ++place) {
         MapUpdate update = room.add(driftedPlace(place));
-        mission.say(seconds, std::string(station_topic::KeyScans), *update.keyScan);
+        mission.publish(seconds, std::string(station_topic::KeyScans), *update.keyScan);
         if (update.links) {
             std::erase_if(update.links->links,
                           [&](const Link& link) { return drifted(link.from) != drifted(link.to); });
@@ -46,11 +47,11 @@ void writeDriftedRoom(WrittenMission& mission, double& seconds) {
                 odometry.station = "us";
                 update.links->links.push_back(odometry);
             }
-            mission.say(seconds, std::string(station_topic::ScanLinks), *update.links);
+            mission.publish(seconds, std::string(station_topic::ScanLinks), *update.links);
         }
         poses.push_back(update.poses->poses.front());
         if (drifted(update.keyScan->id)) poses.back().scanInMap = aside * poses.back().scanInMap;
-        mission.say(
+        mission.publish(
             seconds, std::string(station_topic::ScanPoses),
             ScanPosesSample{
                 WrittenMission::at(seconds), "us", ScanPosesSample::Cause::Registration, {poses.back()}});

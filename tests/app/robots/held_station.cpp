@@ -22,7 +22,7 @@ HeldStation::HeldStation(const std::filesystem::path& folder, const TestDomain& 
                          std::vector<std::string> more)
     : m_process(program("held_station"), wordsFor(folder, domain, speed, more)) {}
 
-int HeldStation::said() const {
+int HeldStation::reported() const {
     const std::string out = m_process.out();
     int count = 0;
     for (auto at = out.find("drives\n"); at != std::string::npos; at = out.find("drives\n", at + 1)) ++count;
@@ -30,7 +30,7 @@ int HeldStation::said() const {
 }
 
 bool HeldStation::drives() const {
-    return waitUntil([this] { return said() >= m_awaited; }, std::chrono::seconds(60));
+    return waitUntil([this] { return reported() >= m_awaited; }, std::chrono::seconds(60));
 }
 
 void HeldStation::turn() {

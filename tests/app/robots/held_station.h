@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::string out() const { return m_process.out(); }
 
 private:
-    [[nodiscard]] int said() const;  ///< how often it said that it drives
+    [[nodiscard]] int reported() const;  ///< how often it said that it drives
     int m_awaited = 1;
     ChildProcess m_process;
 };

@@ -24,7 +24,7 @@ ListeningStation::ListeningStation(const std::filesystem::path& folder, const Te
                                    std::vector<std::string> more)
     : m_process(program("listening_station"), wordsFor(folder, domain, more)) {}
 
-std::string ListeningStation::told() const {
+std::string ListeningStation::reported() const {
     const std::string out = m_process.out();
     const auto end = out.rfind(End);
     if (end == std::string::npos || end == 0) return {};
@@ -34,7 +34,7 @@ std::string ListeningStation::told() const {
 }
 
 std::string ListeningStation::state(const std::string& robot) const {
-    const std::string all = told(), begin = "link " + robot + " ";
+    const std::string all = reported(), begin = "link " + robot + " ";
     const auto at = all.find(begin);
     if (at == std::string::npos) return {};
     return all.substr(at + begin.size(), all.find('\n', at) - at - begin.size());
@@ -42,7 +42,7 @@ std::string ListeningStation::state(const std::string& robot) const {
 
 std::map<std::string, HeardStream> ListeningStation::streams() const {
     std::map<std::string, HeardStream> all;
-    std::istringstream lines(told());
+    std::istringstream lines(reported());
     for (std::string word, topic; lines >> word;) {
         HeardStream one;
         if (word == "stream" && lines >> topic >> one.arrived >> one.lost >> one.rate) all[topic] = one;
@@ -50,7 +50,7 @@ std::map<std::string, HeardStream> ListeningStation::streams() const {
     return all;
 }
 
-bool ListeningStation::hears(const std::vector<std::string>& topics) const {
+bool ListeningStation::receives(const std::vector<std::string>& topics) const {
     const auto all = streams();
     return std::all_of(topics.begin(), topics.end(), [&](const std::string& topic) {
         const auto found = all.find(topic);

@@ -28,13 +28,13 @@ public:
 
     [[nodiscard]] std::string state(const std::string& robot) const;   ///< of its link, as told last
     [[nodiscard]] std::map<std::string, HeardStream> streams() const;  ///< steady ones by topic, as told last
-    [[nodiscard]] bool hears(const std::vector<std::string>& topics) const;  ///< something of each
+    [[nodiscard]] bool receives(const std::vector<std::string>& topics) const;  ///< something of each
     int end(int number);  ///< with this signal; its exit code, -1 when the signal ended it
     [[nodiscard]] std::string out() const { return m_process.out(); }
     [[nodiscard]] pid_t id() const { return m_process.id(); }
 
 private:
-    [[nodiscard]] std::string told() const;  ///< what it said last, whole
+    [[nodiscard]] std::string reported() const;  ///< what it said last, whole
 
     ChildProcess m_process;
 };

@@ -40,13 +40,13 @@ TEST(RobotProcesses, InterruptedOneLeavesInOrderAndKilledOneLeavesTheOther) {
     const auto node = nodeIn(domain);
     RobotListener crawlerSaid(*node, shippedRobot("crawler")), kurt3dSaid(*node, shippedRobot("kurt3d"));
     RobotProcess kurt3d(domain, "kurt3d", {"--seed", "7"}), crawler(domain, "crawler", {"--seed", "7"});
-    ASSERT_TRUE(crawlerSaid.hears("/crawler/odom", 20) && kurt3dSaid.hears("/kurt3d/odom", 20));
+    ASSERT_TRUE(crawlerSaid.receives("/crawler/odom", 20) && kurt3dSaid.receives("/kurt3d/odom", 20));
     ASSERT_TRUE(waitUntil([&] { return knows(*node, "crawler") && knows(*node, "kurt3d"); }));
 
     EXPECT_EQ(kurt3d.end(SIGKILL), -1);
-    const auto heard = crawlerSaid.count("/crawler/odom"), scans = crawlerSaid.count("/crawler/scan");
-    EXPECT_TRUE(crawlerSaid.hears("/crawler/odom", heard + 40));
-    EXPECT_TRUE(crawlerSaid.hears("/crawler/scan", scans + 15));
+    const auto received = crawlerSaid.count("/crawler/odom"), scans = crawlerSaid.count("/crawler/scan");
+    EXPECT_TRUE(crawlerSaid.receives("/crawler/odom", received + 40));
+    EXPECT_TRUE(crawlerSaid.receives("/crawler/scan", scans + 15));
     EXPECT_TRUE(knows(*node, "kurt3d")) << "nobody was told that it ended";
 
     EXPECT_EQ(crawler.end(SIGINT), 0);
@@ -63,8 +63,8 @@ TEST(RobotProcesses, TwoOfAKindHaveNamesOfTheirOwn) {
     RobotListener nobody(*node, shippedRobot("crawler"));
     RobotProcess alpha(domain, "crawler", {"--name", "alpha"}), beta(domain, "crawler", {"--name", "beta"});
     EXPECT_THAT(beta.out(), HasSubstr("beta is in yellow 1"));
-    ASSERT_TRUE(first.hears("/alpha/scan", 3) && second.hears("/beta/scan", 3));
-    ASSERT_TRUE(first.hears("/diagnostics", 2) && second.hears("/diagnostics", 2));
+    ASSERT_TRUE(first.receives("/alpha/scan", 3) && second.receives("/beta/scan", 3));
+    ASSERT_TRUE(first.receives("/diagnostics", 2) && second.receives("/diagnostics", 2));
     const auto ofBeta = [&] {
         for (const auto& sample : second.all<DiagnosticsSample>("/diagnostics")) {
             if (!sample.statuses.empty()) return true;
@@ -102,14 +102,14 @@ TEST(RobotProcesses, AGeneratedArenaIsWrittenReadBackAndDrivenIn) {
     RobotProcess kurt3d(domain, "kurt3d", {"--arena", file.string(), "--seed", "5"});
     RobotProcess crawler(domain, "crawler", {"--arena", "orange", "--seed", "12"});
     EXPECT_THAT(kurt3d.out(), HasSubstr("kurt3d is in orange 12"));
-    EXPECT_TRUE(truth.listener().hears(truth.topic("kurt3d")));
-    EXPECT_TRUE(truth.listener().hears(truth.topic("crawler")));
+    EXPECT_TRUE(truth.listener().receives(truth.topic("kurt3d")));
+    EXPECT_TRUE(truth.listener().receives(truth.topic("crawler")));
 }
 
 struct Wrong {
     std::vector<std::string> arguments;
     int exitCode;
-    std::string told;
+    std::string reported;
 };
 
 TEST(RobotProcesses, WrongArgumentsAreToldAndNothingRuns) {
@@ -143,7 +143,7 @@ TEST(RobotProcesses, WrongArgumentsAreToldAndNothingRuns) {
     for (const Wrong& wrong : all) {
         const auto outcome = runProcess(program("leitstand-robot"), wrong.arguments);
         EXPECT_EQ(outcome.exitCode, wrong.exitCode) << outcome.err;
-        EXPECT_THAT(outcome.err, HasSubstr(wrong.told));
+        EXPECT_THAT(outcome.err, HasSubstr(wrong.reported));
         EXPECT_EQ(outcome.out, "");
     }
     EXPECT_EQ(runProcess(program("leitstand-robot"), {"--help"}).exitCode, 0);
@@ -152,18 +152,18 @@ TEST(RobotProcesses, WrongArgumentsAreToldAndNothingRuns) {
 TEST(RobotProcesses, TheCrawlersTurningLaserGivesSlices) {
     const TestDomain domain;
     const auto node = nodeIn(domain);
-    RobotListener said(*node, shippedRobot("crawler"));
+    RobotListener reported(*node, shippedRobot("crawler"));
     RobotProcess crawler(domain, "crawler", {"--seed", "7", "--turning-laser"});
-    ASSERT_TRUE(said.hears("/crawler/points", 4) && said.hears("/crawler/scan", 10));
-    const auto slices = said.all<CloudSample>("/crawler/points");
+    ASSERT_TRUE(reported.receives("/crawler/points", 4) && reported.receives("/crawler/scan", 10));
+    const auto slices = reported.all<CloudSample>("/crawler/points");
     for (const CloudSample& slice : slices) {
         EXPECT_EQ(slice.columns, 445);
         EXPECT_EQ(slice.header.frame, "laser");
     }
     // Raw scans turn: their frame is told in tf.
-    EXPECT_EQ(said.all<RangesSample>("/crawler/scan").front().header.frame, "laser_fan");
+    EXPECT_EQ(reported.all<RangesSample>("/crawler/scan").front().header.frame, "laser_fan");
     const auto fan = [&] {
-        for (const auto& transforms : said.all<TransformsSample>("/crawler/tf")) {
+        for (const auto& transforms : reported.all<TransformsSample>("/crawler/tf")) {
             for (const FrameTransform& one : transforms.transforms) {
                 if (one.childFrame == "laser_fan") return true;
             }
@@ -171,7 +171,7 @@ TEST(RobotProcesses, TheCrawlersTurningLaserGivesSlices) {
         return false;
     };
     EXPECT_TRUE(waitUntil(fan));
-    EXPECT_THAT(said.errors(), testing::IsEmpty());
+    EXPECT_THAT(reported.errors(), testing::IsEmpty());
 }
 
 /// The robot's shipped file with @p words added to its sensor @p sensor.
@@ -192,7 +192,7 @@ TEST(RobotProcesses, TheRobotsFileSaysWhatItCarries) {
     RobotListener kurt3dSaid(*node, shippedRobot("kurt3d")), crawlerSaid(*node, shippedRobot("crawler"));
     RobotProcess kurt3d(domain, "kurt3d", {"--robot", (folder / "tilting.yaml").string()});
     RobotProcess crawler(domain, "crawler", {"--robot", (folder / "turning.yaml").string()});
-    ASSERT_TRUE(kurt3dSaid.hears("/kurt3d/points") && crawlerSaid.hears("/crawler/points"));
+    ASSERT_TRUE(kurt3dSaid.receives("/kurt3d/points") && crawlerSaid.receives("/crawler/points"));
     const auto sweep = kurt3dSaid.all<CloudSample>("/kurt3d/points").front();
     EXPECT_EQ(sweep.rows, 241);
     EXPECT_EQ(sweep.columns, 181);

@@ -98,8 +98,8 @@ protected:
 TEST_F(RobotsLatency, BothInRealTimeHoldAllTheirRatesWithinOneCore) {
     std::vector<Rate> rates = OfKurt3d;
     rates.insert(rates.end(), OfCrawler.begin(), OfCrawler.end());
-    for (const Rate& rate : OfKurt3d) ASSERT_TRUE(m_kurt3dSaid.hears(rate.topic, 2)) << rate.topic;
-    for (const Rate& rate : OfCrawler) ASSERT_TRUE(m_crawlerSaid.hears(rate.topic, 2)) << rate.topic;
+    for (const Rate& rate : OfKurt3d) ASSERT_TRUE(m_kurt3dSaid.receives(rate.topic, 2)) << rate.topic;
+    for (const Rate& rate : OfCrawler) ASSERT_TRUE(m_crawlerSaid.receives(rate.topic, 2)) << rate.topic;
     Count count;
     for (int attempt = 0; attempt < Attempts; ++attempt) {
         count = measure();

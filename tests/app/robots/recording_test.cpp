@@ -53,7 +53,7 @@ TEST(RobotRecording, BothRobotsAreTakenWithAllTheirStreamsAndKurt3dsScansFitTheT
     EXPECT_EQ(kurt3d.out(), "kurt3d is in yellow 7 on domain " + std::to_string(domain.number()) + "\n");
     ASSERT_TRUE(recording.says("kurt3d: connected") && recording.says("crawler: connected"))
         << recording.out();
-    ASSERT_TRUE(truth.listener().hears(truth.topic("kurt3d")));
+    ASSERT_TRUE(truth.listener().receives(truth.topic("kurt3d")));
     // Three turns of 23 slices, from when the truth is heard.
     ASSERT_TRUE(holds(mission, "/kurt3d/points", recordedOn(mission, "/kurt3d/points").size() + 72));
     std::set<std::string> expected = topicsOf(shippedRobot("kurt3d"), true);
@@ -65,9 +65,9 @@ TEST(RobotRecording, BothRobotsAreTakenWithAllTheirStreamsAndKurt3dsScansFitTheT
 
     const auto info = leitstandctl({"info", mission.string(), "--json"});
     ASSERT_EQ(info.exitCode, 0) << info.err;
-    const json told = json::parse(info.out);
-    EXPECT_EQ(told["problems"].size(), 0u) << info.out;
-    for (const json& topic : told["topics"]) {
+    const json reported = json::parse(info.out);
+    EXPECT_EQ(reported["problems"].size(), 0u) << info.out;
+    for (const json& topic : reported["topics"]) {
         if (topic["messages"].get<int>() > 0) expected.erase(topic["topic"].get<std::string>());
     }
     EXPECT_THAT(expected, testing::IsEmpty()) << "not told by info";
@@ -88,7 +88,7 @@ TEST(RobotRecording, TheTiltingScannersSweepsFitTheTruth) {
     Truth truth(domain, "yellow_7", "");
     Recording recording(domain, mission, {"--robot", "kurt3d"});
     RobotProcess kurt3d(domain, "kurt3d", {"--arena", "yellow", "--seed", "7", "--tilting"});
-    ASSERT_TRUE(truth.listener().hears(truth.topic("kurt3d")));
+    ASSERT_TRUE(truth.listener().receives(truth.topic("kurt3d")));
     ASSERT_TRUE(holds(mission, "/kurt3d/points", recordedOn(mission, "/kurt3d/points").size() + 3));
     ASSERT_EQ(recording.stop(), 0) << recording.out();
     const Registered registered = registerAgainst(truth, mission, shippedRobot("kurt3d"));
@@ -127,10 +127,10 @@ TEST(LongRobotRecording, ScansTakenWhileItDrivesSlowlyFitTheTruth) {
     const TestDomain domain;
     Truth truth(domain, "hall", "");
     const auto node = nodeIn(domain);
-    RobotListener said(*node, shippedRobot("kurt3d"));
+    RobotListener reported(*node, shippedRobot("kurt3d"));
     Recording recording(domain, mission, {"--robot", "kurt3d"});
     RobotProcess robot(domain, "kurt3d", {"--arena", (folder / "hall.yaml").string(), "--seed", "7"});
-    ASSERT_TRUE(truth.listener().hears(truth.topic("kurt3d")));
+    ASSERT_TRUE(truth.listener().receives(truth.topic("kurt3d")));
     ASSERT_TRUE(holds(mission, "/kurt3d/points", 24));
     ControlStation station(*node, shippedRobot("kurt3d"));
     station.ask();

@@ -11,7 +11,8 @@
 namespace leitstand::test {
 namespace {
 
-StreamDescription told(StreamRole role, const std::string& topic, const std::string& type, const Qos& qos) {
+StreamDescription reported(StreamRole role, const std::string& topic, const std::string& type,
+                           const Qos& qos) {
     StreamDescription stream;
     stream.role = role;
     stream.topic = topic;
@@ -41,14 +42,14 @@ Truth::Truth(const TestDomain& domain, const std::string& arena, const std::stri
     m_node = must(Node::create(settings));
     const Qos lasting = transientLocal(10);
     std::vector<StreamDescription> streams = {
-        told(StreamRole::Odometry, topic("kurt3d"), "nav_msgs/msg/Odometry", bestEffort(50)),
-        told(StreamRole::Odometry, topic("crawler"), "nav_msgs/msg/Odometry", bestEffort(50)),
-        told(StreamRole::Sightings, topic("victims"), "leitstand_msgs/msg/Sightings", lasting),
-        told(StreamRole::Bumps, topic("contacts"), "leitstand_msgs/msg/Bumps", lasting),
+        reported(StreamRole::Odometry, topic("kurt3d"), "nav_msgs/msg/Odometry", bestEffort(50)),
+        reported(StreamRole::Odometry, topic("crawler"), "nav_msgs/msg/Odometry", bestEffort(50)),
+        reported(StreamRole::Sightings, topic("victims"), "leitstand_msgs/msg/Sightings", lasting),
+        reported(StreamRole::Bumps, topic("contacts"), "leitstand_msgs/msg/Bumps", lasting),
     };
     if (!robot.empty())
         streams.push_back(
-            told(StreamRole::Picture, topic(robot + "/labels"), "sensor_msgs/msg/Image", reliable(100)));
+            reported(StreamRole::Picture, topic(robot + "/labels"), "sensor_msgs/msg/Image", reliable(100)));
     m_listener = std::make_unique<RobotListener>(*m_node, streams);
 }
 

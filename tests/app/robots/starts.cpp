@@ -142,7 +142,7 @@ void Starts::look(Run& run) const {
     });
 }
 
-bool Starts::hears(Run& run, std::string& course) const {
+bool Starts::receives(Run& run, std::string& course) const {
     const auto began = Clock::now();
     std::size_t before = 0;
     run.atDesk = run.recorded = steadyTopics(m_robot);
@@ -183,7 +183,7 @@ void Starts::once(int number) {
     ASSERT_TRUE(says(*run.recorder, "recording domain")) << run.recorder->out();
     const auto began = Clock::now();
     std::string course;
-    const bool all = hears(run, course);
+    const bool all = receives(run, course);
     const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
     m_seconds.push_back(seconds);
     EXPECT_TRUE(all && seconds < m_settings.atMost)

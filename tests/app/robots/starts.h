@@ -57,7 +57,7 @@ private:
     void look(Run& run) const;
     /// Whether all is heard in twice the time that is asked; @p course: how many topics were not, and since
     /// when.
-    [[nodiscard]] bool hears(Run& run, std::string& course) const;
+    [[nodiscard]] bool receives(Run& run, std::string& course) const;
 
     const StartSettings m_settings;
     std::mt19937 m_random;

@@ -42,7 +42,7 @@ protected:
         m_station = std::make_unique<ListeningStation>(m_folder / "station", m_domain, std::move(more));
         ASSERT_TRUE(waitUntil(
             [&] {
-                return m_station->hears({"/kurt3d/odom", "/crawler/odom", "/kurt3d/points"});
+                return m_station->receives({"/kurt3d/odom", "/crawler/odom", "/kurt3d/points"});
             },
             60s))
             << m_station->out();

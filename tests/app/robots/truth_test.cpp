@@ -57,7 +57,7 @@ protected:
         writeText(m_folder / "b.yaml", hallFile(ofCrawler));
         m_kurt3d = std::make_unique<RobotProcess>(m_domain, "kurt3d", arena("a.yaml"));
         m_crawler = std::make_unique<RobotProcess>(m_domain, "crawler", arena("b.yaml"));
-        ASSERT_TRUE(m_kurt3dSaid.hears("/kurt3d/points") && m_crawlerSaid.hears("/crawler/scan"));
+        ASSERT_TRUE(m_kurt3dSaid.receives("/kurt3d/points") && m_crawlerSaid.receives("/crawler/scan"));
     }
     std::vector<std::string> arena(const std::string& file) const {
         return {"--arena", (m_folder / file).string(), "--seed", "7"};
@@ -87,8 +87,8 @@ protected:
 TEST_F(RobotsFaceToFace, TheyShareTheirPosesAndMeasureEachOther) {
     Truth truth(m_domain, "hall", "");
     start("hall", "hall");
-    ASSERT_TRUE(truth.listener().hears(truth.topic("kurt3d")) &&
-                truth.listener().hears(truth.topic("crawler")));
+    ASSERT_TRUE(truth.listener().receives(truth.topic("kurt3d")) &&
+                truth.listener().receives(truth.topic("crawler")));
     const Pose kurt3d = truth.newest("kurt3d", "kurt3d")->baseInOdom,
                crawler = truth.newest("crawler", "crawler")->baseInOdom;
     EXPECT_LT((kurt3d.translation() - Eigen::Vector3d(-0.8, 0, 0)).norm(), 0.05);
@@ -102,7 +102,7 @@ TEST_F(RobotsFaceToFace, TheyShareTheirPosesAndMeasureEachOther) {
     m_kurt3d->end(SIGKILL);
     EXPECT_TRUE(waitUntil([&] { return onKurt3d(urg, kurt3d) == 0; }, 60s));
     const auto scans = m_crawlerSaid.count("/crawler/scan");
-    EXPECT_TRUE(m_crawlerSaid.hears("/crawler/scan", scans + 5));
+    EXPECT_TRUE(m_crawlerSaid.receives("/crawler/scan", scans + 5));
     // Back again, it is seen again.
     m_kurt3d = std::make_unique<RobotProcess>(m_domain, "kurt3d", arena("a.yaml"));
     EXPECT_TRUE(waitUntil([&] { return onKurt3d(urg, kurt3d) > 10; }, 60s));
@@ -111,12 +111,12 @@ TEST_F(RobotsFaceToFace, TheyShareTheirPosesAndMeasureEachOther) {
 TEST_F(RobotsFaceToFace, InArenasOfOtherNamesTheyAreAlone) {
     Truth one(m_domain, "hall_7", ""), other(m_domain, "hall_8", "");
     start("hall 7", "hall 8");
-    ASSERT_TRUE(one.listener().hears(one.topic("kurt3d"), 20) &&
-                other.listener().hears(other.topic("crawler"), 20));
+    ASSERT_TRUE(one.listener().receives(one.topic("kurt3d"), 20) &&
+                other.listener().receives(other.topic("crawler"), 20));
     const Pose kurt3d = one.newest("kurt3d", "kurt3d")->baseInOdom,
                crawler = other.newest("crawler", "crawler")->baseInOdom;
     const Pose scanner = laser("kurt3d", "scanner", one), urg = laser("crawler", "laser", other);
-    ASSERT_TRUE(m_kurt3dSaid.hears("/kurt3d/points", 25)) << "a whole turn";
+    ASSERT_TRUE(m_kurt3dSaid.receives("/kurt3d/points", 25)) << "a whole turn";
     EXPECT_EQ(onCrawler(0, scanner, crawler), 0);
     EXPECT_EQ(onKurt3d(urg, kurt3d), 0);
     EXPECT_EQ(one.listener().count(one.topic("crawler")), 0u);
@@ -131,10 +131,10 @@ TEST(RobotTruth, VictimsAndContactsAreTold) {
     writeText(folder / "hall.yaml", arena);
     const TestDomain domain;
     const auto node = nodeIn(domain);
-    RobotListener said(*node, shippedRobot("crawler"));
+    RobotListener reported(*node, shippedRobot("crawler"));
     RobotProcess robot(domain, "crawler", {"--arena", (folder / "hall.yaml").string()});
     Truth truth(domain, "hall", "");  // afterwards: victims stay
-    ASSERT_TRUE(truth.listener().hears(truth.topic("victims")));
+    ASSERT_TRUE(truth.listener().receives(truth.topic("victims")));
     const auto victims = truth.listener().all<SightingSample>(truth.topic("victims")).front();
     EXPECT_EQ(victims.header.frame, "arena");
     ASSERT_EQ(victims.sightings.size(), 1u);
@@ -144,7 +144,7 @@ TEST(RobotTruth, VictimsAndContactsAreTold) {
     EXPECT_LT((victims.sightings[0].position - Eigen::Vector3d(1.2, 1.6, 0)).norm(), 1e-9);
     EXPECT_EQ(truth.listener().count(truth.topic("contacts")), 0u);
 
-    ASSERT_TRUE(said.hears("/crawler/stop_state"));
+    ASSERT_TRUE(reported.receives("/crawler/stop_state"));
     ControlStation station(*node, shippedRobot("crawler"));
     station.ask();
     ASSERT_TRUE(waitUntil([&] { return station.mayDrive(); }));
@@ -157,7 +157,7 @@ TEST(RobotTruth, VictimsAndContactsAreTold) {
     EXPECT_EQ(contacts.bumpers[0].name, "area west");
     EXPECT_GE(contacts.bumpers[0].hits, 1u);
     EXPECT_TRUE(waitUntil([&] {
-        for (const Bumper& bumper : said.all<BumpSample>("/crawler/bumps").back().bumpers) {
+        for (const Bumper& bumper : reported.all<BumpSample>("/crawler/bumps").back().bumpers) {
             if (bumper.hits > 0) return true;
         }
         return false;
@@ -169,17 +169,17 @@ TEST(RobotTruth, LabelsOfPointsAreToldWhileSomebodyListens) {
     writeText(folder / "hall.yaml", hallFile("hall"));
     const TestDomain domain;
     const auto node = nodeIn(domain);
-    RobotListener said(*node, shippedRobot("kurt3d"));
+    RobotListener reported(*node, shippedRobot("kurt3d"));
     RobotProcess robot(domain, "kurt3d", {"--arena", (folder / "hall.yaml").string()});
-    ASSERT_TRUE(said.hears("/kurt3d/points", 20));
+    ASSERT_TRUE(reported.receives("/kurt3d/points", 20));
     Truth truth(domain, "hall", "kurt3d");
     const std::string labels = truth.topic("kurt3d/labels");
-    ASSERT_TRUE(truth.listener().hears(labels, 15));
+    ASSERT_TRUE(truth.listener().receives(labels, 15));
     EXPECT_EQ(truth.listener().on(labels).front().writerSequence, 1u) << "nothing before that";
     int compared = 0;
     std::vector<int> points(LabelCount);
     for (const PictureSample& picture : truth.listener().all<PictureSample>(labels)) {
-        for (const CloudSample& cloud : said.all<CloudSample>("/kurt3d/points")) {
+        for (const CloudSample& cloud : reported.all<CloudSample>("/kurt3d/points")) {
             if (cloud.header.stamp != picture.header.stamp) continue;
             ++compared;
             ASSERT_EQ(picture.height, cloud.rows);

@@ -43,7 +43,7 @@ protected:
         m_crawler = robot("crawler");
     }
     [[nodiscard]] static bool hearAll(const ListeningStation& station, std::chrono::seconds within = 60s) {
-        return waitUntil([&] { return station.hears(Topics); }, within);
+        return waitUntil([&] { return station.receives(Topics); }, within);
     }
     /// Of each stream of both robots, less than one sample of a hundred is lost within @p seconds.
     static void expectWhole(const std::vector<const ListeningStation*>& stations, int seconds) {
@@ -74,7 +74,7 @@ protected:
         if (!hearAll(*one, 5s)) {
             std::string missing;
             for (const std::string& topic : Topics) {
-                if (!one->hears({topic})) missing += " " + topic;
+                if (!one->receives({topic})) missing += " " + topic;
             }
             EXPECT_TRUE(hearAll(*one)) << one->out();
             ADD_FAILURE() << "after 5 s were not heard:" << missing << "; they were after " << passed()
@@ -88,7 +88,7 @@ protected:
             return Recording(m_domain, m_folder / ("recorded" + std::to_string(++m_recorders)),
                              {"--robot", "kurt3d", "crawler", "--interface", "lo"});
         };
-        const auto hears = [&] {
+        const auto receives = [&] {
             return waitUntil(
                 [&] {
                     const auto mission = m_folder / ("recorded" + std::to_string(m_recorders));
@@ -99,11 +99,11 @@ protected:
                 60s);
         };
         Recording killed = record();
-        EXPECT_TRUE(hears()) << killed.out();
+        EXPECT_TRUE(receives()) << killed.out();
         EXPECT_EQ(killed.stop(SIGKILL), -1);
         const auto began = Clock::now();
-        const Recording anew = record();
-        EXPECT_TRUE(hears()) << anew.out();
+        const Recording again = record();
+        EXPECT_TRUE(receives()) << again.out();
         return std::chrono::duration<double>(Clock::now() - began).count();
     }
     /// The Crawler is killed, and begins anew: when its laser and camera are heard again [s after it is

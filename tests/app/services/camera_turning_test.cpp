@@ -72,7 +72,7 @@ TEST(CameraTurning, AsksForTheGrantAndSendsWhenItIsThere) {
     turning.onEvent(joints({"left_wheels", "left_pan", "left_tilt"}, {7.0, 0.3, -0.1}));
     EXPECT_TRUE(turning.pulse().ok());
     EXPECT_EQ(turning.view("kurt3d", "left")->now, (PanTiltAngles{0.3, -0.1}));
-    EXPECT_FALSE(turning.view("kurt3d", "left")->wish) << "it is there";
+    EXPECT_FALSE(turning.view("kurt3d", "left")->requested) << "it is there";
 }
 
 TEST(CameraTurning, TheDriverTurnsCamerasThatNobodyHolds) {
@@ -82,7 +82,8 @@ TEST(CameraTurning, TheDriverTurnsCamerasThatNobodyHolds) {
     turning.turnBy("kurt3d", "ir", {0.2, 0.0});
     EXPECT_TRUE(turning.pulse().ok());
     EXPECT_EQ(fake.sent.size(), 1U);
-    EXPECT_EQ(turning.view("kurt3d", "right")->wish, turning.view("kurt3d", "ir")->wish) << "one unit";
+    EXPECT_EQ(turning.view("kurt3d", "right")->requested, turning.view("kurt3d", "ir")->requested)
+        << "one unit";
     fake.cameras.holder = "van";
     fake.cameras.holderTitle = "The van";
     turning.turnBy("kurt3d", "ir", {0.2, 0.0});
@@ -128,13 +129,13 @@ TEST(CameraTurning, AFailureIsToldOnceAWish) {
     fake.mayTurn = true;
     fake.answer = Error{"gone"};
     CameraTurning turning({robotWithUnits()}, fake.wire());
-    int told = 0;
+    int reported = 0;
     turning.turnTo("kurt3d", "left", {0.3, 0.0});
     ASSERT_TRUE(waitUntil([&] {
-        told += turning.pulse().ok() ? 0 : 1;
+        reported += turning.pulse().ok() ? 0 : 1;
         return fake.sent.size() >= 2;
     }));
-    EXPECT_EQ(told, 1);
+    EXPECT_EQ(reported, 1);
     turning.turnTo("kurt3d", "left", {0.4, 0.0});
     EXPECT_TRUE(waitUntil([&] { return !turning.pulse().ok(); }));
 }

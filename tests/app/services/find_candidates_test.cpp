@@ -12,7 +12,7 @@
 namespace leitstand::test {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 using testing::HasSubstr;
 using testing::SizeIs;
 
@@ -24,14 +24,14 @@ TEST_F(FindDeskTest, ACandidateIsFiledWithItsCuesAndWithWhatItsRobotSeesThere) {
     m_desk->onEvent(gas);
     ASSERT_TRUE(m_desk->fileCandidate(7));
     finish();
-    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    ASSERT_THAT(*m_state.finds, SizeIs(1));
     EXPECT_THAT(evidenceOf(find(1)), testing::UnorderedElementsAre(12, 13, sharp.sequence, gas.sequence));
     EXPECT_EQ(m_lookedAt, Eigen::Vector3d(2.0, 1.0, 0.4));
     EXPECT_EQ(find(1).positionInMap, Eigen::Vector3d(2.0, 1.0, 0.4)) << "where the station has it";
     EXPECT_EQ(find(1).heat.value, 33.5);
     EXPECT_EQ(find(1).robot, "kurt3d");
     EXPECT_EQ(candidate().victim, 1U) << "it is shown once";
-    EXPECT_THAT(m_told, testing::Contains(HasSubstr("V1 filed")));
+    EXPECT_THAT(m_reported, testing::Contains(HasSubstr("V1 filed")));
 }
 
 TEST_F(FindDeskTest, AFindIsAutonomousWhenTheRobotDroveItselfAsItWasTold) {
@@ -61,8 +61,8 @@ TEST_F(FindDeskTest, ASecondPressWhileWhatItsRobotSeesIsLookedAtConfirmsTheCandi
     EXPECT_TRUE(m_desk->isFiling() || m_desk->unconfirmed()) << "the next press is about it";
     ASSERT_TRUE(m_desk->confirmNewest());
     finish();
-    ASSERT_THAT(*m_state.victims, SizeIs(1));
-    EXPECT_EQ(find(1).status, VictimSample::Status::Confirmed);
+    ASSERT_THAT(*m_state.finds, SizeIs(1));
+    EXPECT_EQ(find(1).status, FindSample::Status::Confirmed);
 }
 
 TEST_F(FindDeskTest, WhatLooksElsewhereOrIsOldIsNoEvidenceOfACandidate) {
@@ -74,7 +74,7 @@ TEST_F(FindDeskTest, WhatLooksElsewhereOrIsOldIsNoEvidenceOfACandidate) {
     m_desk->finish();
     EXPECT_THAT(evidenceOf(find(1)), testing::UnorderedElementsAre(12, 13)) << "its cues alone";
     ASSERT_TRUE(m_desk->undo());
-    EXPECT_THAT(*m_state.victims, SizeIs(0));
+    EXPECT_THAT(*m_state.finds, SizeIs(0));
     EXPECT_FALSE(isFiled(m_state, candidate())) << "it stands again";
 }
 
@@ -115,9 +115,9 @@ TEST_F(FindDeskTest, ADismissedCandidateIsSaidSoAndUndoBringsItBack) {
     EXPECT_TRUE(isDismissal(candidate())) << "by a person, though it is not very sure";
     ASSERT_TRUE(m_desk->undo());
     EXPECT_FALSE(candidate().dismissed) << "the newest act first";
-    EXPECT_THAT(*m_state.victims, SizeIs(1));
+    EXPECT_THAT(*m_state.finds, SizeIs(1));
     ASSERT_TRUE(m_desk->undo());
-    EXPECT_THAT(*m_state.victims, SizeIs(0));
+    EXPECT_THAT(*m_state.finds, SizeIs(0));
     EXPECT_FALSE(m_desk->undo());
     EXPECT_FALSE(m_desk->dismiss(9));
 }
@@ -128,7 +128,7 @@ TEST_F(FindDeskTest, AnActThatIsNewerThanADismissalIsTakenBackBeforeIt) {
     m_desk->freezeAt("kurt3d", Kind::Victim, {8.0, 0.0, 0.2});
     m_desk->finish();
     ASSERT_TRUE(m_desk->undo());
-    EXPECT_THAT(*m_state.victims, SizeIs(0));
+    EXPECT_THAT(*m_state.finds, SizeIs(0));
     EXPECT_TRUE(candidate().dismissed);
     ASSERT_TRUE(m_desk->undo());
     EXPECT_FALSE(candidate().dismissed);

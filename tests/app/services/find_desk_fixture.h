@@ -105,11 +105,11 @@ protected:
             const std::scoped_lock lock(m_mutex);
             return std::make_shared<const MissionState>(m_state);
         };
-        setup.say = [this](const VictimSample& sample) {
+        setup.record = [this](const FindSample& sample) {
             add(sample);
             return Result<void>();
         };
-        setup.sayCandidate = [this](const CandidateSample& sample) {
+        setup.recordCandidate = [this](const CandidateSample& sample) {
             add(sample);
             return Result<void>();
         };
@@ -128,9 +128,9 @@ protected:
             answer(std::vector<bool>(pictures.size(), m_looksThere));
         };
         setup.robotInMap = [this](const std::string&) { return m_base; };
-        setup.tell = [this](const std::string& text) {
+        setup.notify = [this](const std::string& text) {
             const std::scoped_lock lock(m_mutex);
-            m_told.push_back(text);
+            m_reported.push_back(text);
         };
         setup.now = [] { return at(10.0); };
         m_desk = std::make_unique<FindDesk>(std::move(setup));
@@ -156,7 +156,7 @@ protected:
         add(candidate);
     }
     [[nodiscard]] const CandidateSample& candidate() { return m_state.candidates->at(7).candidate; }
-    [[nodiscard]] static std::vector<std::uint64_t> evidenceOf(const VictimSample& find) {
+    [[nodiscard]] static std::vector<std::uint64_t> evidenceOf(const FindSample& find) {
         std::vector<std::uint64_t> all;
         for (const VictimEvidence& one : find.evidence) all.push_back(one.sequence);
         return all;
@@ -164,8 +164,8 @@ protected:
 
     /// Waits until all that was asked for is filed.
     void finish() { m_desk.reset(); }
-    const VictimSample& find(std::uint32_t number, VictimSample::Kind kind = VictimSample::Kind::Victim) {
-        return m_state.victims->at({kind, number}).victim;
+    const FindSample& find(std::uint32_t number, FindSample::Kind kind = FindSample::Kind::Victim) {
+        return m_state.finds->at({kind, number}).victim;
     }
 
     FindingRobot m_robot;
@@ -178,7 +178,7 @@ protected:
     std::optional<ChosenEvidence> m_asked;
     bool m_looksThere = true;
     std::optional<Eigen::Vector3d> m_lookedAt;
-    std::vector<std::string> m_told;
+    std::vector<std::string> m_reported;
     std::unique_ptr<FindDesk> m_desk;
 };
 

@@ -13,8 +13,8 @@
 namespace leitstand::test {
 namespace {
 
-using Kind = VictimSample::Kind;
-using Status = VictimSample::Status;
+using Kind = FindSample::Kind;
+using Status = FindSample::Status;
 using testing::HasSubstr;
 using testing::SizeIs;
 
@@ -44,7 +44,7 @@ TEST_F(FindDeskTest, NobodyIsAskedToConfirmWhatIsConfirmedAlready) {
     const auto filedAndTold = [&] {
         m_desk->freezeAt("kurt3d", Kind::Victim, {2.0, 0.0, 0.2});
         m_desk->finish();
-        return m_told.back();
+        return m_reported.back();
     };
     EXPECT_THAT(filedAndTold(), testing::HasSubstr("press again"));
     EXPECT_THAT(filedAndTold(), testing::HasSubstr("press again")) << "more of it, not confirmed yet";
@@ -61,7 +61,7 @@ TEST_F(FindDeskTest, WhatIsPointedToIsLookedForInThePictureThatWasPointedInto) {
     m_desk->onEvent(m_robot.picture(at(9.9), 12));
     m_desk->freeze("kurt3d", Kind::Victim, "right", PicturePoint{"left", {0.25, 0.75}, pointed.sequence});
     finish();
-    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    ASSERT_THAT(*m_state.finds, SizeIs(1));
     EXPECT_EQ(find(1).evidence.at(0).sequence, pointed.sequence);
     ASSERT_TRUE(m_asked && m_asked->picture);
     EXPECT_EQ(m_asked->picture->sequence, pointed.sequence);
@@ -77,7 +77,7 @@ TEST_F(FindDeskTest, TheInfraredPictureThatWasPointedIntoIsTheEvidence) {
     m_desk->onEvent(m_robot.infrared(at(9.6), 48, 36.0));  // another body came into sight
     m_desk->freeze("kurt3d", Kind::Victim, "left", PicturePoint{"ir", {0.25, 0.5}, pointed.sequence});
     finish();
-    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    ASSERT_THAT(*m_state.finds, SizeIs(1));
     std::vector<std::uint64_t> kept;
     for (const VictimEvidence& one : find(1).evidence) {
         if (one.kind == "thermal") kept.push_back(one.sequence);
@@ -95,17 +95,17 @@ TEST_F(FindDeskTest, PointingIntoAPictureThatIsGoneStillFiles) {
     m_desk->onEvent(m_robot.infrared(at(9.6), 48, 36.0));
     m_desk->freeze("kurt3d", Kind::Victim, "left", PicturePoint{"ir", {0.25, 0.5}, 7});
     finish();
-    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    ASSERT_THAT(*m_state.finds, SizeIs(1));
     EXPECT_FALSE(m_asked) << "a pixel of a picture that is gone says nothing about another one";
     EXPECT_EQ(find(1).evidence.size(), 1U) << "what there is is kept";
-    EXPECT_THAT(m_told, testing::Contains(HasSubstr("no range there")));
+    EXPECT_THAT(m_reported, testing::Contains(HasSubstr("no range there")));
 }
 
 TEST_F(FindDeskTest, PointingWithoutAnyPictureFilesWithoutEvidence) {
     m_place.reset();
     m_desk->freeze("kurt3d", Kind::Victim, "left", PicturePoint{"ir", {0.25, 0.5}, 7});
     finish();
-    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    ASSERT_THAT(*m_state.finds, SizeIs(1));
     EXPECT_TRUE(find(1).evidence.empty());
     EXPECT_EQ(find(1).positionInMap.x(), 1.0) << "ahead of the robot";
 }
@@ -119,7 +119,7 @@ TEST_F(FindDeskTest, TheSharpestPictureOfTheLastSecondsIsFrozen) {
     m_desk->onEvent(m_robot.picture(at(9.9), 14));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
-    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    ASSERT_THAT(*m_state.finds, SizeIs(1));
     ASSERT_THAT(find(1).evidence, SizeIs(1));
     EXPECT_EQ(find(1).evidence[0].sequence, sharp.sequence);
     EXPECT_EQ(find(1).positionInMap, Eigen::Vector3d(2.0, 1.0, 0.4));
@@ -203,7 +203,7 @@ TEST_F(FindDeskTest, ASecondFindOfTheSameMinuteNamesTheSameReadings) {
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
-    ASSERT_THAT(*m_state.victims, SizeIs(1)) << "it joins the first";
+    ASSERT_THAT(*m_state.finds, SizeIs(1)) << "it joins the first";
     EXPECT_LE(find(1).evidence.size(), 63U);
 }
 
@@ -215,7 +215,7 @@ TEST_F(FindDeskTest, WithoutARangeItIsFiledAheadOfTheRobotAndSaid) {
     finish();
     EXPECT_EQ(find(1).positionInMap.x(), 1.0);
     EXPECT_GE(find(1).deviation, 0.5);
-    EXPECT_THAT(m_told, testing::Contains(HasSubstr("no range there")));
+    EXPECT_THAT(m_reported, testing::Contains(HasSubstr("no range there")));
 }
 
 TEST_F(FindDeskTest, ARobotThatIsNotInTheMapSaysSo) {
@@ -223,8 +223,8 @@ TEST_F(FindDeskTest, ARobotThatIsNotInTheMapSaysSo) {
     m_place.reset();
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
-    EXPECT_THAT(*m_state.victims, SizeIs(0));
-    EXPECT_THAT(m_told, testing::Contains(HasSubstr("Kurt3D is not in the map yet")));
+    EXPECT_THAT(*m_state.finds, SizeIs(0));
+    EXPECT_THAT(m_reported, testing::Contains(HasSubstr("Kurt3D is not in the map yet")));
 }
 
 TEST_F(FindDeskTest, TheSecondPressConfirmsAndUndoTakesItBack) {
@@ -237,7 +237,7 @@ TEST_F(FindDeskTest, TheSecondPressConfirmsAndUndoTakesItBack) {
     ASSERT_TRUE(m_desk->undo());
     EXPECT_EQ(find(1).status, Status::Hypothesis);
     ASSERT_TRUE(m_desk->undo());
-    EXPECT_THAT(*m_state.victims, SizeIs(0));
+    EXPECT_THAT(*m_state.finds, SizeIs(0));
     EXPECT_THAT(m_desk->undo().error().text, HasSubstr("nothing on finds"));
     EXPECT_FALSE(m_desk->confirm(key));
     EXPECT_FALSE(m_desk->fileCandidate(9));
@@ -271,7 +271,7 @@ TEST_F(FindDeskTest, WhereNothingCameOfTheLastPressNoOlderFindIsConfirmed) {
     EXPECT_TRUE(m_desk->confirmNewest());
     searched.set_value();
     m_desk->finish();
-    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    ASSERT_THAT(*m_state.finds, SizeIs(1));
     EXPECT_EQ(find(1).status, Status::Hypothesis);
     EXPECT_EQ(m_desk->unconfirmed(), FindKey(Kind::Victim, 1)) << "it waits as before";
     EXPECT_TRUE(m_desk->confirmNewest());

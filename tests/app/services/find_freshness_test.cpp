@@ -10,7 +10,7 @@
 namespace leitstand::test {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -46,13 +46,13 @@ TEST_F(FindFreshness, ARobotThatFellSilentShowsNothing) {
     m_desk->onEvent(odometry(at(-60.0)));
     m_desk->freeze("kurt3d", Kind::Victim, "left");
     finish();
-    ASSERT_THAT(*m_state.victims, SizeIs(1));
+    ASSERT_THAT(*m_state.finds, SizeIs(1));
     EXPECT_THAT(find(1).evidence, IsEmpty());
     EXPECT_EQ(find(1).heat.state, VictimSign::State::Unknown) << "of a minute ago";
     EXPECT_EQ(find(1).co2.state, VictimSign::State::Unknown);
     EXPECT_FALSE(m_asked) << "nothing is looked for through an old picture";
     EXPECT_EQ(find(1).positionInMap.x(), 1.0) << "ahead of the robot";
-    EXPECT_THAT(m_told, testing::Contains(HasSubstr("no range there")));
+    EXPECT_THAT(m_reported, testing::Contains(HasSubstr("no range there")));
 }
 
 TEST_F(FindFreshness, ACameraThatStoppedIsLeftOutAndTheOthersCount) {

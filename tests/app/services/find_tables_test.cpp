@@ -13,21 +13,22 @@ TEST(FindTables, TwoCodesSideBySideAreBothHandedIn) {
     const Time now(std::chrono::seconds(100));
     ReportInput input;
     input.name = "mission";
-    const auto say = [&](const Sample& sample) {
+    const auto publish = [&](const Sample& sample) {
         const std::uint64_t sequence = input.state.sequence + 1;
         input.state = fold(std::move(input.state), {sequence, now, "", "/leitstand/victims", {}, "", sample});
     };
     for (const std::uint32_t number : {1U, 2U}) {
         CandidateSample code;
         code.id = number;
-        code.kind = VictimSample::Kind::Code;
+        code.kind = FindSample::Kind::Code;
         code.confidence = 0.95;
         code.positionInMap = {1.0 + 0.3 * number, 0.0, 0.5};
         code.cues = {{.kind = "code", .robot = "kurt3d", .text = "yellow-" + std::to_string(number)}};
-        say(code);
-        const VictimSample filed = filedFrom(input.state, code, "s", now);
-        say(filed);
-        say(*withStatus(input.state, {filed.kind, filed.number}, VictimSample::Status::Confirmed, "s", now));
+        publish(code);
+        const FindSample filed = filedFrom(input.state, code, "s", now);
+        publish(filed);
+        publish(
+            *withStatus(input.state, {filed.kind, filed.number}, FindSample::Status::Confirmed, "s", now));
     }
     const FindList list = listOf(reportOf(input), FindList::Kind::Codes);
     std::vector<std::string> texts;

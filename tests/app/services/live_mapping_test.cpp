@@ -96,14 +96,14 @@ TEST(LiveMapping, WhileAScanIsRegisteredAGoalIsToldRightlyInTheOdometry) {
     const RobotInMap place = here();
     EXPECT_LT(distanceBetween(place.baseInMap, put), 1e-6) << "the place is of before";
     const Pose goal = poseFrom({3, 6, 0}, 0, 0, degrees(90));  // 4 m ahead of where it was put
-    const Pose told = goalInOdom(place.baseInMap, place.odomInMap->inverse() * place.baseInMap, goal);
-    EXPECT_TRUE(told.isApprox(poseFrom({4, 0, 0}, 0, 0, 0), 1e-6));
+    const Pose reported = goalInOdom(place.baseInMap, place.odomInMap->inverse() * place.baseInMap, goal);
+    EXPECT_TRUE(reported.isApprox(poseFrom({4, 0, 0}, 0, 0, 0), 1e-6));
     EXPECT_NEAR(goalInOdom(place.baseInMap, newest, goal).translation().x(), 5.0, 1e-6)
         << "by the newest odometry it would drive too far";
     done.set_value();
     ASSERT_TRUE(waitUntil([&] { return here().stamp == Begin + 1s; }, 60s));
     EXPECT_TRUE(goalInOdom(here().baseInMap, here().odomInMap->inverse() * here().baseInMap, goal)
-                    .isApprox(told, 1e-6));
+                    .isApprox(reported, 1e-6));
 }
 
 }  // namespace

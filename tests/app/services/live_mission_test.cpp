@@ -47,8 +47,8 @@ RawEvent odometryAt(double seconds) {
     return event;
 }
 
-VictimSample victim(std::uint32_t number) {
-    VictimSample sample;
+FindSample victim(std::uint32_t number) {
+    FindSample sample;
     sample.number = number;
     return sample;
 }
@@ -105,24 +105,24 @@ TEST_F(LiveMissionTest, AResumeGoesOnFromTheStateThatWas) {
     {
         const auto mission = begin();
         for (int i = 1; i <= 50; ++i) mission->receive(odometryAt(i));
-        EXPECT_TRUE(mission->say(victim(1), station_topic::Victims).ok());
+        EXPECT_TRUE(mission->record(victim(1), station_topic::Victims).ok());
         ASSERT_TRUE(mission->close().ok());
         last = mission->state()->sequence;
     }
     const auto mission = begin();
-    EXPECT_THAT(*mission->state()->victims, SizeIs(1));
+    EXPECT_THAT(*mission->state()->finds, SizeIs(1));
     EXPECT_EQ(mission->state()->robots.at("kurt3d")->odometry->sample.baseInOdom.translation().x(), 50.0);
     EXPECT_TRUE(
         mission
-            ->say(
+            ->record(
                 UndoSample{.stamp = {},
                            .station = "",
-                           .event = mission->state()->victims->at({VictimSample::Kind::Victim, 1U}).sequence,
+                           .event = mission->state()->finds->at({FindSample::Kind::Victim, 1U}).sequence,
                            .text = ""},
                 station_topic::Undo)
             .ok());
     ASSERT_TRUE(mission->close().ok());
-    EXPECT_THAT(*mission->state()->victims, IsEmpty());
+    EXPECT_THAT(*mission->state()->finds, IsEmpty());
     EXPECT_GT(mission->state()->sequence, last);
     EXPECT_THAT(*mission->state()->remarks, IsEmpty());
     EXPECT_THAT(*mission->state()->sessions, SizeIs(2));
@@ -137,7 +137,7 @@ TEST_F(LiveMissionTest, AnyJumpEqualsTheWholeReplay) {
                 Time(std::chrono::system_clock::now().time_since_epoch()) + std::chrono::seconds(i);
             mission->receive(std::move(event));
             if (i % 10 != 0) continue;
-            EXPECT_TRUE(mission->say(victim(static_cast<std::uint32_t>(i)), station_topic::Victims).ok());
+            EXPECT_TRUE(mission->record(victim(static_cast<std::uint32_t>(i)), station_topic::Victims).ok());
         }
         ASSERT_TRUE(mission->close().ok());
     }
@@ -174,16 +174,16 @@ TEST_F(LiveMissionTest, WhatCannotBeReadOfEarlierSessionsIsTold) {
         ASSERT_TRUE(mission->close().ok());
     }
     std::filesystem::resize_file(m_mission / "mission_0.db3", 100'000);
-    std::vector<std::string> told;
-    const auto mission = begin({.onAlarm = [&](const std::string& text) { told.push_back(text); }});
-    EXPECT_THAT(told, testing::Contains(testing::HasSubstr("page by page")));
+    std::vector<std::string> reported;
+    const auto mission = begin({.onAlarm = [&](const std::string& text) { reported.push_back(text); }});
+    EXPECT_THAT(reported, testing::Contains(testing::HasSubstr("page by page")));
 }
 
 TEST_F(LiveMissionTest, AlarmsOfTheDiskAreInTheLog) {
-    std::promise<void> told;
+    std::promise<void> reported;
     std::once_flag once;
     const auto mission = begin(
-        {.onAlarm = [&](const std::string&) { std::call_once(once, [&] { told.set_value(); }); }}, 1e15);
+        {.onAlarm = [&](const std::string&) { std::call_once(once, [&] { reported.set_value(); }); }}, 1e15);
     std::atomic<bool> enough = false;
     std::jthread robot([&] {
         for (int i = 0; !enough; ++i) {
@@ -191,7 +191,7 @@ TEST_F(LiveMissionTest, AlarmsOfTheDiskAreInTheLog) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
     });
-    EXPECT_EQ(told.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
+    EXPECT_EQ(reported.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
     enough = true;
     robot.join();
     ASSERT_TRUE(mission->close());

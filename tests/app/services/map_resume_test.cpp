@@ -86,16 +86,16 @@ protected:
             key.scan = std::make_shared<const Scan>(seen);
             key.sensorInBase = poseFrom({0, 0, 0.9}, 0, 0, 0);
             key.scanInMap = pose;
-            ASSERT_TRUE(mission.say(key, station_topic::KeyScans));
+            ASSERT_TRUE(mission.record(key, station_topic::KeyScans));
             if (i > 0) {
-                ASSERT_TRUE(mission.say(registered, station_topic::ScanLinks));
+                ASSERT_TRUE(mission.record(registered, station_topic::ScanLinks));
             }
             ScanPose entered;
             entered.scan = key.id;
             entered.scanInMap = pose;
-            ASSERT_TRUE(
-                mission.say(ScanPosesSample{key.stamp, "us", ScanPosesSample::Cause::Registration, {entered}},
-                            station_topic::ScanPoses));
+            ASSERT_TRUE(mission.record(
+                ScanPosesSample{key.stamp, "us", ScanPosesSample::Cause::Registration, {entered}},
+                station_topic::ScanPoses));
         }
         for (int i = 0; i < Closures; ++i) {
             const int first = i * (Scans / 2 - 1) / Closures;
@@ -104,7 +104,7 @@ protected:
                 "us",
                 {linkOf(++links, first, first + Scans / 2, LinkKind::Loop, Pose::Identity()),
                  linkOf(++links, first + 1, first + 1 + Scans / 2, LinkKind::Loop, Pose::Identity())}};
-            ASSERT_TRUE(mission.say(loop, station_topic::ScanLinks));
+            ASSERT_TRUE(mission.record(loop, station_topic::ScanLinks));
         }
         ASSERT_TRUE(mission.close());
     }

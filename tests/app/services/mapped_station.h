@@ -51,29 +51,29 @@ protected:
         settings.station = "us";
         LiveMissionListener listener;
         listener.onEvent = [this](const Event& event) {
-            if (StationMapping* const mapping = m_hears) mapping->onEvent(event);
+            if (StationMapping* const mapping = m_receives) mapping->onEvent(event);
         };
         auto earlier = keyScansOf(settings.folder);
         auto links = scanLinksOf(settings.folder);
         auto mission = LiveMission::open(settings, std::move(listener));
         ASSERT_TRUE(mission.ok()) << mission.error().text;
         m_mission = std::move(mission).value();
-        StationMappingListener told;
-        told.onMessage = [this](const std::string& text) {
+        StationMappingListener reported;
+        reported.onMessage = [this](const std::string& text) {
             const std::scoped_lock lock(m_mutex);
             m_words += text + "\n";
         };
-        told.onScans = [this](const LiveMapPtr& map) { m_shown = map->scans.size(); };
+        reported.onScans = [this](const LiveMapPtr& map) { m_shown = map->scans.size(); };
         m_mapping = std::make_unique<StationMapping>(
             *m_mission, [this] { return m_granted.load(); },
             StationMappingSetup{settings.robots, settings.station, m_settings, std::move(earlier),
                                 std::move(links), settings.folder},
-            std::move(told));
-        m_hears = m_mapping.get();
+            std::move(reported));
+        m_receives = m_mapping.get();
     }
     void end() {
         m_mapping->close();
-        m_hears = nullptr;
+        m_receives = nullptr;
         m_mission.reset();
         m_mapping.reset();
     }
@@ -81,7 +81,7 @@ protected:
         if (m_mapping) end();
     }
 
-    void say(Sample sample, StreamRole role) {
+    void publish(Sample sample, StreamRole role) {
         Event event;
         event.received = m_time;
         event.robot = "kurt3d";
@@ -96,7 +96,7 @@ protected:
         sample.header = {m_time, "kurt3d/odom"};
         sample.childFrame = "kurt3d/base_link";
         sample.baseInOdom = baseInOdom;
-        say(sample, StreamRole::Odometry);
+        publish(sample, StreamRole::Odometry);
     }
     /// The robot drives on by 0.4 m and looks around; @p slip: its odometry is wrong by that.
     void scan(const Pose& slip = Pose::Identity()) {
@@ -119,7 +119,7 @@ protected:
             const auto tooFar = static_cast<float>(m_tooFar);
             if (point.allFinite()) cloud.points.push_back((1.0F + tooFar / point.norm()) * point);
         }
-        say(std::move(cloud), StreamRole::Points);
+        publish(std::move(cloud), StreamRole::Points);
     }
     [[nodiscard]] Pose basePose(double way) const {
         if (!m_circles) return poseFrom({-1.8 + way, 0, 0}, 0, 0, 0);
@@ -195,7 +195,7 @@ protected:
     unsigned m_seed = 0;
     std::unique_ptr<LiveMission> m_mission;
     std::unique_ptr<StationMapping> m_mapping;
-    std::atomic<StationMapping*> m_hears = nullptr;  ///< the same, for the thread of the log
+    std::atomic<StationMapping*> m_receives = nullptr;  ///< the same, for the thread of the log
 };
 
 }  // namespace leitstand::test

@@ -135,7 +135,7 @@ std::chrono::milliseconds ms(int count) {
 }
 
 /// A robot, what it says, and when that comes.
-struct Saying {
+struct Pending {
     void odometry(int stamp, const Pose& base, int comes) {
         OdometrySample sample;
         sample.header = {Stamp + ms(stamp), "odom"};
@@ -185,7 +185,7 @@ Pose headed(double heading) {
 }
 
 TEST(RobotSight, WhatItSeesWaitsForOdometryThatComesALittleLate) {
-    Saying robot;
+    Pending robot;
     const auto headingAt = [](int stamp) { return degrees(0.09) * std::max(0, stamp); };  // it begins to turn
     for (int stamp = -500; stamp <= 0; stamp += 50) robot.odometry(stamp, headed(0), stamp + 100);
     robot.board(100, headed(headingAt(100)), 110);
@@ -198,7 +198,7 @@ TEST(RobotSight, WhatItSeesWaitsForOdometryThatComesALittleLate) {
 
 TEST(RobotSight, WhereOdometryComesTooLateTheMotionGoesOn) {
     for (const bool gyros : {false, true}) {
-        Saying robot;
+        Pending robot;
         // With gyros it begins to turn as the odometry falls silent.
         const auto headingAt = [&](int stamp) {
             return degrees(0.09) * (gyros ? std::max(0, stamp) : stamp);
@@ -215,7 +215,7 @@ TEST(RobotSight, WhereOdometryComesTooLateTheMotionGoesOn) {
 }
 
 TEST(RobotSight, AClockThatWasSetBackMixesNoEarlierPlacesIn) {
-    Saying robot;
+    Pending robot;
     const auto driven = [](int stamp) { return poseFrom({1e-4 * (stamp + 60'000), 0, 0}, 0, 0, 0); };
     for (int stamp = -60'000; stamp <= 0; stamp += 50) robot.odometry(stamp, driven(stamp), stamp);
     robot.board(0, headed(0), 0);
@@ -293,7 +293,7 @@ TEST_F(TwoCameras, TheLargePictureCapsTheSpeedAlsoWhereItIsInfrared) {
     picture(StreamRole::Thermal, "ir", 1);
     EXPECT_EQ(capAfter(0.1).reason, SightReason::NoPicture) << "the colour camera is large, and says nothing";
     EXPECT_EQ(capAfter(0.1).factor, 0.0);
-    sight().lookThrough("ir");
+    sight().selectCamera("ir");
     EXPECT_EQ(capAfter(0.1).reason, SightReason::Fresh);
     EXPECT_EQ(capAfter(0.1).factor, 1.0);
     EXPECT_EQ(capAfter(0.5).factor, SightRules{}.creepShare);
@@ -302,7 +302,7 @@ TEST_F(TwoCameras, TheLargePictureCapsTheSpeedAlsoWhereItIsInfrared) {
 }
 
 TEST_F(TwoCameras, AFreshPictureThatIsNotLargeIsNoEyes) {
-    sight().lookThrough("ir");
+    sight().selectCamera("ir");
     picture(StreamRole::Picture, "left", 1);
     EXPECT_EQ(capAfter(0.1).reason, SightReason::NoPicture);
     picture(StreamRole::Thermal, "ir", 1);
@@ -323,7 +323,7 @@ TEST_F(TwoCameras, InfraredIsNotAmongTheCamerasThatAreWatchedForRepeatedPictures
     picture(StreamRole::Picture, "left", 1);
     picture(StreamRole::Thermal, "ir", 1);
     RobotView view;
-    sight().tell(view, now);
+    sight().fillView(view, now);
     ASSERT_EQ(view.cameras.size(), 1u);
     EXPECT_EQ(view.cameras[0].sensor, "left");
 }

@@ -217,8 +217,8 @@ TEST_F(ScanSessionTest, ASessionCanEndAtAnyMomentOfItsWork) {
             session.registerAgain({});
             reached.wait(false);
         }
-        const auto told = recorder.record();
-        EXPECT_LE(told.maps.size(), 2u * Scans) << "event " << event;
+        const auto reported = recorder.record();
+        EXPECT_LE(reported.maps.size(), 2u * Scans) << "event " << event;
     }
 }
 

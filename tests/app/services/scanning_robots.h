@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/mapping/live_mapping.h"
-#include "core/mapping/placement/placement_says.h"
+#include "core/mapping/placement/placement_format.h"
 #include "core/robot/robot_description.h"
 #include "tests/support/rooms.h"
 #include "tests/support/wait.h"
@@ -74,7 +74,7 @@ protected:
     }
     void TearDown() override { m_mapping->close(); }
 
-    void say(const std::string& robot, StreamRole role, Sample sample) {
+    void publish(const std::string& robot, StreamRole role, Sample sample) {
         Event event;
         event.received = m_time;
         event.robot = robot;
@@ -100,7 +100,7 @@ protected:
         }
         for (const Eigen::Vector3d& point : m_seen)
             cloud.points.push_back((room.sensorInRoom.inverse() * point).cast<float>());
-        say(robot, StreamRole::Points, std::move(cloud));
+        publish(robot, StreamRole::Points, std::move(cloud));
     }
     /// A break leaves a few points of a turn.
     void fragment(const std::string& robot, const Pose& baseInOdom) {
@@ -108,7 +108,7 @@ protected:
         CloudSample cloud;
         cloud.header = {m_time, "laser"};
         for (int i = 0; i < 40; ++i) cloud.points.emplace_back(2.0F, 0.02F * static_cast<float>(i), 0.3F);
-        say(robot, StreamRole::Points, std::move(cloud));
+        publish(robot, StreamRole::Points, std::move(cloud));
     }
     /// @p robot is heard to stand where its odometry says @p baseInOdom.
     void stand(const std::string& robot, const Pose& baseInOdom, std::chrono::milliseconds time = 500ms) {
@@ -118,7 +118,7 @@ protected:
             odometry.header = {m_time, "odom"};
             odometry.childFrame = "base_link";
             odometry.baseInOdom = baseInOdom;
-            say(robot, StreamRole::Odometry, odometry);
+            publish(robot, StreamRole::Odometry, odometry);
         }
     }
     /// Points of the outside of a robot at @p baseInRoom, in the room.

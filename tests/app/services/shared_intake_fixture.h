@@ -64,8 +64,8 @@ protected:
         return sample;
     }
 
-    static VictimSample victimFound(int found, int stamp, const std::string& station) {
-        VictimSample victim;
+    static FindSample victimFound(int found, int stamp, const std::string& station) {
+        FindSample victim;
         victim.number = 3;
         victim.found = at(found);
         victim.stamp = at(stamp);
@@ -78,7 +78,7 @@ protected:
         setup.me = Me;
         setup.station = "us";
         setup.onJoined = [this] { ++m_joined; };
-        setup.fileAgain = [this](const VictimSample& find) { m_filedAgain.push_back(find); };
+        setup.fileAgain = [this](const FindSample& find) { m_filedAgain.push_back(find); };
         setup.mission = [this] { return m_state; };
         setup.holdsMap = [this] { return m_holdsMap; };
         setup.enter = [this](RawEvent raw) {
@@ -91,10 +91,10 @@ protected:
             m_state = std::make_shared<const MissionState>(fold(*m_state, *event));
             m_entered.push_back(nameOf(event->sample));
         };
-        setup.tell = [this](const std::string& text) { m_told += text + "\n"; };
+        setup.notify = [this](const std::string& text) { m_reported += text + "\n"; };
         m_intake = std::make_unique<SharedIntake>(std::move(setup));
     }
-    void hear(const Sample& sample, std::string_view topic, std::optional<Sender> from = {}) {
+    void receive(const Sample& sample, std::string_view topic, std::optional<Sender> from = {}) {
         RawEvent event;
         event.topic = topic;
         event.type = typeOf(sample);
@@ -102,17 +102,17 @@ protected:
         event.cdr = must(encode(sample, event.type));
         m_intake->take(std::move(event), from.value_or(Other), m_now);
     }
-    void hear(const KeyScanSample& scan, std::optional<Sender> from = {}) {
-        hear(scan, station_topic::KeyScans, from);
+    void receive(const KeyScanSample& scan, std::optional<Sender> from = {}) {
+        receive(scan, station_topic::KeyScans, from);
     }
-    void hear(const ScanPosesSample& sample, std::optional<Sender> from = {}) {
-        hear(sample, station_topic::ScanPoses, from);
+    void receive(const ScanPosesSample& sample, std::optional<Sender> from = {}) {
+        receive(sample, station_topic::ScanPoses, from);
     }
     void heartbeat(std::chrono::seconds later) {
         m_now += later;
         GrantSample grant;
         grant.station = "other";
-        hear(grant, station_topic::Grants);
+        receive(grant, station_topic::Grants);
     }
     /// What entered since, but for grants.
     [[nodiscard]] std::vector<std::string> entered() {
@@ -129,7 +129,7 @@ protected:
             return "poses of " + std::to_string(some->poses.size());
         if (std::holds_alternative<RobotPlaceSample>(sample)) return "place";
         if (std::holds_alternative<ScanBodiesSample>(sample)) return "bodies";
-        if (std::holds_alternative<VictimSample>(sample)) return "victim";
+        if (std::holds_alternative<FindSample>(sample)) return "victim";
         if (std::holds_alternative<ClockSample>(sample)) return "clock";
         if (std::holds_alternative<GrantSample>(sample)) return "grant";
         return "other";
@@ -139,9 +139,9 @@ protected:
     MissionStatePtr m_state = std::make_shared<const MissionState>();
     bool m_holdsMap = false;
     int m_joined = 0;
-    std::vector<VictimSample> m_filedAgain;
+    std::vector<FindSample> m_filedAgain;
     SteadyTime m_now{};
-    std::string m_told;
+    std::string m_reported;
     std::vector<std::string> m_entered;
     std::unique_ptr<SharedIntake> m_intake;
 };

@@ -62,13 +62,13 @@ std::vector<std::byte> bytesOf(const fs::path& file) {
 
 TEST_F(SnapshotsTest, KeepThePictureAsItCameWithWhatIsKnown) {
     auto snapshots = keeper(m_folder / "mission");
-    SnapshotWish wish;
-    wish.picture = picture();
-    wish.camera = "Infrared";
-    wish.baseInOdom = poseFrom({1.5, -2.0, 0.0}, 0, 0, 0);
-    wish.turned = PanTiltAngles{degrees(30), degrees(-5)};
-    snapshots->take(wish);
-    snapshots->take(wish);
+    SnapshotRequest request;
+    request.picture = picture();
+    request.camera = "Infrared";
+    request.baseInOdom = poseFrom({1.5, -2.0, 0.0}, 0, 0, 0);
+    request.turned = PanTiltAngles{degrees(30), degrees(-5)};
+    snapshots->take(request);
+    snapshots->take(request);
     snapshots->finish();
     ASSERT_EQ(m_files.size(), 2U) << (m_problems.empty() ? "" : m_problems.front());
     EXPECT_EQ(m_files[0], fs::path("snapshots/kurt3d_ir_2023-11-14_22-13-20.250.png"));
@@ -80,8 +80,9 @@ TEST_F(SnapshotsTest, KeepThePictureAsItCameWithWhatIsKnown) {
     const auto back = decodePicture(file);
     ASSERT_TRUE(back.ok()) << back.error().text;
     EXPECT_EQ(back->pixel, Picture::Pixel::Grey16);
-    EXPECT_TRUE(std::equal(back->bytes.begin(), back->bytes.end(), wish.picture->sample.content.bytes.begin(),
-                           wish.picture->sample.content.bytes.end()));
+    EXPECT_TRUE(std::equal(back->bytes.begin(), back->bytes.end(),
+                           request.picture->sample.content.bytes.begin(),
+                           request.picture->sample.content.bytes.end()));
     const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     EXPECT_THAT(text, testing::HasSubstr("kurt3d: Infrared"));
     EXPECT_THAT(text, testing::HasSubstr("1.5000 -2.0000 0.0000"));

@@ -145,8 +145,9 @@ TEST_F(StationMappingTest, WhatBelongsIntoTheMapIsTakenBackDoneAgainAndKept) {
     const auto crop = [&] { return m_mapping->crop(); };
     const auto inLog = [&](std::size_t corners) {
         return waitUntil([&] {
-            const auto said = m_mission->state()->crop;
-            return (said ? said->sample.polygon.size() : 0) == corners && crop().polygon.size() == corners;
+            const auto reported = m_mission->state()->crop;
+            return (reported ? reported->sample.polygon.size() : 0) == corners &&
+                   crop().polygon.size() == corners;
         });
     };
     EXPECT_GT(farthestAhead(0), 1.5);

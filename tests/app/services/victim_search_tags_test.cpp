@@ -30,15 +30,15 @@ protected:
     static Time at(int tenths) {
         return Time(std::chrono::seconds(1000) + std::chrono::milliseconds(100 * tenths));
     }
-    void hear(StreamRole role, Sample sample) {
+    void receive(StreamRole role, Sample sample) {
         m_search->onEvent({++m_sequence, at(m_now), "kurt3d", "/kurt3d/x", role, "", std::move(sample)});
     }
     /// How many more victims are told after @p text was read.
-    int told(const std::string& text) {
+    int reported(const std::string& text) {
         for (int i = 0; i < 4; ++i, m_now += 10) {
             OdometrySample odometry;
             odometry.header.stamp = at(m_now);
-            hear(StreamRole::Odometry, odometry);
+            receive(StreamRole::Odometry, odometry);
             SightingSample sightings;
             sightings.header.stamp = at(m_now);
             Sighting one;
@@ -49,29 +49,29 @@ protected:
             one.deviation = 0.1;
             one.confidence = 0.9;
             sightings.sightings = {one};
-            hear(StreamRole::Sightings, sightings);
+            receive(StreamRole::Sightings, sightings);
         }
         int victims = 0;
         for (const CandidateSample& one : m_search->due(at(m_now)))
-            victims += one.kind == VictimSample::Kind::Victim && m_told.insert(one.id).second ? 1 : 0;
+            victims += one.kind == FindSample::Kind::Victim && m_reported.insert(one.id).second ? 1 : 0;
         return victims;
     }
 
     RobotDescription m_robot;
     std::unique_ptr<VictimSearch> m_search;
-    std::set<std::uint32_t> m_told;
+    std::set<std::uint32_t> m_reported;
     std::uint64_t m_sequence = 0;
     std::uint32_t m_id = 0;
     int m_now = 0;
 };
 
 TEST_F(SearchForTags, ATagIsWhatTheProfileThatTheMissionNamesSays) {
-    EXPECT_EQ(told("V-01"), 0);
-    EXPECT_EQ(told("doll-1"), 1);
+    EXPECT_EQ(reported("V-01"), 0);
+    EXPECT_EQ(reported("doll-1"), 1);
     MissionInfoSample info;
     info.profile = "none";
     m_search->onEvent({++m_sequence, at(m_now), "", "/leitstand/mission", std::nullopt, "", info});
-    EXPECT_EQ(told("doll-2"), 0) << "by that one no code is a tag";
+    EXPECT_EQ(reported("doll-2"), 0) << "by that one no code is a tag";
 }
 
 TEST(VictimWatchTags, AProfileThatIsChosenDuringTheMissionIsHeard) {
@@ -89,7 +89,7 @@ TEST(VictimWatchTags, AProfileThatIsChosenDuringTheMissionIsHeard) {
     setup.tags = {{{"dolls", {"doll-*"}}, {"none", {}}}};
     setup.profile = "none";
     setup.onCandidate = [&](const CandidateSample& one) {
-        if (one.kind == VictimSample::Kind::Victim) ++victims;
+        if (one.kind == FindSample::Kind::Victim) ++victims;
     };
     const auto begin =
         std::chrono::time_point_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now());

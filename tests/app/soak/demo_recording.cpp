@@ -39,9 +39,9 @@ constexpr std::chrono::seconds Pull(3);       ///< away from what blocks it
 /// Where @p robot is by its odometry; the origin before it said so.
 Pose placeOf(const Station& station, const std::string& robot) {
     const auto mission = station.mission();
-    const auto said = mission->robots.find(robot);
-    const bool known = said != mission->robots.end() && said->second->odometry;
-    return known ? said->second->odometry->sample.baseInOdom : Pose::Identity();
+    const auto reported = mission->robots.find(robot);
+    const bool known = reported != mission->robots.end() && reported->second->odometry;
+    return known ? reported->second->odometry->sample.baseInOdom : Pose::Identity();
 }
 
 /// What Kurt3D does, and why.
@@ -59,7 +59,7 @@ void rock(Station& station, Clock::time_point until, Ended ended) {
             const auto way = (Clock::now() - began) / ToAndFro;
             const DriveView crawler = station.robot("crawler").drive;
             const double speed = crawler.needsNeutral ? 0.0 : way % 2 == 0 ? Gently : -Gently;
-            station.push({speed, 0.0, 0.0}, true);
+            station.setStick({speed, 0.0, 0.0}, true);
             return ended();
         },
         std::chrono::duration_cast<std::chrono::milliseconds>(until - began));
@@ -104,7 +104,7 @@ private:
 
 /// Turns Kurt3D until it heads as at @p home.
 bool align(Station& station, const Pose& home) {
-    station.focus("kurt3d");
+    station.setDriveFocus("kurt3d");
     if (!station.setMode("kurt3d", "teleoperation")) return false;
     const double first = headingError(station, home);
     WaysOut ways(first > 0.0 ? -Turn : Turn);
@@ -115,11 +115,11 @@ bool align(Station& station, const Pose& home) {
             const auto now = Clock::now();
             const bool wait = station.robot("kurt3d").drive.needsNeutral;
             if (wait) ways.hold(error, now);
-            station.push(wait ? DriveVelocity{} : ways.next(error, now), true);
+            station.setStick(wait ? DriveVelocity{} : ways.next(error, now), true);
             return std::abs(error) < Aligned;
         },
         120s);
-    station.push({});
+    station.setStick({});
     return aligned;
 }
 
@@ -139,7 +139,7 @@ void recordDemo(const std::filesystem::path& folder, std::chrono::seconds length
     for (const std::string robot : {"kurt3d", "crawler"}) {
         const bool there = waitUntil(
             [&] {
-                station->ask(robot);
+                station->requestGrant(robot);
                 return station->robot(robot).grant.mine &&
                        station->robot(robot).link.state == LinkState::Connected;
             },
@@ -148,7 +148,7 @@ void recordDemo(const std::filesystem::path& folder, std::chrono::seconds length
     }
     const Pose home = placeOf(*station, "kurt3d");
     const auto away = [&] { return (placeOf(*station, "kurt3d").translation() - home.translation()).norm(); };
-    station->focus("crawler");
+    station->setDriveFocus("crawler");
     double farthest = 0.0;
     auto asked = Clock::time_point{};
     const auto isDue = [&] {  // what it sees on its way may be more important to it

@@ -34,9 +34,10 @@ RobotDescription plainRobot(const std::string& name) {
 
 /// What @p robot said of itself; null before it said a mode and where it is.
 const RobotState* stateOf(const MissionState& mission, const std::string& robot) {
-    const auto said = mission.robots.find(robot);
-    const bool known = said != mission.robots.end() && said->second->mode && said->second->odometry;
-    return known ? &*said->second : nullptr;
+    const auto reported = mission.robots.find(robot);
+    const bool known =
+        reported != mission.robots.end() && reported->second->mode && reported->second->odometry;
+    return known ? &*reported->second : nullptr;
 }
 
 double distance(const Pose& one, const Pose& other) {
@@ -63,12 +64,12 @@ void ExploringDesk::look() {
     const auto now = std::chrono::steady_clock::now();
     const auto mission = m_station->mission();
     for (Walk& walk : m_walks) {
-        const RobotState* said = stateOf(*mission, walk.robot);
-        if (!said) continue;
-        follow(walk, said->odometry->sample.baseInOdom, now);
+        const RobotState* reported = stateOf(*mission, walk.robot);
+        if (!reported) continue;
+        follow(walk, reported->odometry->sample.baseInOdom, now);
         const bool still = now - walk.moved > Still;
-        if ((said->mode->sample.mode == Explores && !still) || now - walk.asked < Again) continue;
-        m_station->ask(walk.robot);
+        if ((reported->mode->sample.mode == Explores && !still) || now - walk.asked < Again) continue;
+        m_station->requestGrant(walk.robot);
         if (!m_station->robot(walk.robot).grant.mine) continue;
         if (still) sendOn(walk);
         (void)m_station->setMode(walk.robot, Explores);
@@ -105,25 +106,25 @@ void ExploringDesk::sendOn(Walk& walk) {
 }
 
 void ExploringDesk::pullBack(const std::string& robot) {
-    m_station->focus(robot);
+    m_station->setDriveFocus(robot);
     if (!m_station->setMode(robot, "teleoperation")) return;
     const auto end = std::chrono::steady_clock::now() + Pull;
     (void)waitUntil(
         [&] {
             const bool wait = m_station->robot(robot).drive.needsNeutral;
-            m_station->push({wait ? 0.0 : -Gently, 0.0, 0.0}, true);
+            m_station->setStick({wait ? 0.0 : -Gently, 0.0, 0.0}, true);
             return std::chrono::steady_clock::now() > end;
         },
         2 * Pull);
-    m_station->push({});
-    m_station->focus({});
+    m_station->setStick({});
+    m_station->setDriveFocus({});
 }
 
 bool ExploringDesk::allExplore() const {
     const auto mission = m_station->mission();
     return std::all_of(m_walks.begin(), m_walks.end(), [&](const Walk& walk) {
-        const RobotState* said = stateOf(*mission, walk.robot);
-        return said && said->mode->sample.mode == Explores;
+        const RobotState* reported = stateOf(*mission, walk.robot);
+        return reported && reported->mode->sample.mode == Explores;
     });
 }
 
@@ -131,9 +132,9 @@ std::string ExploringDesk::doing() const {
     const auto mission = m_station->mission();
     std::string all;
     for (const Walk& walk : m_walks) {
-        const RobotState* said = stateOf(*mission, walk.robot);
-        if (!said) continue;
-        const ModeSample& mode = said->mode->sample;
+        const RobotState* reported = stateOf(*mission, walk.robot);
+        if (!reported) continue;
+        const ModeSample& mode = reported->mode->sample;
         all += fmt::format(" {}: {:.0f} m, {} ({})", walk.robot, walk.length, mode.mode, mode.reason);
     }
     return all;

@@ -115,7 +115,7 @@ public:
         }
     }
     [[nodiscard]] double most() const { return m_most; }  ///< memory at any time [MB]
-    [[nodiscard]] std::string said() const { return m_station->out() + m_desk->doing(); }
+    [[nodiscard]] std::string reported() const { return m_station->out() + m_desk->doing(); }
 
 private:
     const TemporaryFolder m_folder;
@@ -131,7 +131,7 @@ private:
 
 TEST(LongSoak, AnHourAtPaceLosesNothingAndFitsIntoOnePointTwoGigabytes) {
     HourAtPace hour(soakTime());
-    ASSERT_TRUE(hour.begins()) << hour.said();
+    ASSERT_TRUE(hour.begins()) << hour.reported();
     std::printf("minute     MB   most  key scans  cores  threads  descriptors\n");
     std::vector<Moment> moments;
     for (int part = 1; part <= Parts; ++part) moments.push_back(hour.passes(part));

@@ -108,11 +108,11 @@ TEST(LongSoak, OfEightHoursOfEventsNoneIsLostAndNothingGrowsButTheMap) {
     EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
 
     EXPECT_EQ(last.log.events, last.log.lastSequence) << "events came that are not in the log";
-    const auto said = messagesIn(demo), heard = messagesIn(station.mission());
+    const auto reported = messagesIn(demo), received = messagesIn(station.mission());
     const std::set<std::string> reliable = reliableTopics();
-    for (const auto& [topic, count] : said) {
-        const auto found = heard.find(topic);
-        const std::uint64_t got = found == heard.end() ? 0 : found->second;
+    for (const auto& [topic, count] : reported) {
+        const auto found = received.find(topic);
+        const std::uint64_t got = found == received.end() ? 0 : found->second;
         const std::uint64_t sent = count * static_cast<std::uint64_t>(rounds);
         if (sent == 0) continue;  // announced only
         std::printf("%8.4f %% of %llu on %s%s\n",

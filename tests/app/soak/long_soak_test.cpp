@@ -121,12 +121,12 @@ TEST(LongSoak, AnHourOfTheDemoFitsIntoOneCoreAndOnePointTwoGigabytes) {
     expectFits(
         {.first = atFive, .last = most, .most = most, .keyScansFirst = scansAtFive, .keyScansLast = scans});
     const double whole = Hour + 2.0 * (AtRateOne + Warming - 2.0);  // a replay listens first for 2 s
-    const auto said = messagesIn(demo), heard = messagesIn(station.mission());
-    for (const auto& [topic, count] : said) {
+    const auto reported = messagesIn(demo), received = messagesIn(station.mission());
+    for (const auto& [topic, count] : reported) {
         if (count < 10) continue;  // states that stay
         const double expected = static_cast<double>(count) * whole / length;
-        const auto found = heard.find(topic);
-        const double got = found == heard.end() ? 0.0 : static_cast<double>(found->second);
+        const auto found = received.find(topic);
+        const double got = found == received.end() ? 0.0 : static_cast<double>(found->second);
         std::printf("%6.2f %% of %s\n", 100.0 * got / expected, topic.c_str());
         EXPECT_GE(got, LeastHeard * expected) << topic;
     }

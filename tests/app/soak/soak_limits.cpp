@@ -15,8 +15,8 @@ constexpr double MostMegabytes = 1200.0, AtKeyScans = 1400.0;
 }  // namespace
 
 std::chrono::duration<double> soakTime() {
-    const char* told = std::getenv("LEITSTAND_SOAK_MINUTES");
-    return std::chrono::duration<double>(60.0 * (told != nullptr ? std::atof(told) : Minutes));
+    const char* reported = std::getenv("LEITSTAND_SOAK_MINUTES");
+    return std::chrono::duration<double>(60.0 * (reported != nullptr ? std::atof(reported) : Minutes));
 }
 
 void expectFits(const Growth& growth) {

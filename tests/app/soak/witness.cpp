@@ -74,28 +74,28 @@ bool Witness::listen() {
     const auto node = nodeIn(m_domain, settings);
     std::vector<std::unique_ptr<Subscription>> subscriptions;
     for (Stream& stream : m_streams) {
-        stream.before = stream.heard.size();
+        stream.before = stream.received.size();
         const StreamDescription& one = stream.description;
         const Lane lane = one.role == StreamRole::Points ? Lane::Large : Lane::Small;
-        subscriptions.push_back(
-            must(node->subscribe({one.topic, one.type, one.qos, lane},
-                                 [this, &stream](const ReceivedSample& sample) { hear(stream, sample); })));
+        subscriptions.push_back(must(
+            node->subscribe({one.topic, one.type, one.qos, lane},
+                            [this, &stream](const ReceivedSample& sample) { receive(stream, sample); })));
     }
     const bool all = waitUntil([this] { return heardSome(); }, Patience);
     std::this_thread::sleep_for(Lasting);
     return all;
 }
 
-void Witness::hear(Stream& stream, const ReceivedSample& sample) {
+void Witness::receive(Stream& stream, const ReceivedSample& sample) {
     if (!isOf(stream.description, sample.event.cdr)) return;
     const std::scoped_lock lock(m_mutex);
-    stream.heard.push_back({printOf(sample.event.cdr), sample.writerSequence});
+    stream.received.push_back({printOf(sample.event.cdr), sample.writerSequence});
 }
 
 bool Witness::heardSome() const {
     const std::scoped_lock lock(m_mutex);
     return std::all_of(m_streams.begin(), m_streams.end(), [](const Stream& stream) {
-        return !streamFacts(stream.description.role).steady || stream.heard.size() >= stream.before + Some;
+        return !streamFacts(stream.description.role).steady || stream.received.size() >= stream.before + Some;
     });
 }
 
@@ -122,15 +122,15 @@ std::vector<Kept> Witness::compare(const std::filesystem::path& mission) const {
     for (std::size_t i = 0; i < m_streams.size(); ++i) {
         const Stream& stream = m_streams[i];
         const auto isLogged = [&](const Print& print) { return logged[i].placeOf(print.bytes).has_value(); };
-        const auto first = std::find_if(stream.heard.begin(), stream.heard.end(), isLogged);
-        const auto last = std::find_if(stream.heard.rbegin(), stream.heard.rend(), isLogged);
+        const auto first = std::find_if(stream.received.begin(), stream.received.end(), isLogged);
+        const auto last = std::find_if(stream.received.rbegin(), stream.received.rend(), isLogged);
         Kept kept{stream.description.topic, stream.robot,
                   stream.description.qos.reliability == Qos::Reliability::Reliable};
-        if (first != stream.heard.end()) {
+        if (first != stream.received.end()) {
             kept.sent = last->sequence - first->sequence + 1;
             kept.logged = *logged[i].placeOf(last->bytes) - *logged[i].placeOf(first->bytes) + 1;
-        } else if (!stream.heard.empty()) {
-            kept.sent = stream.heard.back().sequence - stream.heard.front().sequence + 1;
+        } else if (!stream.received.empty()) {
+            kept.sent = stream.received.back().sequence - stream.received.front().sequence + 1;
         }
         all.push_back(std::move(kept));
     }

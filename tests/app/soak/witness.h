@@ -42,11 +42,11 @@ private:
     struct Stream {
         std::string robot;
         StreamDescription description;
-        std::vector<Print> heard = {};
+        std::vector<Print> received = {};
         std::size_t before = 0;  ///< heard when it began to listen
     };
 
-    void hear(Stream& stream, const ReceivedSample& sample);
+    void receive(Stream& stream, const ReceivedSample& sample);
     [[nodiscard]] bool heardSome() const;
 
     const TestDomain& m_domain;

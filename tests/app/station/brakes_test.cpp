@@ -41,18 +41,18 @@ protected:
     template <class Speed>
     static bool moves(Station& station, const std::string& robot, Speed speed,
                       std::chrono::milliseconds atMost = 3s) {
-        station.ask(robot);
-        station.focus(robot);
+        station.requestGrant(robot);
+        station.setDriveFocus(robot);
         const auto began = std::chrono::steady_clock::now();
         const bool moved = waitUntil(
             [&] {
                 const bool neutral = std::chrono::steady_clock::now() - began < 300ms ||
                                      station.robot(robot).drive.needsNeutral;
-                station.push({neutral ? 0.0 : 0.2, 0.0, 0.0});
+                station.setStick({neutral ? 0.0 : 0.2, 0.0, 0.0});
                 return speed() > 0.1;
             },
             atMost);
-        station.focus({});
+        station.setDriveFocus({});
         return moved;
     }
 };
@@ -62,7 +62,7 @@ TEST_F(StationBrakesTest, TheSimulatedRobotPassesAndIsRemembered) {
     auto station = stationFor({kurt3d()});
     ASSERT_TRUE(waitUntil(
         [&] {
-            const auto around = station->around("kurt3d");
+            const auto around = station->surroundings("kurt3d");
             return around && around->oldest(-0.4, 0.4) < 5.0 && station->robot("kurt3d").drive.reachable;
         },
         60s))
@@ -96,7 +96,7 @@ TEST_F(StationBrakesTest, ARobotWithoutAWatchdogFailsIsStoppedAndRefusedUntilOve
     auto station = stationFor({carelessRobot()});
     const auto speed = [&] { return robot.speed(); };
     ASSERT_TRUE(waitUntil([&] {
-        const auto around = station->around("rover");
+        const auto around = station->surroundings("rover");
         return around && around->oldest(-0.4, 0.4) < 5.0 && station->robot("rover").drive.reachable;
     })) << words();
     ASSERT_TRUE(test(*station, "rover"));
@@ -146,7 +146,7 @@ protected:
                                                  if (!goal) return;
                                                  const Pose at = std::get<PoseSample>(*goal).poseInFrame;
                                                  const std::scoped_lock lock(m_guard);
-                                                 m_heard.insert(std::lround(at.translation().x()));
+                                                 m_received.insert(std::lround(at.translation().x()));
                                              }));
         std::map<std::string, BrakeResult> earlier;
         earlier["rover"] = {.verdict = Verdict::Failed, .seconds = 1.5, .metres = 0.3};
@@ -158,20 +158,20 @@ protected:
         goal.poseInFrame.translation().x() = metres;
         return station.goTo("rover", goal);
     }
-    [[nodiscard]] bool hears(int metres) const {
+    [[nodiscard]] bool receives(int metres) const {
         const std::scoped_lock lock(m_guard);
-        return m_heard.contains(metres);
+        return m_received.contains(metres);
     }
     /// Readers and writers meet one after the other: a goal is said again until it comes.
     [[nodiscard]] bool arrives(Station& station, int metres) const {
-        return waitUntil([&] { return send(station, metres).ok() && hears(metres); }, 60s);
+        return waitUntil([&] { return send(station, metres).ok() && receives(metres); }, 60s);
     }
 
     RobotDescription m_rover = carelessRobot();
 
 private:
     mutable std::mutex m_guard;
-    std::set<long> m_heard;  ///< x of goals [m]
+    std::set<long> m_received;  ///< x of goals [m]
     const std::unique_ptr<Node> m_node = nodeIn(m_domain);
     std::unique_ptr<Subscription> m_listening;
 };
@@ -194,8 +194,8 @@ TEST_F(SentRobot, TakesNoGoalsAndIsSentNowhere) {
     EXPECT_FALSE(send(*station, 3).ok());
     station->brakes().setOverridden("rover", true);
     EXPECT_TRUE(arrives(*station, 4)) << words();
-    EXPECT_FALSE(hears(1));
-    EXPECT_FALSE(hears(3)) << "what is said later came";
+    EXPECT_FALSE(receives(1));
+    EXPECT_FALSE(receives(3)) << "what is said later came";
 
     station->brakes().begin("rover");
     EXPECT_FALSE(send(*station, 5).ok()) << "a test drives it";

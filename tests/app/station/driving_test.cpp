@@ -1,4 +1,5 @@
-// The rules of driving (design, section 7) case by case, from the operator's hand to the robot over DDS.
+// The rules of driving (docs/design.md, "The window") case by case, from the operator's hand to the robot
+// over DDS.
 #include "tests/app/station/seeing_robot.h"
 #include "tests/app/station/station_scene.h"
 
@@ -32,7 +33,7 @@ protected:
                                  bool withoutEyes = false) {
         return waitUntil(
             [&] {
-                m_station->push({0.3, 0.0, 0.0}, withoutEyes);
+                m_station->setStick({0.3, 0.0, 0.0}, withoutEyes);
                 return condition();
             },
             atMost);
@@ -40,7 +41,7 @@ protected:
     [[nodiscard]] bool stands() const { return m_robot->speed() == 0.0; }
     [[nodiscard]] bool goneNeutral() {
         return waitUntil([&] {
-            m_station->push({});
+            m_station->setStick({});
             return drive().driving && !drive().needsNeutral;
         });
     }
@@ -106,9 +107,9 @@ TEST_F(DrivingTest, UnpluggedInputStops) {
 TEST_F(DrivingTest, LostFocusStopsAndItComesBackWithNeutralSticks) {
     begin(drivenRobot());
     ASSERT_TRUE(drives()) << sight();
-    m_station->focus({});
+    m_station->setDriveFocus({});
     ASSERT_TRUE(holdUntil([&] { return stands(); }));
-    m_station->focus("kurt3d");
+    m_station->setDriveFocus("kurt3d");
     EXPECT_FALSE(holdUntil([&] { return !stands(); }, 300ms));
     EXPECT_TRUE(drive().needsNeutral);
     ASSERT_TRUE(goneNeutral());
@@ -120,9 +121,9 @@ TEST_F(DrivingTest, AGrantGivenToAnotherStationStops) {
     begin(description);
     ASSERT_TRUE(drives()) << sight();
     const auto other = stationFor({description}, "other");
-    other->ask("kurt3d");
+    other->requestGrant("kurt3d");
     ASSERT_TRUE(holdUntil([&] { return !m_station->robot("kurt3d").grant.requestedBy.empty(); }));
-    m_station->answer("kurt3d", true);
+    m_station->answerRequest("kurt3d", true);
     ASSERT_TRUE(holdUntil([&] { return stands() && other->robot("kurt3d").grant.mine; }));
     EXPECT_FALSE(holdUntil([&] { return !stands(); }, 300ms)) << "the sticks are still held here";
 }

@@ -43,7 +43,7 @@ TEST(RobotsInMap, TheCrawlerIsPlacedBesideKurt3DAndAgainAfterARestart) {
         const std::scoped_lock lock(mutex);
         words += text + "\n";
     };
-    const auto said = [&] {
+    const auto reported = [&] {
         const std::scoped_lock lock(mutex);
         return words;
     };
@@ -55,13 +55,13 @@ TEST(RobotsInMap, TheCrawlerIsPlacedBesideKurt3DAndAgainAfterARestart) {
         }
         return RobotInMap{};
     };
-    ASSERT_TRUE(waitUntil([&] { return of("crawler").certain && of("kurt3d").certain; }, 90s)) << said();
+    ASSERT_TRUE(waitUntil([&] { return of("crawler").certain && of("kurt3d").certain; }, 90s)) << reported();
     const auto between = [&] { return Pose(of("kurt3d").baseInMap.inverse() * of("crawler").baseInMap); };
-    EXPECT_LT((between().translation() - Eigen::Vector3d(0, -0.8, 0)).norm(), 0.1) << said();
+    EXPECT_LT((between().translation() - Eigen::Vector3d(0, -0.8, 0)).norm(), 0.1) << reported();
     EXPECT_LT(inDegrees(angleBetween(between(), Pose::Identity())), 4.0);
     EXPECT_TRUE(waitUntil([&] { return station->mission()->robots.at("crawler")->place.has_value(); }));
-    EXPECT_TRUE(waitUntil([&] { return said().find("Crawler: found in the map") != std::string::npos; }))
-        << "by its title: " << said();
+    EXPECT_TRUE(waitUntil([&] { return reported().find("Crawler: found in the map") != std::string::npos; }))
+        << "by its title: " << reported();
 
     EXPECT_FALSE(station->mapping().place("nobody", Pose::Identity()).ok());
     const Pose dragged = of("crawler").baseInMap * poseFrom({0.3, 0.2, 0}, 0, 0, degrees(10));
@@ -69,15 +69,15 @@ TEST(RobotsInMap, TheCrawlerIsPlacedBesideKurt3DAndAgainAfterARestart) {
     ASSERT_TRUE(waitUntil([&] {
         return station->mission()->robots.at("crawler")->place->sample.cause ==
                RobotPlaceSample::Cause::Operator;
-    })) << said();
+    })) << reported();
     ASSERT_TRUE(
         waitUntil([&] { return of("crawler").certain && between().translation().head<2>().norm() < 0.9; }));
-    EXPECT_LT((between().translation() - Eigen::Vector3d(0, -0.8, 0)).norm(), 0.1) << said();
+    EXPECT_LT((between().translation() - Eigen::Vector3d(0, -0.8, 0)).norm(), 0.1) << reported();
 
     station.reset();
     station = must(Station::open(settings, listener));
     EXPECT_TRUE(of("crawler").placed) << "at once, where it was";
-    EXPECT_TRUE(waitUntil([&] { return of("crawler").certain; }, 60s)) << said();
+    EXPECT_TRUE(waitUntil([&] { return of("crawler").certain; }, 60s)) << reported();
     EXPECT_LT((of("crawler").baseInMap.translation() - dragged.translation()).head<2>().norm(), 0.5);
 }
 

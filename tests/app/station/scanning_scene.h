@@ -21,7 +21,7 @@ namespace leitstand::test {
 /// Stations whose mappings hear of a robot that drives through the furnished room, at times of its own.
 class ScanningScene : public StationScene {
 protected:
-    void say(Sample sample, StreamRole role) {
+    void publish(Sample sample, StreamRole role) {
         const StreamDescription& stream = *m_description.stream(role);
         Event event;
         event.received = m_time;
@@ -43,7 +43,7 @@ protected:
             odometry.header = {m_time, "odom"};
             odometry.childFrame = "base_link";
             odometry.baseInOdom = baseInRoom(m_way + way * i / 20.0) * m_slip;
-            say(odometry, StreamRole::Odometry);
+            publish(odometry, StreamRole::Odometry);
         }
         m_way += way;
         RoomSettings room;
@@ -57,7 +57,7 @@ protected:
         for (const Eigen::Vector3f& point : scanRoom(room).scan.points) {
             if (point.allFinite()) cloud.points.push_back(point);
         }
-        say(std::move(cloud), StreamRole::Points);
+        publish(std::move(cloud), StreamRole::Points);
     }
     /// Whether @p station may register: scans enter once it holds the map's grant.
     [[nodiscard]] static bool holdsMap(Station& station) {

@@ -84,7 +84,7 @@ TEST_F(SecuredGuard, IsReadyOnceTheRobotHearsItAndSendsZerosForTwoSecondsAfterAS
     EXPECT_FALSE(waitUntil(isReady, 1s)) << "there is no robot";
 
     const auto rover = member("rover");
-    HeardCommands heard(*rover, stream, senderOf(desk->guid()));
+    HeardCommands received(*rover, stream, senderOf(desk->guid()));
     ASSERT_TRUE(waitUntil(isReady, 60s));
     const auto driver = must(desk->publisher({stream.topic, stream.type, stream.qos, Flow::Immediate}));
     ASSERT_TRUE(waitUntil([&] { return driver->matched() == 2; }, 60s)) << "robot and guard";
@@ -93,18 +93,18 @@ TEST_F(SecuredGuard, IsReadyOnceTheRobotHearsItAndSendsZerosForTwoSecondsAfterAS
         ASSERT_TRUE(driver->write(command).ok());
         ASSERT_TRUE(guard->pulse({.driving = true}));
     }
-    EXPECT_EQ(heard.zeros, 0);
-    EXPECT_GT(heard.ofTheStation, 10);
+    EXPECT_EQ(received.zeros, 0);
+    EXPECT_GT(received.ofTheStation, 10);
 
-    ASSERT_TRUE(waitUntil([&] { return heard.zeros >= 1; }));
+    ASSERT_TRUE(waitUntil([&] { return received.zeros >= 1; }));
     const auto first = Clock::now();
-    ASSERT_TRUE(waitUntil([&] { return heard.zeros >= 30; })) << heard.zeros;
+    ASSERT_TRUE(waitUntil([&] { return received.zeros >= 30; })) << received.zeros;
     std::this_thread::sleep_until(first + 3s);
-    const int zeros = heard.zeros;
+    const int zeros = received.zeros;
     EXPECT_LE(zeros, 41) << "20 a second, for two seconds";
     std::this_thread::sleep_for(1s);
-    EXPECT_EQ(heard.zeros, zeros) << "and no more";
-    EXPECT_EQ(heard.others, 0);
+    EXPECT_EQ(received.zeros, zeros) << "and no more";
+    EXPECT_EQ(received.others, 0);
 }
 
 TEST_F(SecuredGuard, ARobotWithoutAWatchdogIsNotDrivenBeforeItHearsItsGuard) {
@@ -121,15 +121,15 @@ TEST_F(SecuredGuard, ARobotWithoutAWatchdogIsNotDrivenBeforeItHearsItsGuard) {
     const auto station = must(Station::open(settings));
     station->brakes().setOverridden("rover", true);
     EXPECT_FALSE(station->guards().allows("rover"));
-    bool heard = false, early = false;
+    bool received = false, early = false;
     ASSERT_TRUE(drive(*station, "rover", {0.2, 0.0, 0.0}, [&] {
         const bool moves = rover.speed() != 0.0;
-        heard = heard || station->guards().view("rover").state == GuardView::State::Ready;
-        early = early || (moves && !heard);
-        return heard && rover.speed() > 0.1;
+        received = received || station->guards().view("rover").state == GuardView::State::Ready;
+        early = early || (moves && !received);
+        return received && rover.speed() > 0.1;
     })) << station->guards().view("rover").problem;
     EXPECT_FALSE(early);
-    station->focus({});
+    station->setDriveFocus({});
     EXPECT_TRUE(waitUntil([&] { return rover.speed() == 0.0; }));
 }
 

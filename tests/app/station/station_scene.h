@@ -56,14 +56,14 @@ protected:
                                     Moved moved) {
         using namespace std::chrono_literals;
         using Clock = std::chrono::steady_clock;
-        station.ask(robot);
-        station.focus(robot);
+        station.requestGrant(robot);
+        station.setDriveFocus(robot);
         auto neutral = Clock::now();
         return waitUntil([&] {
             const DriveView now = station.robot(robot).drive;
             const auto held = Clock::now() - neutral;
             if (!now.listening || now.needsNeutral || held > 2s) neutral = Clock::now();
-            station.push(held > 200ms && held < 2s ? sticks : DriveVelocity{});
+            station.setStick(held > 200ms && held < 2s ? sticks : DriveVelocity{});
             return moved();
         });
     }

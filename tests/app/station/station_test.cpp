@@ -47,7 +47,7 @@ TEST_F(StationTest, DrivesStopsAndReleasesARobot) {
     }));
     EXPECT_FALSE(waitUntil(
         [&] {
-            station->push({0.3, 0.0, 0.0});
+            station->setStick({0.3, 0.0, 0.0});
             return robot.speed() != 0.0;
         },
         500ms))
@@ -57,14 +57,14 @@ TEST_F(StationTest, DrivesStopsAndReleasesARobot) {
     ASSERT_TRUE(waitUntil([&] { return !station->robot("kurt3d").stop.stopped; }));
     EXPECT_FALSE(waitUntil(
         [&] {
-            station->push({0.3, 0.0, 0.0});
+            station->setStick({0.3, 0.0, 0.0});
             return robot.speed() != 0.0;
         },
         500ms))
         << "sticks must be neutral first";
     ASSERT_TRUE(drive(*station, "kurt3d", {0.3, 0.0, 0.0}, [&] { return robot.speed() > 0.2; }));
 
-    station->focus({});
+    station->setDriveFocus({});
     ASSERT_TRUE(waitUntil([&] { return robot.speed() == 0.0; })) << "without focus it stands";
     const MissionStatePtr state = station->mission();
     EXPECT_TRUE(state->robots.at("kurt3d")->odometry.has_value());
@@ -137,7 +137,7 @@ TEST_F(StationTest, SeesDrivesAndCommandsASimulatedRobot) {
     ASSERT_TRUE(waitUntil([&] { return view().link.state == LinkState::Connected; }, 30s))
         << words() << process.out();
     // All around is known after a turn of the scanner, 2.3 s.
-    const auto around = [&] { return station->around("kurt3d"); };
+    const auto around = [&] { return station->surroundings("kurt3d"); };
     ASSERT_TRUE(waitUntil([&] { return around() && around()->oldest(-3.1, 3.1) < 10.0; }, 30s));
     EXPECT_LT(around()->nearest(-3.14, 3.14), 3.0) << "it stands in a cell of a maze";
     EXPECT_GT(clouds, 20);
@@ -148,7 +148,7 @@ TEST_F(StationTest, SeesDrivesAndCommandsASimulatedRobot) {
         return odometry && std::abs(odometry->sample.angular.z()) > 0.2;
     };
     ASSERT_TRUE(drive(*station, "kurt3d", {0.0, 0.0, 0.6}, turned));
-    station->push({});
+    station->setStick({});
     ASSERT_TRUE(station->setMode("kurt3d", "explore").ok());
     ASSERT_TRUE(waitUntil([&] {
         const auto mode = station->mission()->robots.at("kurt3d")->mode;

@@ -41,7 +41,7 @@ protected:
 TEST_F(StationStreamsTest, ARateIsFollowedByTheRobotAndAlsoAfterItsRestart) {
     start();
     StationStreams& streams = station->streams();
-    ASSERT_TRUE(streams.wish("kurt3d", "/kurt3d/left/image/compressed", {.rate = 3.0}).ok());
+    ASSERT_TRUE(streams.request("kurt3d", "/kurt3d/left/image/compressed", {.rate = 3.0}).ok());
     ASSERT_TRUE(waitUntil([&] { return stream(Left).rate < 4.0; }, 60s)) << stream(Left).rate;
     EXPECT_GT(stream(Left).rate, 1.0);
     EXPECT_GT(stream(Right).rate, 6.0) << "the other camera is left alone";
@@ -54,7 +54,7 @@ TEST_F(StationStreamsTest, ARateIsFollowedByTheRobotAndAlsoAfterItsRestart) {
     ASSERT_TRUE(waitUntil([&] { return stream(Left).rate > 1.0 && stream(Left).rate < 4.0; }, 60s))
         << "a robot that comes back is told again";
 
-    ASSERT_TRUE(streams.wish("kurt3d", "/kurt3d/left/image/compressed", {}).ok());
+    ASSERT_TRUE(streams.request("kurt3d", "/kurt3d/left/image/compressed", {}).ok());
     EXPECT_TRUE(waitUntil([&] { return stream(Left).rate > 8.0; }, 60s)) << "as the robot likes";
 }
 
@@ -78,16 +78,16 @@ TEST_F(StationStreamsTest, PicturesBecomeCoarserAndSmallerAsTheyAreWished) {
         EXPECT_TRUE(decoded.ok());
         return Size{pictures.back().content.bytes.size(), decoded ? decoded->width : 0};
     };
-    ASSERT_TRUE(camera.hears(topic));
+    ASSERT_TRUE(camera.receives(topic));
     const Size before = newest();
     StationStreams& streams = station->streams();
-    ASSERT_TRUE(streams.wish("kurt3d", topic, {.quality = 15}).ok());
+    ASSERT_TRUE(streams.request("kurt3d", topic, {.quality = 15}).ok());
     EXPECT_TRUE(waitUntil([&] { return newest().bytes < before.bytes * 6 / 10; }, 60s))
         << newest().bytes << " of " << before.bytes << " bytes";
     EXPECT_EQ(newest().width, before.width);
-    ASSERT_TRUE(streams.wish("kurt3d", topic, {.maxWidth = before.width / 2}).ok());
+    ASSERT_TRUE(streams.request("kurt3d", topic, {.maxWidth = before.width / 2}).ok());
     EXPECT_TRUE(waitUntil([&] { return newest().width == before.width / 2; }, 60s)) << newest().width;
-    ASSERT_TRUE(streams.wish("kurt3d", topic, {}).ok());
+    ASSERT_TRUE(streams.request("kurt3d", topic, {}).ok());
     EXPECT_TRUE(waitUntil(
         [&] { return newest().width == before.width && newest().bytes > before.bytes * 7 / 10; }, 60s))
         << "as the robot likes";
@@ -119,11 +119,11 @@ TEST_F(StationStreamsTest, AThinLinkKeepsScansAndOneCameraAndGivesAllBack) {
 TEST_F(StationStreamsTest, WishesForWhatIsNotThereAreErrors) {
     const auto quiet = stationFor({kurt3d()});
     StationStreams& streams = quiet->streams();
-    EXPECT_FALSE(streams.wish("nobody", "/nobody/points", {}).ok());
-    const auto none = streams.wish("kurt3d", "/kurt3d/cmd_vel", {});
+    EXPECT_FALSE(streams.request("nobody", "/nobody/points", {}).ok());
+    const auto none = streams.request("kurt3d", "/kurt3d/cmd_vel", {});
     ASSERT_FALSE(none.ok());
     EXPECT_THAT(none.error().text, testing::HasSubstr("/kurt3d/cmd_vel"));
-    EXPECT_TRUE(streams.takesWishes("kurt3d"));
+    EXPECT_TRUE(streams.takesRequests("kurt3d"));
 }
 
 }  // namespace

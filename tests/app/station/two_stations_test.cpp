@@ -28,7 +28,7 @@ class TwoStations : public ScanningScene {
 protected:
     void openFirst() { m_first = stationFor({m_description}, "first"); }
     void openSecond() { m_second = stationFor({m_description}, "second"); }
-    void hear() {
+    void receive() {
         m_hearing.clear();
         for (Station* one : {m_first.get(), m_second.get()}) {
             if (one != nullptr) m_hearing.push_back(one);
@@ -65,10 +65,10 @@ protected:
     [[nodiscard]] static bool becomes(Station& station, std::uint64_t id, ScanTrust wanted) {
         return waitUntil([&] { return trust(station, id) == wanted; }, 60s);
     }
-    [[nodiscard]] static std::optional<VictimSample> victim(Station& station, std::uint32_t number) {
+    [[nodiscard]] static std::optional<FindSample> victim(Station& station, std::uint32_t number) {
         const MissionStatePtr mission = station.mission();
-        const auto known = mission->victims->find({VictimSample::Kind::Victim, number});
-        return known == mission->victims->end() ? std::nullopt : std::optional(known->second.victim);
+        const auto known = mission->finds->find({FindSample::Kind::Victim, number});
+        return known == mission->finds->end() ? std::nullopt : std::optional(known->second.victim);
     }
     [[nodiscard]] static const RobotInMap& robot(const RobotsInMapPtr& robots) { return robots->front(); }
 
@@ -77,13 +77,13 @@ protected:
 
 TEST_F(TwoStations, TheSecondShowsTheMapThatTheFirstMakesAndWhatIsDecidedOfIt) {
     openFirst();
-    hear();
+    receive();
     ASSERT_TRUE(holdsMap(*m_first)) << words();
     for (int i = 0; i < 3; ++i) scan();
     ASSERT_TRUE(has(*m_first, 3)) << words();
     openSecond();  // what was before comes to who comes late ...
     ASSERT_TRUE(has(*m_second, 3)) << words();
-    hear();
+    receive();
     scan();  // ... and then what is new
     ASSERT_TRUE(has(*m_first, 4)) << words();
     ASSERT_TRUE(has(*m_second, 4)) << words();
@@ -129,11 +129,11 @@ TEST_F(TwoStations, TheSecondGoesOnWithTheMapWhereTheFirstEndsAndTheFirstFollows
     openFirst();
     ASSERT_TRUE(holdsMap(*m_first)) << words();
     openSecond();
-    hear();
+    receive();
     for (int i = 0; i < 3; ++i) scan();
     ASSERT_TRUE(has(*m_second, 3)) << words();
     m_first.reset();
-    hear();
+    receive();
     ASSERT_TRUE(holdsMap(*m_second)) << words();
     scan();
     ASSERT_TRUE(has(*m_second, 4)) << words();
@@ -150,7 +150,7 @@ TEST_F(TwoStations, TheMapIsHandedOverByWhoMakesIt) {
     openFirst();
     ASSERT_TRUE(holdsMap(*m_first)) << words();
     openSecond();
-    hear();
+    receive();
     scan();
     ASSERT_TRUE(has(*m_second, 1)) << words();
     ASSERT_TRUE(waitUntil([&] { return m_first->mapGrant().requestedByTitle == "Test desk"; }));
@@ -175,9 +175,9 @@ TEST_F(TwoStations, FindsThatWereFiledUnheardAreAllKeptWhenStationsMeet) {
     // Each files two with nobody else there.
     const auto file = [&](Station& station, double y) {
         for (const double x : {1.0, 3.0}) {
-            const auto before = station.mission()->victims->size();
-            station.finds().freezeAt(m_description.name, VictimSample::Kind::Victim, {x, y, -0.8});
-            ASSERT_TRUE(waitUntil([&] { return station.mission()->victims->size() > before; })) << words();
+            const auto before = station.mission()->finds->size();
+            station.finds().freezeAt(m_description.name, FindSample::Kind::Victim, {x, y, -0.8});
+            ASSERT_TRUE(waitUntil([&] { return station.mission()->finds->size() > before; })) << words();
         }
     };
     openFirst();
@@ -189,7 +189,7 @@ TEST_F(TwoStations, FindsThatWereFiledUnheardAreAllKeptWhenStationsMeet) {
     const auto places = [](Station& station) {
         std::vector<std::pair<std::uint32_t, double>> all;
         const MissionStatePtr mission = station.mission();
-        for (const auto& [key, find] : *mission->victims)
+        for (const auto& [key, find] : *mission->finds)
             all.emplace_back(key.second, find.victim.positionInMap.y());
         return all;
     };
@@ -225,7 +225,7 @@ TEST_F(LongTwoStations, WhoComesLateGetsALongMapWhole) {
             scan.stamp = m_time + std::chrono::seconds(id);
             scan.scan = points;
             scan.scanInMap = poseFrom({0.3 * static_cast<double>(id), 0, 0}, 0, 0, 0);
-            ASSERT_TRUE(mission->say(scan, station_topic::KeyScans).ok());
+            ASSERT_TRUE(mission->record(scan, station_topic::KeyScans).ok());
         }
     }
     openFirst();
@@ -246,21 +246,21 @@ TEST_F(TwoStations, FindsAndTheClockAreTheTeams) {
     openSecond();
     EXPECT_TRUE(waitUntil([&] { return m_second->clock().now().limit == 20min; })) << words();
     EXPECT_FALSE(m_second->clock().now().running);
-    hear();
+    receive();
     scan();
     ASSERT_TRUE(has(*m_second, 1)) << words();
-    m_second->finds().freezeAt(m_description.name, VictimSample::Kind::Victim, {1.0, 0.5, -0.8});
+    m_second->finds().freezeAt(m_description.name, FindSample::Kind::Victim, {1.0, 0.5, -0.8});
     ASSERT_TRUE(waitUntil([&] { return victim(*m_first, 1).has_value(); })) << words();
     EXPECT_LT((victim(*m_first, 1)->positionInMap - Eigen::Vector3d(1.0, 0.5, -0.8)).head<2>().norm(), 1e-6);
-    const FindKey found{VictimSample::Kind::Victim, 1};
+    const FindKey found{FindSample::Kind::Victim, 1};
     ASSERT_TRUE(m_first->finds().confirm(found).ok()) << "whoever filed it";
-    EXPECT_TRUE(waitUntil([&] { return victim(*m_second, 1)->status == VictimSample::Status::Confirmed; }));
+    EXPECT_TRUE(waitUntil([&] { return victim(*m_second, 1)->status == FindSample::Status::Confirmed; }));
     ASSERT_TRUE(m_first->finds().undo().ok());
-    EXPECT_TRUE(waitUntil([&] { return victim(*m_second, 1)->status == VictimSample::Status::Hypothesis; }));
-    m_second->finds().freezeAt(m_description.name, VictimSample::Kind::Victim, {2.0, -0.5, -0.8});
+    EXPECT_TRUE(waitUntil([&] { return victim(*m_second, 1)->status == FindSample::Status::Hypothesis; }));
+    m_second->finds().freezeAt(m_description.name, FindSample::Kind::Victim, {2.0, -0.5, -0.8});
     ASSERT_TRUE(waitUntil([&] { return victim(*m_first, 2).has_value(); })) << "no number twice; " << words();
     ASSERT_TRUE(m_second->finds().undo().ok());
-    EXPECT_TRUE(waitUntil([&] { return victim(*m_first, 2)->status == VictimSample::Status::Discarded; }))
+    EXPECT_TRUE(waitUntil([&] { return victim(*m_first, 2)->status == FindSample::Status::Discarded; }))
         << "that it was filed is taken back";
     ASSERT_TRUE(m_second->clock().run(true).ok());
     EXPECT_TRUE(waitUntil([&] { return m_first->clock().now().running; }));

@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     std::signal(SIGTERM, [](int) { stopped = true; });
     std::signal(SIGINT, [](int) { stopped = true; });
-    const auto said = leitstand::test::runTestRobot(settings, stopped);
-    if (!said) std::fprintf(stderr, "%s\n", said.error().text.c_str());
-    return said ? 0 : 1;
+    const auto reported = leitstand::test::runTestRobot(settings, stopped);
+    if (!reported) std::fprintf(stderr, "%s\n", reported.error().text.c_str());
+    return reported ? 0 : 1;
 }

@@ -78,8 +78,8 @@ public:
     Result<void> run(const std::vector<Scan>& scans, const std::atomic<bool>& stopped);
 
 private:
-    Result<void> say(const std::string& leaf, const Sample& sample, const Qos& qos,
-                     Flow flow = Flow::Telemetry);
+    Result<void> publish(const std::string& leaf, const Sample& sample, const Qos& qos,
+                         Flow flow = Flow::Telemetry);
     Result<void> sayOdometry();
     Result<void> saySweep(const Scan& scan, const std::atomic<bool>& stopped);
     Result<void> sayWhereTheLaserSits();
@@ -92,7 +92,7 @@ private:
     int m_said = 0;
 };
 
-Result<void> TestRobot::say(const std::string& leaf, const Sample& sample, const Qos& qos, Flow flow) {
+Result<void> TestRobot::publish(const std::string& leaf, const Sample& sample, const Qos& qos, Flow flow) {
     const std::string type(typeOf(sample));
     auto& publisher = m_publishers[leaf];
     if (!publisher) {
@@ -110,7 +110,7 @@ Result<void> TestRobot::sayOdometry() {
     odometry.header = {now(), m_settings.name + "/odom"};
     odometry.childFrame = m_settings.name + "/base_link";
     odometry.baseInOdom = m_baseInOdom;
-    return say("odom", odometry, {.reliability = Qos::Reliability::BestEffort, .depth = 10});
+    return publish("odom", odometry, {.reliability = Qos::Reliability::BestEffort, .depth = 10});
 }
 
 Result<void> TestRobot::sayWhereTheLaserSits() {
@@ -118,14 +118,14 @@ Result<void> TestRobot::sayWhereTheLaserSits() {
     transform.header = {now(), m_settings.name + "/base_link"};
     transform.childFrame = m_settings.name + "/laser";
     transform.childInParent = laserInBase();
-    return say("tf_static", TransformsSample{{transform}},
-               {.durability = Qos::Durability::TransientLocal, .depth = 100});
+    return publish("tf_static", TransformsSample{{transform}},
+                   {.durability = Qos::Durability::TransientLocal, .depth = 100});
 }
 
 Result<void> TestRobot::keepGoing(double seconds, const std::atomic<bool>& stopped) {
     const auto until = Clock::now() + std::chrono::duration<double>(seconds);
     do {
-        if (const auto said = sayOdometry(); !said) return said;
+        if (const auto reported = sayOdometry(); !reported) return reported;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     } while (Clock::now() < until && !stopped);
     return {};
@@ -133,14 +133,15 @@ Result<void> TestRobot::keepGoing(double seconds, const std::atomic<bool>& stopp
 
 Result<void> TestRobot::saySweep(const Scan& scan, const std::atomic<bool>& stopped) {
     m_baseInOdom = scan.sensorInOdom * laserInBase().inverse();
-    if (const auto said = keepGoing(m_settings.pauseSeconds, stopped); !said) return said;
+    if (const auto reported = keepGoing(m_settings.pauseSeconds, stopped); !reported) return reported;
     for (int slice = 0; slice < m_settings.slices && !stopped; ++slice) {
         const int first = scan.rows * slice / m_settings.slices,
                   last = scan.rows * (slice + 1) / m_settings.slices;
         const CloudSample cloud = cloudOf(scan, first, last, m_settings.name + "/laser", now());
-        if (const auto said = say("points", cloud, {.depth = 600}, Flow::Scans); !said) return said;
+        if (const auto reported = publish("points", cloud, {.depth = 600}, Flow::Scans); !reported)
+            return reported;
         ++m_said;
-        if (const auto said = keepGoing(0.05, stopped); !said) return said;
+        if (const auto reported = keepGoing(0.05, stopped); !reported) return reported;
     }
     return keepGoing(m_settings.pauseSeconds, stopped);
 }
@@ -152,23 +153,23 @@ Result<void> TestRobot::run(const std::vector<Scan>& scans, const std::atomic<bo
                                      .flow = Flow::Scans});
     if (!points) return points.error();
     m_publishers.emplace("points", std::move(points).value());
-    if (const auto said = sayWhereTheLaserSits(); !said) return said;
+    if (const auto reported = sayWhereTheLaserSits(); !reported) return reported;
     const Publisher& clouds = *m_publishers.at("points");
     while (clouds.matched() < m_settings.waitForReaders && !stopped) {
-        if (const auto said = keepGoing(0.02, stopped); !said) return said;
+        if (const auto reported = keepGoing(0.02, stopped); !reported) return reported;
     }
     for (const Scan& scan : scans) {
-        if (const auto said = saySweep(scan, stopped); !said) return said;
+        if (const auto reported = saySweep(scan, stopped); !reported) return reported;
     }
     const auto until = Clock::now() + std::chrono::seconds(30);
     while (!clouds.waitForAcknowledgments(std::chrono::milliseconds(1))) {
         if (Clock::now() > until) return Error{"clouds were not acknowledged"};
-        if (const auto said = keepGoing(0.0, stopped); !said) return said;
+        if (const auto reported = keepGoing(0.0, stopped); !reported) return reported;
     }
     std::printf("said %d\n", m_said);
     std::fflush(stdout);
     while (!stopped) {
-        if (const auto said = keepGoing(0.5, stopped); !said) return said;
+        if (const auto reported = keepGoing(0.5, stopped); !reported) return reported;
     }
     return {};
 }

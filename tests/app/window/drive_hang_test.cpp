@@ -32,14 +32,14 @@ protected:
     }
     [[nodiscard]] double moves() const { return m_moves; }  ///< when the sticks were told last [m/s]
     /// Lets the sticks be told, by the rhythm of keys or by a pad that is held.
-    void tell() {
+    void update() {
         if (m_pad) m_input.setPad(*m_pad, true);
         QTest::qWait(60);
     }
     void hang() {
         std::this_thread::sleep_for(std::chrono::milliseconds(900));  // as a window that hangs
         for (int i = 0; i < 10; ++i) {
-            tell();
+            update();
             EXPECT_EQ(moves(), 0.0) << "held all the time";
         }
     }
@@ -52,49 +52,49 @@ protected:
 
 TEST_F(DriveHang, KeysThatWereHeldThroughItMoveNothingUntilTheyWereLetGo) {
     m_input.setFocus(true);
-    tell();
+    update();
     QTest::keyPress(&m_window, Qt::Key_W);
-    tell();
+    update();
     ASSERT_GT(moves(), 0.2);
     hang();
     QTest::keyRelease(&m_window, Qt::Key_W);
-    tell();
+    update();
     QTest::keyPress(&m_window, Qt::Key_W);
-    tell();
+    update();
     EXPECT_GT(moves(), 0.2);
 }
 
 TEST_F(DriveHang, APadThatWasHeldThroughItMovesNothingUntilItsSticksWereLetGo) {
     m_pad = DriveVelocity{};
-    tell();
+    update();
     m_pad = DriveVelocity{0.3, 0.0, 0.0};
-    tell();
+    update();
     ASSERT_GT(moves(), 0.2);
     hang();
     m_pad = DriveVelocity{};
-    tell();
+    update();
     m_pad = DriveVelocity{0.3, 0.0, 0.0};
-    tell();
+    update();
     EXPECT_GT(moves(), 0.2);
 }
 
 TEST_F(DriveHang, KeysBesideAPadMoveNothingEither) {
     m_input.setFocus(true);
     m_pad = DriveVelocity{};
-    tell();
+    update();
     QTest::keyPress(&m_window, Qt::Key_W);
     m_pad = DriveVelocity{0.3, 0.0, 0.0};
-    tell();
+    update();
     ASSERT_GT(moves(), 0.2);
     hang();
     // The pad lets go: the key that is still held has to be pressed anew.
     m_pad.reset();
     m_input.setPad({}, false);
-    tell();
+    update();
     EXPECT_EQ(moves(), 0.0);
     QTest::keyRelease(&m_window, Qt::Key_W);
     QTest::keyPress(&m_window, Qt::Key_W);
-    tell();
+    update();
     EXPECT_GT(moves(), 0.2);
 }
 

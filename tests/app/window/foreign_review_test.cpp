@@ -29,17 +29,17 @@ TEST(ForeignReviewWindow, MapsWithProgressAndOpensOnAllOfIt) {
     options.scans = {bag};
     EXPECT_TRUE(wantsReview(options));
     const auto bridge = ReviewBridge::open(bag).value();
-    QStringList told;
+    QStringList reported;
     ReviewWindow window(*bridge, MapViewSettings{});
     QObject::connect(bridge.get(), &ReviewBridge::opening, &window,
-                     [&] { told += window.timeline().bar().accessibleDescription(); });
+                     [&] { reported += window.timeline().bar().accessibleDescription(); });
     window.resize(1280, 800);
     window.show();
     const QAction* const stop = window.commands().find(QStringLiteral("review.stopMapping"));
     ASSERT_NE(stop, nullptr);
     ASSERT_TRUE(soon([&] { return bridge->reviewed() != nullptr; }));
     EXPECT_FALSE(stop->isEnabled()) << "there is nothing left to be stopped";
-    EXPECT_GE(told.filter(QStringLiteral("registers the point clouds")).size(), 3);
+    EXPECT_GE(reported.filter(QStringLiteral("registers the point clouds")).size(), 3);
     bridge->player().seek(ForeignBag::at(ForeignBag::Steps + 0.9));
     const auto* const title = window.findChild<QLabel*>(QStringLiteral("mapTitle"));
     ASSERT_NE(title, nullptr);

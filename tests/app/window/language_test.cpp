@@ -96,13 +96,13 @@ TEST_P(Translation, HasEveryTextOfTheProgram) {
 }
 
 TEST_P(Translation, IsWhatTheStationItselfSpeaks) {
-    const auto said = [] {
+    const auto reported = [] {
         return fill(translate("leitstand::Station", "{} filed: press again to confirm"), std::string("V1"));
     };
-    EXPECT_EQ(said(), "V1 filed: press again to confirm");
+    EXPECT_EQ(reported(), "V1 filed: press again to confirm");
     ASSERT_TRUE(useLanguage(QLatin1String(GetParam())));
-    EXPECT_NE(said(), "V1 filed: press again to confirm");
-    EXPECT_NE(said().find("V1"), std::string::npos);
+    EXPECT_NE(reported(), "V1 filed: press again to confirm");
+    EXPECT_NE(reported().find("V1"), std::string::npos);
 }
 
 TEST_P(Translation, IsSpokenAtOnceAndLeftAgain) {

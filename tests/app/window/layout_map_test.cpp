@@ -198,28 +198,28 @@ TEST_F(LayoutMapTest, KeysOfALayoutThatAreTakenAreRefusedAndTold) {
     const std::string arrange = keysOf("layout.arrange"), swap = keysOf("view.swap");
     ASSERT_TRUE(m_window->layouts().saveAs(QStringLiteral("Own keys")));
     WindowLayout layout = m_window->layouts().current();
-    const auto told = [&](std::map<std::string, std::string> keys) {
+    const auto reported = [&](std::map<std::string, std::string> keys) {
         layout.keys = std::move(keys);
         EXPECT_TRUE(saveLayout(layout, m_folder / "layouts" / "own-keys.yaml"));
         QString text;
-        const auto heard = QObject::connect(m_bridge.get(), &MomentSource::notified,
-                                            [&](const QString& said) { text += said; });
+        const auto received = QObject::connect(m_bridge.get(), &MomentSource::notified,
+                                               [&](const QString& reported) { text += reported; });
         use("own-keys");
-        QObject::disconnect(heard);
+        QObject::disconnect(received);
         return text.toStdString();
     };
-    EXPECT_THAT(told({{"layout.arrange", "Ctrl+Alt+K"}}), testing::IsEmpty());
+    EXPECT_THAT(reported({{"layout.arrange", "Ctrl+Alt+K"}}), testing::IsEmpty());
     EXPECT_EQ(keysOf("layout.arrange"), "Ctrl+Alt+K");
     for (const std::string& taken :
          {swap, std::string("W"), std::string("Space"), std::string("Esc"), std::string("no such key")}) {
-        EXPECT_THAT(told({{"layout.arrange", taken}}), testing::HasSubstr("layout.arrange: " + taken));
+        EXPECT_THAT(reported({{"layout.arrange", taken}}), testing::HasSubstr("layout.arrange: " + taken));
         EXPECT_EQ(keysOf("layout.arrange"), arrange) << taken;
         EXPECT_EQ(keysOf("view.swap"), swap) << taken;
     }
-    EXPECT_THAT(told({{"layout.arrange", swap}, {"view.swap", "Ctrl+Alt+M"}}), testing::IsEmpty());
+    EXPECT_THAT(reported({{"layout.arrange", swap}, {"view.swap", "Ctrl+Alt+M"}}), testing::IsEmpty());
     EXPECT_EQ(keysOf("layout.arrange"), swap) << "which is free then";
     EXPECT_EQ(keysOf("view.swap"), "Ctrl+Alt+M");
-    EXPECT_THAT(told({{"layout.arrange", ""}}), testing::IsEmpty());
+    EXPECT_THAT(reported({{"layout.arrange", ""}}), testing::IsEmpty());
     EXPECT_EQ(keysOf("layout.arrange"), "") << "none is a wish, too";
     use("drive");
     EXPECT_EQ(keysOf("layout.arrange"), arrange) << "and given back";
@@ -263,8 +263,8 @@ TEST_F(LayoutMapTest, ALookThatIsAskedForIsThatOfTheLayoutInUse) {
 TEST_F(LayoutMapTest, AWordThatIsNoneIsToldWithItsPlace) {
     write("odd", "panes: {pane: map}\nmap: {follow: up}\n");
     EXPECT_FALSE(m_window->layouts().use(QStringLiteral("odd")));
-    const std::string told = m_window->newest().toStdString();
-    EXPECT_THAT(told, HasSubstr("odd.yaml:2: map.follow: expected free, behind or heading-up"));
+    const std::string reported = m_window->newest().toStdString();
+    EXPECT_THAT(reported, HasSubstr("odd.yaml:2: map.follow: expected free, behind or heading-up"));
     EXPECT_EQ(sight(), Overview);
 }
 

@@ -35,7 +35,7 @@ protected:
     [[nodiscard]] std::filesystem::path mission() const { return m_folder / "mission"; }
 
 private:
-    void say(const std::string& topic, const Sample& sample, Time received) {
+    void publish(const std::string& topic, const Sample& sample, Time received) {
         const std::string type(typeOf(sample));
         auto payload = encode(sample, type);
         ASSERT_TRUE(payload) << payload.error().text;
@@ -60,9 +60,9 @@ private:
         cloud.points = scan.points;
         for (const int offset : {-20, 20}) {
             odometry.header = {at(3000 * place + offset), "odom"};
-            say("/kurt3d/odom", odometry, odometry.header.stamp);
+            publish("/kurt3d/odom", odometry, odometry.header.stamp);
         }
-        say("/kurt3d/points", cloud, at(3000 * place + 30));
+        publish("/kurt3d/points", cloud, at(3000 * place + 30));
     }
 
     std::unique_ptr<BagWriter> m_writer;

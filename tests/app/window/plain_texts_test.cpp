@@ -36,36 +36,35 @@ protected:
 private:
     static void sayHostile(WrittenMission& mission) {
         const Time now = WrittenMission::at(61.0);
-        VictimSample victim;
+        FindSample victim;
         victim.stamp = victim.found = now;
         victim.station = victim.tag = victim.text = victim.situation = victim.area = Hostile;
         victim.number = 2;
         victim.robot = "kurt3d";
         victim.form = victim.motion = {.state = VictimSign::State::Present, .text = Hostile};
         victim.positionInMap = {1.0, 0.5, 0.3};
-        for (const auto kind :
-             {VictimSample::Kind::Victim, VictimSample::Kind::Code, VictimSample::Kind::Object}) {
+        for (const auto kind : {FindSample::Kind::Victim, FindSample::Kind::Code, FindSample::Kind::Object}) {
             victim.kind = kind;
-            mission.say(61.0, std::string(station_topic::Victims), victim);
+            mission.publish(61.0, std::string(station_topic::Victims), victim);
         }
-        mission.say(61.0, std::string(station_topic::Notes),
-                    NoteSample{.stamp = now, .station = Hostile, .robot = Hostile, .text = Hostile});
+        mission.publish(61.0, std::string(station_topic::Notes),
+                        NoteSample{.stamp = now, .station = Hostile, .robot = Hostile, .text = Hostile});
         AlarmSample alarm;
         alarm.stamp = now;
         alarm.station = alarm.robot = alarm.key = alarm.text = Hostile;
-        mission.say(61.0, std::string(station_topic::Alarms), alarm);
+        mission.publish(61.0, std::string(station_topic::Alarms), alarm);
         MissionInfoSample info;
         info.stamp = now;
         info.station = info.competition = info.team = info.country = info.mission = info.area = info.profile =
             Hostile;
-        mission.say(61.0, std::string(station_topic::Mission), info);
-        mission.say(61.0, std::string(station_topic::Sessions),
-                    SessionSample{.stamp = now,
-                                  .station = Hostile,
-                                  .title = Hostile,
-                                  .start = true,
-                                  .mission = Hostile,
-                                  .version = Hostile});
+        mission.publish(61.0, std::string(station_topic::Mission), info);
+        mission.publish(61.0, std::string(station_topic::Sessions),
+                        SessionSample{.stamp = now,
+                                      .station = Hostile,
+                                      .title = Hostile,
+                                      .start = true,
+                                      .mission = Hostile,
+                                      .version = Hostile});
     }
 };
 

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// What a station said of the key scans of @p visit.
-void say(WrittenMission& mission, const RoomVisit& visit) {
+void publish(WrittenMission& mission, const RoomVisit& visit) {
     for (const ReportScan& scan : scansOf(visit)) {
         const auto seconds = static_cast<double>(scan.id);
         KeyScanSample key;
@@ -28,12 +28,12 @@ void say(WrittenMission& mission, const RoomVisit& visit) {
         key.id = scan.id;
         key.scan = scan.scan;
         key.scanInMap = scan.scanInMap;
-        mission.say(seconds, std::string(station_topic::KeyScans), key);
+        mission.publish(seconds, std::string(station_topic::KeyScans), key);
         ScanPose pose;
         pose.scan = scan.id;
         pose.scanInMap = scan.scanInMap;
-        mission.say(seconds, std::string(station_topic::ScanPoses),
-                    ScanPosesSample{key.stamp, "us", ScanPosesSample::Cause::Registration, {pose}});
+        mission.publish(seconds, std::string(station_topic::ScanPoses),
+                        ScanPosesSample{key.stamp, "us", ScanPosesSample::Cause::Registration, {pose}});
     }
 }
 
@@ -42,8 +42,8 @@ class ReviewChanges : public ReviewPage {
 protected:
     void writeMission() override {
         WrittenMission mission(m_mission);
-        say(mission, {"kurt3d@monday", 0, false, 1});
-        if (twoDays()) say(mission, {"kurt3d@tuesday", 1, true, 4});
+        publish(mission, {"kurt3d@monday", 0, false, 1});
+        if (twoDays()) publish(mission, {"kurt3d@tuesday", 1, true, 4});
         mission.sayOdometry(8.0, 0.0);
     }
     [[nodiscard]] virtual bool twoDays() const { return true; }

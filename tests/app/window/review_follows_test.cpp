@@ -40,7 +40,7 @@ protected:
         if (std::abs(2.0 * seconds - halves) > 0.01) return;
         mission.sayPicture(seconds, 20 + 2 * halves);
         sayWarmth(mission, seconds, halves % 30);
-        mission.say(
+        mission.publish(
             seconds, Mission::robot().stream(StreamRole::Gas, "co2")->topic,
             GasSample{
                 .header = {Mission::at(seconds), "kurt3d/co2"}, .gas = "co2", .ppm = 500.0 + 40.0 * seconds});
@@ -56,7 +56,7 @@ protected:
                 wall.points.emplace_back(distance * std::cos(heading), distance * std::sin(heading),
                                          -0.4F + 0.05F * static_cast<float>(column));
         }
-        mission.say(seconds, Mission::robot().stream(StreamRole::Points)->topic, wall);
+        mission.publish(seconds, Mission::robot().stream(StreamRole::Points)->topic, wall);
     }
     /// Centikelvin; a body at @p column of a picture of 32 x 24.
     static void sayWarmth(Mission& mission, double seconds, int column) {
@@ -71,7 +71,7 @@ protected:
         warmth.compressed = true;
         warmth.encoding = "16UC1; png";
         warmth.content = {bytes, *bytes};
-        mission.say(seconds, Mission::robot().stream(StreamRole::Thermal, "ir")->topic, warmth);
+        mission.publish(seconds, Mission::robot().stream(StreamRole::Thermal, "ir")->topic, warmth);
     }
 
     [[nodiscard]] double brightness() const {

@@ -41,7 +41,7 @@ TEST_F(ReviewLanguage, TheWindowIsMadeAnewWhereTheReviewStandsAndItsReportGoesOn
     m_window->commands().trigger(QStringLiteral("language.de"));
     ASSERT_EQ(wanted.toStdString(), "de");
     ASSERT_TRUE(soon([&] { return m_bridge->report().writing(); }));
-    m_bridge->report().beginAnewAround([&] { ASSERT_TRUE(useLanguage(wanted)); });
+    m_bridge->report().beginAround([&] { ASSERT_TRUE(useLanguage(wanted)); });
     openWindow();
     EXPECT_NE(textOf("review.registerAgain"), before);
     EXPECT_TRUE(m_window->commands().find(QStringLiteral("language.de"))->isChecked());

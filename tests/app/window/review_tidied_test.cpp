@@ -30,8 +30,8 @@ protected:
             for (std::size_t i = 1; i < poses.size(); ++i)
                 poses[i].scanInMap =
                     poses[i].scanInMap * poseFrom({i % 2 == 0 ? 0.12 : -0.12, 0.08, 0}, 0, 0, 0);
-            mission.say(seconds, std::string(station_topic::ScanPoses),
-                        ScanPosesSample{Time{}, "us", ScanPosesSample::Cause::Registration, poses});
+            mission.publish(seconds, std::string(station_topic::ScanPoses),
+                            ScanPosesSample{Time{}, "us", ScanPosesSample::Cause::Registration, poses});
         }
         const auto tidied = tidyMap(m_mission);
         ASSERT_TRUE(tidied) << tidied.error().text;

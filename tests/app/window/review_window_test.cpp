@@ -258,7 +258,7 @@ TEST_F(ReviewWindowTest, TheFormShowsWhatWasKnownThenAndTheNewestOnceItIsEdited)
     TearDown();
     {
         const auto log = ReviewLog::open(m_mission).value();
-        VictimSample named = indexOf(*log)->finished->victims->begin()->second.victim;
+        FindSample named = indexOf(*log)->finished->finds->begin()->second.victim;
         named.tag = "V-02";
         ReviewPen earlier(m_mission, {Mission::robot()}, "review-elsewhere", "test");
         ASSERT_TRUE(earlier.correct(named).ok());
@@ -276,10 +276,10 @@ TEST_F(ReviewWindowTest, TheFormShowsWhatWasKnownThenAndTheNewestOnceItIsEdited)
     situation.setCurrentIndex(situation.findData(QStringLiteral("trapped")));
     EXPECT_TRUE(soon([&] { return tag.text() == QStringLiteral("V-02"); }));
     EXPECT_EQ(situation.currentData().toString().toStdString(), "trapped");
-    const VictimSample written = m_bridge->pen().state()->victims->begin()->second.victim;
+    const FindSample written = m_bridge->pen().state()->finds->begin()->second.victim;
     EXPECT_EQ(written.situation, "trapped");
     EXPECT_EQ(written.tag, "V-02") << "what was known later stays";
-    EXPECT_EQ(written.status, VictimSample::Status::Confirmed);
+    EXPECT_EQ(written.status, FindSample::Status::Confirmed);
 }
 
 TEST_F(ReviewWindowTest, AVictimIsMovedOnTheMapAndMergedOnlyWithWhatIsThere) {
@@ -304,7 +304,7 @@ TEST_F(ReviewWindowTest, AVictimIsMovedOnTheMapAndMergedOnlyWithWhatIsThere) {
     const auto away = [&] {
         const MissionStatePtr written = m_bridge->pen().state();
         if (!written) return 99.0;
-        return (written->victims->begin()->second.victim.positionInMap - there).head<2>().norm();
+        return (written->finds->begin()->second.victim.positionInMap - there).head<2>().norm();
     };
     EXPECT_TRUE(soon([&] { return away() < 0.2; })) << away() << " m off";
     EXPECT_TRUE(soon([&] { return m_window->newest().contains(QStringLiteral("moved")); }));
@@ -332,7 +332,7 @@ TEST_F(ReviewWindowTest, WhatNobodyFiledIsFiledByAClickOnTheMap) {
     ASSERT_TRUE(soon([&] { return finds() == 2; })) << m_window->newest().toStdString();
     EXPECT_EQ(found(1, 0), "V2");
     EXPECT_EQ(found(1, 1), "unconfirmed");
-    const VictimSample filed = m_bridge->pen().state()->victims->at({VictimSample::Kind::Victim, 2}).victim;
+    const FindSample filed = m_bridge->pen().state()->finds->at({FindSample::Kind::Victim, 2}).victim;
     EXPECT_LT((filed.positionInMap - there).head<2>().norm(), 0.2);
     EXPECT_EQ(filed.found, m_bridge->reviewed()->now);
     EXPECT_FALSE(filed.evidence.empty()) << "the picture of the moment";

@@ -42,12 +42,12 @@ TEST_F(ScansWindowTest, AnotherLanguageMakesItAnewWithItsScans) {
     EXPECT_FALSE(german->isChecked());
     german->trigger();
     ASSERT_TRUE(eventually(goOn));
-    MainWindow& anew = *windows().front();
-    EXPECT_NE(anew.menuBar()->actions().front()->text(), english);
-    EXPECT_TRUE(anew.findChild<QAction*>(QStringLiteral("language.de"))->isChecked());
-    EXPECT_EQ(anew.mapView().settings().colouring, MapColouring::Height);
+    MainWindow& again = *windows().front();
+    EXPECT_NE(again.menuBar()->actions().front()->text(), english);
+    EXPECT_TRUE(again.findChild<QAction*>(QStringLiteral("language.de"))->isChecked());
+    EXPECT_EQ(again.mapView().settings().colouring, MapColouring::Height);
     EXPECT_EQ(loadWindowState().language, QStringLiteral("de"));
-    anew.close();
+    again.close();
     EXPECT_TRUE(eventually([] { return windows().empty(); }));
 }
 

@@ -27,18 +27,18 @@ protected:
             mission.sayOdometry(t, 0.01 * i);
             if (i % 30 == 0) mission.sayPicture(t, 40 + i / 5);
             if (i % 20 == 0) mission.sayKeyScan(t, static_cast<std::uint64_t>(i / 20 + 1), 0.01 * i);
-            if (i == 150) mission.sayVictim(t, 1, VictimSample::Status::Confirmed);
+            if (i == 150) mission.sayVictim(t, 1, FindSample::Status::Confirmed);
             if (i == 250) hazard(mission, t);
-            if (i == 350) mission.sayVictim(t, 2, VictimSample::Status::Confirmed);
+            if (i == 350) mission.sayVictim(t, 2, FindSample::Status::Confirmed);
         }
     }
     static void hazard(Mission& mission, double seconds) {
-        VictimSample sign;
-        sign.kind = VictimSample::Kind::Hazard;
+        FindSample sign;
+        sign.kind = FindSample::Kind::Hazard;
         sign.number = 1;
         sign.robot = "kurt3d";
         sign.stamp = sign.found = Mission::at(seconds);
-        mission.say(seconds, std::string(station_topic::Victims), sign);
+        mission.publish(seconds, std::string(station_topic::Victims), sign);
     }
 };
 

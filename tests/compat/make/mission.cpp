@@ -95,10 +95,10 @@ public:
     std::uint64_t receive(const Sample& sample, StreamRole role, const std::string& sensor = {}) {
         return receive(sample, *m_robots.front().stream(role, sensor));
     }
-    std::uint64_t say(const Sample& sample, std::string_view topic) {
+    std::uint64_t publish(const Sample& sample, std::string_view topic) {
         const std::uint64_t before = newestOf(std::string(topic));
-        if (const auto said = m_mission->say(sample, topic); !said)
-            throw std::runtime_error(said.error().text);
+        if (const auto reported = m_mission->record(sample, topic); !reported)
+            throw std::runtime_error(reported.error().text);
         return arrived(std::string(topic), before);
     }
 
@@ -142,8 +142,8 @@ KeyScanSample keyScan(int number) {
     return sample;
 }
 
-VictimSample find(VictimSample::Kind kind, std::uint32_t number, const Eigen::Vector3d& place) {
-    VictimSample made;
+FindSample find(FindSample::Kind kind, std::uint32_t number, const Eigen::Vector3d& place) {
+    FindSample made;
     made.stamp = made.found = now();
     made.station = Station;
     made.kind = kind;
@@ -184,13 +184,13 @@ void writeFirst(Session& session) {
     info.mission = "Preliminary 1";
     info.area = "yellow";
     info.profile = "2013";
-    session.say(info, station_topic::Mission);
+    session.publish(info, station_topic::Mission);
     session.receive(ModeSample{{at(0), ""}, "teleoperation", false, "", {"teleoperation", "explore"}},
                     StreamRole::Mode);
     for (int i = 0; i < 12; ++i) session.receive(odometry(1.5 * i), StreamRole::Odometry);
-    for (const int number : {1, 2, 3}) session.say(keyScan(number), station_topic::KeyScans);
-    VictimSample first = find(VictimSample::Kind::Victim, 1, {1.5, 1.0, 0.4});
-    first.status = VictimSample::Status::Confirmed;
+    for (const int number : {1, 2, 3}) session.publish(keyScan(number), station_topic::KeyScans);
+    FindSample first = find(FindSample::Kind::Victim, 1, {1.5, 1.0, 0.4});
+    first.status = FindSample::Status::Confirmed;
     first.scan = 3;
     first.positionInScan = {1.0, 1.0, -0.1};
     first.form = {VictimSign::State::Present, "whole body"};
@@ -201,41 +201,41 @@ void writeFirst(Session& session) {
     first.text = "under a table <left> & cold, \"quoted\"";
     const auto shot = session.receive(picture(10.0), StreamRole::Picture, "left");
     first.evidence = {{"picture", "/kurt3d/left/image/compressed", shot, at(10.0)}};
-    session.say(first, station_topic::Victims);
-    session.say(find(VictimSample::Kind::Victim, 2, {-2.0, -1.5, 0.3}), station_topic::Victims);
-    session.say(find(VictimSample::Kind::Hazard, 1, {2.5, -1.0, 0.5}), station_topic::Victims);
-    VictimSample code = find(VictimSample::Kind::Code, 1, {0.5, -2.5, 0.5});
+    session.publish(first, station_topic::Victims);
+    session.publish(find(FindSample::Kind::Victim, 2, {-2.0, -1.5, 0.3}), station_topic::Victims);
+    session.publish(find(FindSample::Kind::Hazard, 1, {2.5, -1.0, 0.5}), station_topic::Victims);
+    FindSample code = find(FindSample::Kind::Code, 1, {0.5, -2.5, 0.5});
     code.tag = "exit, \"left\"";
-    code.status = VictimSample::Status::Confirmed;
-    session.say(code, station_topic::Victims);
-    session.say(NoteSample{now(), Station, "kurt3d", "door on the left"}, station_topic::Notes);
-    session.say(AlarmSample{now(), Station, "kurt3d", "link_lost", AlarmSample::Severity::Critical,
-                            AlarmSample::State::Raised, "link lost, silent for 4 s"},
-                station_topic::Alarms);
+    code.status = FindSample::Status::Confirmed;
+    session.publish(code, station_topic::Victims);
+    session.publish(NoteSample{now(), Station, "kurt3d", "door on the left"}, station_topic::Notes);
+    session.publish(AlarmSample{now(), Station, "kurt3d", "link_lost", AlarmSample::Severity::Critical,
+                                AlarmSample::State::Raised, "link lost, silent for 4 s"},
+                    station_topic::Alarms);
 }
 
 /// Decisions of a second session on what the first one has, and what takes them back.
 void decide(Session& session) {
-    VictimSample second = find(VictimSample::Kind::Victim, 2, {-2.0, -1.5, 0.3});
-    second.status = VictimSample::Status::Confirmed;
+    FindSample second = find(FindSample::Kind::Victim, 2, {-2.0, -1.5, 0.3});
+    second.status = FindSample::Status::Confirmed;
     second.text = "moves";
-    session.say(second, station_topic::Victims);
-    second.status = VictimSample::Status::Discarded;
-    const auto discarded = session.say(second, station_topic::Victims);
-    session.say(UndoSample{now(), Station, discarded, "victim 2"}, station_topic::Undo);
-    const auto note = session.say(NoteSample{now(), Station, "", "wrong room"}, station_topic::Notes);
-    const auto undo = session.say(UndoSample{now(), Station, note, "note"}, station_topic::Undo);
-    session.say(UndoSample{now(), Station, undo, "undo of the note"}, station_topic::Undo);
+    session.publish(second, station_topic::Victims);
+    second.status = FindSample::Status::Discarded;
+    const auto discarded = session.publish(second, station_topic::Victims);
+    session.publish(UndoSample{now(), Station, discarded, "victim 2"}, station_topic::Undo);
+    const auto note = session.publish(NoteSample{now(), Station, "", "wrong room"}, station_topic::Notes);
+    const auto undo = session.publish(UndoSample{now(), Station, note, "note"}, station_topic::Undo);
+    session.publish(UndoSample{now(), Station, undo, "undo of the note"}, station_topic::Undo);
     ScanPose pose;
     pose.scan = 3;
     pose.scanInMap = poseFrom({0.55, 0.02, 0.5}, 0, 0, degrees(1));
     pose.overlap = 0.9;
     pose.converged = true;
-    session.say(ScanPosesSample{now(), Station, ScanPosesSample::Cause::Operator, {pose}},
-                station_topic::ScanPoses);
-    session.say(AlarmSample{now(), Station, "kurt3d", "link_lost", AlarmSample::Severity::Critical,
-                            AlarmSample::State::Cleared, "link lost, silent for 4 s"},
-                station_topic::Alarms);
+    session.publish(ScanPosesSample{now(), Station, ScanPosesSample::Cause::Operator, {pose}},
+                    station_topic::ScanPoses);
+    session.publish(AlarmSample{now(), Station, "kurt3d", "link_lost", AlarmSample::Severity::Critical,
+                                AlarmSample::State::Cleared, "link lost, silent for 4 s"},
+                    station_topic::Alarms);
 }
 
 std::string_view topicOf(const std::string& type) {
@@ -262,7 +262,7 @@ std::string_view topicOf(const std::string& type) {
 void sayEverything(Session& session) {
     for (const SampleCase& one : sampleCases()) {
         const std::string_view topic = one.role ? std::string_view() : topicOf(one.type);
-        if (!topic.empty()) session.say(one.sample, topic);
+        if (!topic.empty()) session.publish(one.sample, topic);
     }
 }
 

@@ -17,7 +17,7 @@ Time at(int seconds) {
 struct EndedMission {
     MissionState state;
 
-    void say(int seconds, const Sample& sample, const std::string& robot = {}) {
+    void publish(int seconds, const Sample& sample, const std::string& robot = {}) {
         Event event;
         event.sequence = state.sequence + 1;
         event.received = at(seconds);
@@ -32,20 +32,20 @@ struct EndedMission {
         session.station = title;
         session.title = title;
         session.start = start;
-        say(seconds, session);
+        publish(seconds, session);
     }
     void drive() {
         session(0, true, "pit");
         ModeSample mode;
         mode.autonomous = true;
-        say(10, mode, "kurt3d");
-        say(50, OdometrySample{}, "kurt3d");
+        publish(10, mode, "kurt3d");
+        publish(50, OdometrySample{}, "kurt3d");
     }
     void file(int seconds) {
-        VictimSample victim;
+        FindSample victim;
         victim.number = 1;
         victim.stamp = at(seconds);
-        say(seconds, victim);
+        publish(seconds, victim);
     }
     [[nodiscard]] ReportModel report() const {
         ReportInput input;
@@ -78,7 +78,7 @@ TEST(MissionEnd, AStationThatIsRestartedGoesOnWithTheMission) {
     EndedMission mission;
     mission.drive();
     mission.session(60, true, "pit");
-    mission.say(90, OdometrySample{}, "kurt3d");
+    mission.publish(90, OdometrySample{}, "kurt3d");
     mission.session(100, false, "pit");
     EXPECT_EQ(mission.report().facts.duration, std::chrono::seconds(100));
 }

@@ -28,11 +28,11 @@ ReportInput twoRooms() {
     ReportInput input;
     input.robots = {"kurt3d"};
     input.scans = storeyScans(Scans);
-    const auto file = [&](VictimSample::Kind kind, double z) {
-        VictimSample find;
+    const auto file = [&](FindSample::Kind kind, double z) {
+        FindSample find;
         find.kind = kind;
         find.number = 1;
-        find.status = VictimSample::Status::Confirmed;
+        find.status = FindSample::Status::Confirmed;
         find.positionInMap = {1.5, 1.0, z};
         Event event;
         event.sequence = input.state.sequence + 1;
@@ -40,8 +40,8 @@ ReportInput twoRooms() {
         event.sample = find;
         input.state = fold(std::move(input.state), event);
     };
-    file(VictimSample::Kind::Victim, 0.4);
-    file(VictimSample::Kind::Code, 3.6);
+    file(FindSample::Kind::Victim, 0.4);
+    file(FindSample::Kind::Code, 3.6);
     return input;
 }
 
@@ -113,7 +113,7 @@ TEST(ReportStoreys, WhereOdometryEndedScansTellWhereTheRobotWas) {
 
 TEST(ReportStoreys, AFindWithoutAPlaceIsOnNone) {
     ReportInput input = twoRooms();
-    VictimSample lost;
+    FindSample lost;
     lost.number = 2;
     lost.positionInMap.setConstant(std::numeric_limits<double>::quiet_NaN());
     Event event;

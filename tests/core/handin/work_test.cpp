@@ -7,19 +7,19 @@ namespace leitstand::test {
 namespace {
 
 using testing::ElementsAre;
-using FindKind = VictimSample::Kind;
-using FindStatus = VictimSample::Status;
+using FindKind = FindSample::Kind;
+using FindStatus = FindSample::Status;
 
 /// A mission of which the test says what was done.
 struct Worked {
     MissionState state;
 
     void find(FindKind kind, std::uint32_t number, FindStatus status) {
-        VictimSample one;
+        FindSample one;
         one.kind = kind;
         one.number = number;
         one.status = status;
-        state.victims.edit()[{kind, number}].victim = one;
+        state.finds.edit()[{kind, number}].victim = one;
     }
     void candidate(std::uint32_t id, double confidence, std::uint32_t filedAs,
                    std::vector<const char*> cues) {

@@ -29,7 +29,7 @@ TEST(Checkpoint, HoldsTheWholeState) {
         const auto back = deserialised(bytes);
         ASSERT_TRUE(back.ok()) << back.error().text;
         EXPECT_EQ(serialised(*back), bytes);
-        EXPECT_EQ(back->victims->size(), state.victims->size());
+        EXPECT_EQ(back->finds->size(), state.finds->size());
         EXPECT_EQ(back->keyScans->size(), state.keyScans->size());
         EXPECT_EQ(back->notes->size(), state.notes->size());
         EXPECT_EQ(back->crop.has_value(), state.crop.has_value());
@@ -133,10 +133,10 @@ TEST(Checkpoint, LinksOfLoopsAreInIt) {
     ASSERT_TRUE(read.ok()) << read.error().text;
     ASSERT_EQ(read->loops->size(), 1U) << "matches go with their scans";
     const Link& link = read->loops->at(6).link;
-    const Link said = test::linked(6, LinkKind::Loop).links.front();
-    EXPECT_EQ(link.pose.matrix(), said.pose.matrix());
-    EXPECT_EQ(link.information, said.information);
-    EXPECT_EQ(link.station, said.station);
+    const Link reported = test::linked(6, LinkKind::Loop).links.front();
+    EXPECT_EQ(link.pose.matrix(), reported.pose.matrix());
+    EXPECT_EQ(link.information, reported.information);
+    EXPECT_EQ(link.station, reported.station);
 }
 
 TEST(Checkpoint, IsDueWhenSomethingHappenedAndTimeHasPassed) {

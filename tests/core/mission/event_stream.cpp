@@ -18,8 +18,8 @@ Event event(std::uint64_t sequence, Sample sample, const std::string& robot) {
     return made;
 }
 
-VictimSample victim(std::uint32_t number, const std::string& text) {
-    VictimSample made;
+FindSample victim(std::uint32_t number, const std::string& text) {
+    FindSample made;
     made.number = number;
     made.text = text;
     made.heat.value = 36.5;
@@ -224,7 +224,7 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
             }
         }
         const bool own =
-            std::holds_alternative<VictimSample>(sample) || std::holds_alternative<UndoSample>(sample);
+            std::holds_alternative<FindSample>(sample) || std::holds_alternative<UndoSample>(sample);
         mission.push_back(event(sequence, std::move(sample), own ? "" : robot));
     }
     return mission;

@@ -16,7 +16,7 @@ namespace leitstand::test {
 /// @p sample as event @p sequence, of @p robot (empty: the station's own).
 [[nodiscard]] Event event(std::uint64_t sequence, Sample sample, const std::string& robot = {});
 /// A victim as filed, a pose of a key scan, an undo.
-[[nodiscard]] VictimSample victim(std::uint32_t number, const std::string& text);
+[[nodiscard]] FindSample victim(std::uint32_t number, const std::string& text);
 [[nodiscard]] ScanPosesSample moved(std::uint64_t scan, double x);
 /// Of the scans 1 and 2, which @p kind tells; the link's id is @p id.
 [[nodiscard]] ScanLinksSample linked(std::uint64_t id, LinkKind kind, bool active = true);

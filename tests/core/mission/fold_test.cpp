@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-const FindKey V1{VictimSample::Kind::Victim, 1U};
+const FindKey V1{FindSample::Kind::Victim, 1U};
 
 MissionState folded(const std::vector<Event>& events) {
     Fold fold;
@@ -99,18 +99,19 @@ TEST(Fold, ACandidateKeepsWhoToldItFirstAndHowThatRobotDrove) {
                                        event(3, driving(false), "kurt3d"), event(4, again), event(5, other)});
     const CandidateState& kept = state.candidates->at(3);
     EXPECT_EQ(kept.candidate.stamp, at(90));
-    EXPECT_EQ(kept.told.stamp, at(20));
-    EXPECT_EQ(kept.told.robot, "kurt3d");
-    EXPECT_EQ(kept.told.autonomous, true);
-    EXPECT_EQ(state.candidates->at(4).told.autonomous, std::nullopt) << "nobody said how the crawler drives";
+    EXPECT_EQ(kept.firstReport.stamp, at(20));
+    EXPECT_EQ(kept.firstReport.robot, "kurt3d");
+    EXPECT_EQ(kept.firstReport.autonomous, true);
+    EXPECT_EQ(state.candidates->at(4).firstReport.autonomous, std::nullopt)
+        << "nobody said how the crawler drives";
 }
 
 TEST(Fold, FindsOfEveryKindHaveTheirOwnNumbers) {
-    VictimSample sign = victim(1, "sign");
-    sign.kind = VictimSample::Kind::Hazard;
+    FindSample sign = victim(1, "sign");
+    sign.kind = FindSample::Kind::Hazard;
     const MissionState state = folded({event(1, victim(1, "a")), event(2, sign)});
-    ASSERT_THAT(*state.victims, SizeIs(2));
-    EXPECT_EQ(state.victims->at({VictimSample::Kind::Hazard, 1U}).victim.text, "sign");
+    ASSERT_THAT(*state.finds, SizeIs(2));
+    EXPECT_EQ(state.finds->at({FindSample::Kind::Hazard, 1U}).victim.text, "sign");
     EXPECT_EQ(nameOf(sign.kind, sign.number), "H1");
 }
 
@@ -177,24 +178,24 @@ TEST(Fold, IsPure) {
     const auto bytes = serialised(before);
     const MissionState after = fold(before, event(2, victim(1, "b")));
     EXPECT_EQ(serialised(before), bytes);
-    EXPECT_EQ(before.victims->at(V1).victim.text, "a");
-    EXPECT_EQ(after.victims->at(V1).victim.text, "b");
+    EXPECT_EQ(before.finds->at(V1).victim.text, "a");
+    EXPECT_EQ(after.finds->at(V1).victim.text, "b");
 }
 
 TEST(Fold, TheNewestFormOfAVictimCountsAndUndoTakesItBack) {
     std::vector<Event> events = {event(1, victim(1, "a")), event(2, victim(1, "b")), event(3, victim(2, "c")),
                                  event(4, undo(2))};
-    EXPECT_EQ(folded(events).victims->at(V1).victim.text, "a");
+    EXPECT_EQ(folded(events).finds->at(V1).victim.text, "a");
     events.push_back(event(5, undo(1)));
-    EXPECT_THAT(*folded(events).victims, SizeIs(1));
+    EXPECT_THAT(*folded(events).finds, SizeIs(1));
     events.push_back(event(6, undo(4)));  // b is there again, a is not
     const MissionState state = folded(events);
-    EXPECT_EQ(state.victims->at(V1).victim.text, "b");
-    EXPECT_EQ(state.victims->at(V1).filed, 2U);
+    EXPECT_EQ(state.finds->at(V1).victim.text, "b");
+    EXPECT_EQ(state.finds->at(V1).filed, 2U);
     EXPECT_TRUE(decisionAt(state, 4)->undone);
     EXPECT_THAT(*state.remarks, IsEmpty());
     events.push_back(event(7, undo(6)));
-    EXPECT_THAT(*folded(events).victims, SizeIs(1));
+    EXPECT_THAT(*folded(events).finds, SizeIs(1));
 }
 
 TEST(Fold, UndoOfSomethingUnknownIsTold) {
@@ -207,11 +208,11 @@ TEST(Fold, UndoOfSomethingUnknownIsTold) {
     EXPECT_THAT((*state.remarks)[0].text, HasSubstr("undo of event 1"));
     EXPECT_THAT((*state.remarks)[1].text, HasSubstr("undo of event 77"));
     EXPECT_THAT((*state.remarks)[3].text, HasSubstr("undone already"));
-    EXPECT_THAT(*state.victims, IsEmpty());
+    EXPECT_THAT(*state.finds, IsEmpty());
 }
 
 TEST(Fold, CorrectionsMoveScansAndTheVictimsThatHangOnThem) {
-    VictimSample filed = victim(1, "a");
+    FindSample filed = victim(1, "a");
     filed.scan = 1;
     filed.positionInScan = {1.0, 0.0, 0.0};
     ScanPosesSample correction = moved(1, 0.0);
@@ -284,7 +285,7 @@ TEST(Fold, EventsOutOfOrderAreToldAndLeftOut) {
     const MissionState state =
         folded({event(5, victim(1, "a")), event(5, victim(1, "b")), event(4, victim(2, "c"))});
     EXPECT_THAT(*state.remarks, SizeIs(2));
-    EXPECT_EQ(state.victims->at(V1).victim.text, "a");
+    EXPECT_EQ(state.finds->at(V1).victim.text, "a");
     EXPECT_EQ(state.events, 1U);
 }
 

@@ -18,8 +18,8 @@ TEST(MissionClockTest, StandsAtZeroUntilAStationStartsIt) {
 }
 
 TEST(MissionClockTest, GoesOnWhileNoStationRuns) {
-    const ClockSample said = clockRun({}, true, Noon, "station");
-    EXPECT_EQ(clockAt(said, Noon + minutes(3)).elapsed, minutes(3));
+    const ClockSample reported = clockRun({}, true, Noon, "station");
+    EXPECT_EQ(clockAt(reported, Noon + minutes(3)).elapsed, minutes(3));
 }
 
 TEST(MissionClockTest, StandsWhileItIsHeldAndGoesOnFromThere) {
@@ -52,8 +52,8 @@ TEST(MissionClockTest, TheRulesLengthCountsOnlyWhereNobodySetOne) {
 
 TEST(MissionClockTest, BeginsAnewAndKeepsItsLength) {
     const ClockSample limited = clockLimited({.running = true}, minutes(20), Noon, "station");
-    const ClockSample anew = clockReset(clockAt(limited, Noon + minutes(5)), Noon + minutes(5), "station");
-    const MissionClock clock = clockAt(anew, Noon + minutes(6));
+    const ClockSample again = clockReset(clockAt(limited, Noon + minutes(5)), Noon + minutes(5), "station");
+    const MissionClock clock = clockAt(again, Noon + minutes(6));
     EXPECT_TRUE(clock.running);
     EXPECT_EQ(clock.elapsed, minutes(1));
     EXPECT_EQ(clock.limit, minutes(20));

@@ -19,26 +19,26 @@ protected:
             KeyScanSample scan = test::keyScan(id, 0.0);
             scan.matched = id - 1;
             scan.scanInMap = Pose(Eigen::Translation3d(10.0 * static_cast<double>(id - 1), 0, 0.5));
-            say(std::move(scan));
+            publish(std::move(scan));
         }
     }
-    std::uint64_t say(Sample sample) {
+    std::uint64_t publish(Sample sample) {
         fold.add(test::event(++sequence, std::move(sample)));
         return sequence;
     }
     std::uint64_t draw() {
-        return say(MapCropSample{.stamp = {}, .station = "us", .polygon = {{0, -1}, {10, -1}, {10, 1}}});
+        return publish(MapCropSample{.stamp = {}, .station = "us", .polygon = {{0, -1}, {10, -1}, {10, 1}}});
     }
     /// A closed loop has the second scan there.
     std::uint64_t close(const Pose& secondInMap) {
         ScanPosesSample poses{{}, "us", ScanPosesSample::Cause::LoopClosure, {}};
         poses.poses.push_back({.scan = 2, .scanInMap = secondInMap});
-        return say(poses);
+        return publish(poses);
     }
     std::uint64_t undo(std::uint64_t event) {
         UndoSample undo;
         undo.event = event;
-        return say(undo);
+        return publish(undo);
     }
     [[nodiscard]] std::vector<Eigen::Vector2d> area() const { return areaInMap(fold.state()); }
 
@@ -73,7 +73,7 @@ TEST_F(MovedArea, WhatWasDrawnInTheMovedMapGoesBackWithIt) {
 TEST_F(MovedArea, TheOneOfBeforeComesBackToWhereItsPlaceIsNow) {
     draw();
     const std::uint64_t open =
-        say(MapCropSample{.stamp = {}, .station = "us", .polygon = {}, .ceiling = 2.0});
+        publish(MapCropSample{.stamp = {}, .station = "us", .polygon = {}, .ceiling = 2.0});
     close(Moved);
     EXPECT_THAT(area(), IsEmpty());
     undo(open);
@@ -93,11 +93,11 @@ TEST_F(MovedArea, NothingHangsOnAPartThatLiesAside) {
     KeyScanSample aside = test::keyScan(3, 0.0);
     aside.matched = 0;
     aside.scanInMap = Pose(Eigen::Translation3d(5, -50, 0));
-    say(aside);
-    say(MapCropSample{.stamp = {}, .station = "us", .polygon = {{0, -1}, {10, -1}, {5, -40}}});
+    publish(aside);
+    publish(MapCropSample{.stamp = {}, .station = "us", .polygon = {{0, -1}, {10, -1}, {5, -40}}});
     ScanPosesSample poses{{}, "us", ScanPosesSample::Cause::LoopClosure, {}};
     poses.poses.push_back({.scan = 3, .scanInMap = Pose(Eigen::Translation3d(5, 3, 0))});
-    say(poses);
+    publish(poses);
     EXPECT_THAT(area(), ElementsAre(isAbout(0, -1), isAbout(10, -1), isAbout(5, -40)))
         << "it has met the map";
 }

@@ -19,10 +19,10 @@ TEST(MovedFinds, AreThoseOnScansThatMoveFarEnoughAndAreNotDiscarded) {
     add(test::keyScan(1, 0.0));
     add(test::keyScan(2, 1.0));
     for (std::uint32_t number = 1; number <= 4; ++number) {
-        VictimSample victim = test::victim(number, "");
+        FindSample victim = test::victim(number, "");
         victim.scan = number == 1 ? 1 : number == 4 ? 0 : 2;
         victim.positionInScan = {4.0, 0.0, 0.0};
-        if (number == 3) victim.status = VictimSample::Status::Discarded;
+        if (number == 3) victim.status = FindSample::Status::Discarded;
         add(victim);
     }
     const Pose first = fold.state().keyScans->at(1).pose.scanInMap;

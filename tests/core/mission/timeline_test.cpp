@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-Event said(std::uint64_t sequence, Sample sample) {
+Event reported(std::uint64_t sequence, Sample sample) {
     Event event;
     event.sequence = sequence;
     event.received = Time(1'750'000'000s) + std::chrono::seconds(sequence);
@@ -39,16 +39,16 @@ CandidateSample candidate(std::uint32_t id, double confidence) {
 
 TEST(TimelineCollector, ACandidateIsMarkedWhenItIsToldFirstAndWhenItIsDismissed) {
     TimelineCollector collector;
-    collector.add(said(1, candidate(7, 0.3)));
+    collector.add(reported(1, candidate(7, 0.3)));
     EXPECT_THAT(collector.marks(), IsEmpty()) << "nobody would see it";
-    collector.add(said(2, candidate(7, 0.6)));
-    collector.add(said(3, candidate(7, 0.9)));
-    collector.add(said(4, candidate(7, 0.2)));
+    collector.add(reported(2, candidate(7, 0.6)));
+    collector.add(reported(3, candidate(7, 0.9)));
+    collector.add(reported(4, candidate(7, 0.2)));
     CandidateSample none = candidate(7, 0.9);
     none.dismissed = true;
-    collector.add(said(5, none));
-    collector.add(said(6, none));
-    collector.add(said(7, candidate(7, 0.9)));
+    collector.add(reported(5, none));
+    collector.add(reported(6, none));
+    collector.add(reported(7, candidate(7, 0.9)));
     const auto marks = collector.marks();
     ASSERT_THAT(marks, SizeIs(2));
     EXPECT_EQ(marks[0].kind, TimelineMark::Kind::Candidate);
@@ -67,17 +67,17 @@ TEST(TimelineCollector, WhatIsFiledOrDismissedWithoutBeingToldIsNoCandidate) {
     TimelineCollector collector;
     CandidateSample filed = candidate(1, 0.9);
     filed.victim = 2;
-    collector.add(said(1, filed));
+    collector.add(reported(1, filed));
     CandidateSample dismissed = candidate(2, 0.9);
     dismissed.dismissed = true;
-    collector.add(said(2, dismissed));
+    collector.add(reported(2, dismissed));
     EXPECT_THAT(collector.marks(), IsEmpty());
 }
 
 TEST(TimelineCollector, AFindThatMovesWithItsScanIsMarkedWithWhyAndHowFar) {
     TimelineCollector collector;
     std::uint64_t sequence = 0;
-    const auto say = [&](const Sample& sample) {
+    const auto publish = [&](const Sample& sample) {
         ++sequence;
         collector.add(
             {sequence, Time(std::chrono::seconds(sequence)), "", "/leitstand/x", std::nullopt, "", sample});
@@ -85,17 +85,17 @@ TEST(TimelineCollector, AFindThatMovesWithItsScanIsMarkedWithWhyAndHowFar) {
     KeyScanSample scan;
     scan.id = 3;
     scan.scan = std::make_shared<const Scan>();
-    say(scan);
-    VictimSample victim;
+    publish(scan);
+    FindSample victim;
     victim.number = 1;
     victim.scan = 3;
     victim.positionInScan = {1.0, 0.0, 0.0};
-    say(victim);
+    publish(victim);
     ScanPosesSample poses;
     poses.cause = ScanPosesSample::Cause::LoopClosure;
     poses.poses = {{.scan = 3, .scanInMap = Pose(Eigen::Translation3d(0.0, 0.3, 0.0))}};
-    say(poses);
-    say(UndoSample{Time{}, "s", sequence, "undo"});
+    publish(poses);
+    publish(UndoSample{Time{}, "s", sequence, "undo"});
     const auto marks = collector.marks();
     ASSERT_THAT(marks, SizeIs(4)) << "filed, moved, taken back and so moved again";
     EXPECT_EQ(marks[1].kind, TimelineMark::Kind::Moved);
@@ -113,10 +113,10 @@ TEST(TimelineCollector, AFindThatMovesWithItsScanIsMarkedWithWhyAndHowFar) {
 TEST(TimelineCollector, AnUndoOfAnUndoDoesAgain) {
     TimelineCollector collector;
     const auto undo = [&](std::uint64_t sequence, std::uint64_t event, const char* text) {
-        collector.add(said(sequence, UndoSample{Time{}, "s", event, text}));
+        collector.add(reported(sequence, UndoSample{Time{}, "s", event, text}));
         return collector.marks().back();
     };
-    collector.add(said(1, note("door")));
+    collector.add(reported(1, note("door")));
     EXPECT_EQ(undo(2, 1, "undo: V1").key, "undo");
     const TimelineMark again = undo(3, 2, "redo: V1");
     EXPECT_EQ(again.key, "redo");
@@ -129,8 +129,8 @@ TEST(TimelineCollector, AnUndoOfAnUndoDoesAgain) {
 TEST(TimelineCollector, ANoteThatWasTakenBackIsNoMark) {
     TimelineCollector collector;
     MissionState mission;
-    for (const Event& event :
-         {said(1, note("door")), said(2, note("window")), said(3, UndoSample{Time{}, "s", 1, ""})}) {
+    for (const Event& event : {reported(1, note("door")), reported(2, note("window")),
+                               reported(3, UndoSample{Time{}, "s", 1, ""})}) {
         collector.add(event);
         mission = fold(std::move(mission), event);
     }
@@ -147,9 +147,9 @@ TEST(TimelineCollector, ANoteThatWasTakenBackIsNoMark) {
 TEST(TimelineCollector, ACodeSaysWhatIsWrittenOnIt) {
     TimelineCollector collector;
     CandidateSample code = candidate(1, 0.95);
-    code.kind = VictimSample::Kind::Code;
+    code.kind = FindSample::Kind::Code;
     code.cues = {{.kind = "code", .robot = "crawler", .text = "exit 3"}};
-    collector.add(said(1, code));
+    collector.add(reported(1, code));
     ASSERT_THAT(collector.marks(), SizeIs(1));
     EXPECT_EQ(collector.marks().front().name, "code");
     EXPECT_EQ(collector.marks().front().text, "exit 3");

@@ -12,7 +12,7 @@ class Arbiter : public testing::Test {
 protected:
     void says(const std::string& station, std::uint8_t process, Action action, std::int64_t now,
               const std::string& other = {}, std::uint64_t term = 1) {
-        m_arbiter.hear(grantSaying(station, action, term, other), sender(process), at(now));
+        m_arbiter.receive(grantSaying(station, action, term, other), sender(process), at(now));
     }
     [[nodiscard]] bool obeys(std::uint8_t process, std::int64_t now) const {
         return m_arbiter.obeys(sender(process), at(now));
@@ -109,10 +109,10 @@ TEST_F(Arbiter, ARestartedStationIsObeyedAtOnceAndItsEarlierProcessNoMore) {
 TEST_F(Arbiter, OtherGrantsAndQuestionsAreNoneOfItsBusiness) {
     GrantSample camera = grantSaying("a", Action::Hold);
     camera.kind = GrantSample::Kind::Camera;
-    m_arbiter.hear(camera, sender(1), at(0));
+    m_arbiter.receive(camera, sender(1), at(0));
     GrantSample crawler = grantSaying("a", Action::Hold);
     crawler.robot = "crawler";
-    m_arbiter.hear(crawler, sender(1), at(0));
+    m_arbiter.receive(crawler, sender(1), at(0));
     says("a", 1, Action::Request, 0);
     says("a", 1, Action::Refuse, 0, "b");
     EXPECT_FALSE(obeys(1, 0));

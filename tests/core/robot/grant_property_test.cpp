@@ -84,9 +84,9 @@ private:
             if (chance(0.05)) start(i, chance(0.8) ? m_memory[i] : std::vector<HeldGrant>{});
             return;
         }
-        if (chance(0.05)) m_books[i]->ask(Drive);
+        if (chance(0.05)) m_books[i]->requestGrant(Drive);
         if (chance(0.01)) m_books[i]->release(Drive, at(m_now));
-        if (chance(0.05)) m_books[i]->answer(Drive, chance(0.5), at(m_now));
+        if (chance(0.05)) m_books[i]->answerRequest(Drive, chance(0.5), at(m_now));
         if (chance(0.005)) m_books[i].reset();
     }
     void send(int from, int to, Message message) {
@@ -99,8 +99,8 @@ private:
     void step() {
         for (int i = 0; i < Stations; ++i) {
             if (!m_books[i]) continue;
-            for (const GrantSample& said : m_books[i]->due(at(m_now), wallAt(m_now + 700 * i))) {
-                for (int to = 0; to <= Robot; ++to) send(i, to, {0, said, m_processes[i], {}});
+            for (const GrantSample& reported : m_books[i]->due(at(m_now), wallAt(m_now + 700 * i))) {
+                for (int to = 0; to <= Robot; ++to) send(i, to, {0, reported, m_processes[i], {}});
             }
             m_memory[i] = m_books[i]->held();
             if (m_books[i]->mayAct(Drive, at(m_now))) {
@@ -118,12 +118,12 @@ private:
     }
     void deliver(int to, const Message& message) {
         if (to < Stations) {
-            if (m_books[to]) m_books[to]->hear(*message.grant, message.from, at(m_now));
+            if (m_books[to]) m_books[to]->receive(*message.grant, message.from, at(m_now));
             return;
         }
         if (message.grant) {
-            m_rules.hear(*message.grant, message.from, at(m_now));
-            told(*message.grant, message.from);
+            m_rules.receive(*message.grant, message.from, at(m_now));
+            reported(*message.grant, message.from);
             return;
         }
         if (m_rules.drive(message.velocity, message.from, at(m_now)) == DriveVerdict::Taken)
@@ -132,9 +132,9 @@ private:
         m_driven += moves ? 1 : 0;
         EXPECT_TRUE(!moves || m_rules.grant().obeys(*m_driver, at(m_now)));
     }
-    void told(const GrantSample& said, const Sender& from) {
-        if (said.action == Action::Consent || said.action == Action::Release) m_free[from] = true;
-        if (said.action != Action::Hold) return;
+    void reported(const GrantSample& reported, const Sender& from) {
+        if (reported.action == Action::Consent || reported.action == Action::Release) m_free[from] = true;
+        if (reported.action != Action::Hold) return;
         if (m_now - m_heartbeat[from] >= 3'000) m_free[from] = true;
         // Its station started anew: it is out.
         if (m_driver && *m_driver != from && m_stationOf[*m_driver] == m_stationOf[from])

@@ -15,12 +15,13 @@ const GuardPulse Driving{.driving = true}, Resting{};
 
 class Guard : public testing::Test {
 protected:
-    /// When zeros are sent between @p from and @p until, looked at every 5 ms; pulses come as @p told says.
+    /// When zeros are sent between @p from and @p until, looked at every 5 ms; pulses come as @p reported
+    /// says.
     template <class Told>
-    std::vector<std::int64_t> zeros(std::int64_t from, std::int64_t until, Told told) {
+    std::vector<std::int64_t> zeros(std::int64_t from, std::int64_t until, Told reported) {
         std::vector<std::int64_t> moments;
         for (std::int64_t now = from; now < until; now += 5) {
-            told(now);
+            reported(now);
             const GuardRules::Step step = m_rules.step(at(now));
             if (step.zero) moments.push_back(now);
             m_over = m_over || step.over;
@@ -91,11 +92,11 @@ TEST_F(Guard, ItNeverOverridesSomebodyElsesCommands) {
 }
 
 TEST_F(Guard, ItNeverOverridesAnotherStationsGrant) {
-    m_rules.hear(grantSaying("a", Action::Hold), sender(1), at(0));
+    m_rules.receive(grantSaying("a", Action::Hold), sender(1), at(0));
     m_rules.pulse(Driving, at(0));
     EXPECT_FALSE(zeros(0, 400).empty());
-    m_rules.hear(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(400));
-    m_rules.hear(grantSaying("b", Action::Hold, 2), sender(2), at(405));
+    m_rules.receive(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(400));
+    m_rules.receive(grantSaying("b", Action::Hold, 2), sender(2), at(405));
     EXPECT_TRUE(zeros(405, 20'000).empty());
 }
 

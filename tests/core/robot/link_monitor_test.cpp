@@ -34,7 +34,7 @@ TEST(LinkMonitor, ARobotThatNeverSpokeWasNeverSeen) {
 
 TEST(LinkMonitor, AGoodLinkIsConnectedAndTellsItsFigures) {
     LinkScene scene;
-    scene.say("mode");
+    scene.publish("mode");
     scene.run(120.0);
     EXPECT_THAT(scene.states(), ElementsAre("connected"));
     const LinkStatus link = scene.status();
@@ -44,8 +44,8 @@ TEST(LinkMonitor, AGoodLinkIsConnectedAndTellsItsFigures) {
     for (const auto& [key, stream] : scene.streams) {
         const StreamStatus* status = link.stream(stream.topic);
         ASSERT_NE(status, nullptr) << key;
-        EXPECT_LE(status->samples, stream.said) << key;
-        EXPECT_GE(status->samples + 1, stream.said) << key;  // one may be on its way
+        EXPECT_LE(status->samples, stream.reported) << key;
+        EXPECT_GE(status->samples + 1, stream.reported) << key;  // one may be on its way
         EXPECT_FALSE(status->stale) << key;
         if (stream.rate <= 0.0) continue;
         EXPECT_TRUE(status->steady) << key;
@@ -302,7 +302,7 @@ TEST(LinkMonitor, ARobotThatComesAndGoesDoesNotFlapForSingleSamples) {
     scene.run(4.0);
     scene.forgetStates();
     for (int i = 0; i < 10; ++i) {
-        scene.say("co2");
+        scene.publish("co2");
         scene.run(4.0);
     }
     EXPECT_LE(scene.states().size(), 7U);  // every third sample may look like a return

@@ -30,10 +30,11 @@ TEST(LinkReasons, AreReadAgainAsTheyWereSaid) {
 }
 
 TEST(LinkReasons, OthersAreNone) {
-    for (const char* said : {"", "degraded", "odometry old", "odometry x s old", "12 % of  lost",
-                             " 1.0 s old", "12 % of tea lost", "round trip nan ms", "round trip inf ms",
-                             "tea 1.0 s late", "no answer to pings for 1e999 s", "leftpictures 1.0 s old"})
-        EXPECT_FALSE(linkReasonFrom(said)) << said;
+    for (const char* reported :
+         {"", "degraded", "odometry old", "odometry x s old", "12 % of  lost", " 1.0 s old",
+          "12 % of tea lost", "round trip nan ms", "round trip inf ms", "tea 1.0 s late",
+          "no answer to pings for 1e999 s", "leftpictures 1.0 s old"})
+        EXPECT_FALSE(linkReasonFrom(reported)) << reported;
 }
 
 }  // namespace

@@ -59,15 +59,15 @@ Time LinkScene::day(double t) const {
     return Time(1'700'000'000s + fromSeconds(t));
 }
 
-void LinkScene::say(const std::string& key) {
+void LinkScene::publish(const std::string& key) {
     SceneStream& stream = streams.at(key);
-    ++stream.said;
+    ++stream.reported;
     const bool lost = std::uniform_real_distribution<>(0.0, 1.0)(m_random) < stream.loss;
     if (lost || !radio) return;
     const double arrival = stream.lastArrival = std::max(m_now + stream.delay, stream.lastArrival);
     StreamArrival sample{1000,
                          {m_generation, static_cast<std::uint8_t>(stream.role)},
-                         stream.said,
+                         stream.reported,
                          day(m_now) + fromSeconds(ahead + stream.clockError),
                          day(arrival)};
     m_air.push_back({arrival, stream.topic, sample});
@@ -75,7 +75,7 @@ void LinkScene::say(const std::string& key) {
 
 void LinkScene::restartRobot() {
     ++m_generation;
-    for (auto& [key, stream] : streams) stream.said = 0;
+    for (auto& [key, stream] : streams) stream.reported = 0;
     m_pongSequence = 0;
 }
 
@@ -84,7 +84,7 @@ void LinkScene::step() {
     for (auto& [key, stream] : streams) {
         if (stream.rate <= 0.0 || m_now < stream.next) continue;
         stream.next = std::max(stream.next + 1.0 / stream.rate, m_now);
-        if (on && !stream.silent) say(key);
+        if (on && !stream.silent) publish(key);
     }
     if (m_now >= m_nextPing && answers) {
         m_nextPing = m_now + 0.5;

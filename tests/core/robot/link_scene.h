@@ -18,14 +18,14 @@ namespace leitstand::test {
 struct SceneStream {
     StreamRole role = StreamRole::Odometry;
     std::string topic;
-    double rate = 0.0;         ///< [Hz]
-    bool silent = false;       ///< its writer says nothing
-    double loss = 0.0;         ///< share that gets lost
-    double delay = 0.02;       ///< [s]
-    std::uint64_t said = 0;    ///< since the robot started
-    double clockError = 0.0;   ///< of the computer that writes it, against the robot's [s]
-    double lastArrival = 0.0;  ///< nothing overtakes [s]
-    double next = 0.0;         ///< when it is said [s]
+    double rate = 0.0;           ///< [Hz]
+    bool silent = false;         ///< its writer says nothing
+    double loss = 0.0;           ///< share that gets lost
+    double delay = 0.02;         ///< [s]
+    std::uint64_t reported = 0;  ///< since the robot started
+    double clockError = 0.0;     ///< of the computer that writes it, against the robot's [s]
+    double lastArrival = 0.0;    ///< nothing overtakes [s]
+    double next = 0.0;           ///< when it is said [s]
 };
 
 /// A LinkMonitor and a robot in simulated time.
@@ -44,8 +44,8 @@ public:
 
     /// Lets @p seconds pass, in steps of 10 ms; the status is asked ten times a second.
     void run(double seconds);
-    void restartRobot();                  ///< other writers, numbers from 1
-    void say(const std::string& stream);  ///< one sample, now
+    void restartRobot();                      ///< other writers, numbers from 1
+    void publish(const std::string& stream);  ///< one sample, now
     [[nodiscard]] LinkStatus status() { return monitor.status(steadyNow()); }
     [[nodiscard]] SteadyTime steadyNow() const;
     /// States since the beginning, one after the other: "never seen", "connected".

@@ -68,9 +68,9 @@ TEST(PanTilt, AWishIsRepeatedUntilTheUnitIsThere) {
     EXPECT_EQ(control.due(Begin), (PanTiltAngles{0.4, 0.1}));
     EXPECT_FALSE(control.due(Begin + 100ms)) << "said already";
     EXPECT_TRUE(control.due(Begin + 600ms)) << "it may not have been heard";
-    control.said({0.4, 0.1});
+    control.reported({0.4, 0.1});
     EXPECT_FALSE(control.due(Begin + 700ms));
-    EXPECT_FALSE(control.wish());
+    EXPECT_FALSE(control.requested());
     control.turnBy({-0.1, 0.0}, Begin + 800ms);
     const auto then = control.due(Begin + 800ms);
     ASSERT_TRUE(then);
@@ -84,28 +84,28 @@ TEST(PanTilt, AWishThatNothingComesOfIsDropped) {
     for (auto time = Begin; time < Begin + 10s; time += 20ms) sent += control.due(time) ? 1 : 0;
     EXPECT_GE(sent, 8);
     EXPECT_LE(sent, 12);
-    EXPECT_FALSE(control.wish());
+    EXPECT_FALSE(control.requested());
 }
 
 TEST(PanTilt, TurnsAtARateWithinItsLimitsAndNotTooOften) {
     PanTiltControl control(Mount);
-    control.said({0.1, 0.0});
+    control.reported({0.1, 0.0});
     control.setRate({1.0, 0.0}, Begin);
     int sent = 0;
     for (auto time = Begin; time < Begin + 1s; time += 5ms) sent += control.due(time) ? 1 : 0;
     EXPECT_LE(sent, 26);
     EXPECT_GE(sent, 20);
-    EXPECT_NEAR(control.wish()->pan, 1.1, 0.01);
+    EXPECT_NEAR(control.requested()->pan, 1.1, 0.01);
     control.setRate({}, Begin + 1s);
     (void)control.due(Begin + 1100ms);
-    EXPECT_NEAR(control.wish()->pan, 1.1, 0.01) << "let go, it stays";
+    EXPECT_NEAR(control.requested()->pan, 1.1, 0.01) << "let go, it stays";
     control.setRate({1.0, 0.0}, Begin + 2s);
     for (auto time = Begin + 2s; time < Begin + 5s; time += 20ms) (void)control.due(time);
-    EXPECT_NEAR(control.wish()->pan, Mount.pan, 1e-9);
+    EXPECT_NEAR(control.requested()->pan, Mount.pan, 1e-9);
     // After a pause it goes on, it does not jump.
     control.setRate({-1.0, 0.0}, Begin + 6s);
     (void)control.due(Begin + 60s);
-    EXPECT_NEAR(control.wish()->pan, Mount.pan - 0.1, 1e-9);
+    EXPECT_NEAR(control.requested()->pan, Mount.pan - 0.1, 1e-9);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(RobotDescription, HasAWordTypesAndATopicForEveryRole) {
     EXPECT_EQ(words.size(), 26u);
 }
 
-/// What the wire (design, section 4) asks of each topic.
+/// What the wire (docs/design.md, "The wire") asks of each topic.
 TEST(StreamDefaults, AreThoseOfTheWire) {
     struct Expected {
         StreamRole role;

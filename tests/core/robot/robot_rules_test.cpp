@@ -15,7 +15,7 @@ class Rules : public testing::Test {
 protected:
     Rules() { hold("a", 1, 0); }
     void hold(const std::string& station, std::uint8_t process, std::int64_t now) {
-        m_rules.hear(grantSaying(station, Action::Hold), sender(process), at(now));
+        m_rules.receive(grantSaying(station, Action::Hold), sender(process), at(now));
     }
     DriveVerdict drive(const DriveVelocity& velocity, std::int64_t now, std::uint8_t process = 1) {
         return m_rules.drive(velocity, sender(process), at(now));
@@ -56,7 +56,7 @@ TEST_F(Rules, NobodyElseMovesIt) {
 TEST_F(Rules, ANewHolderBeginsWithZero) {
     static_cast<void>(drive(Zero, 0));
     static_cast<void>(drive(Forward, 10));
-    m_rules.hear(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(20));
+    m_rules.receive(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(20));
     EXPECT_EQ(commanded(20), Zero) << "at once";
     hold("b", 2, 30);
     EXPECT_EQ(commanded(30), Zero);
@@ -70,7 +70,7 @@ TEST_F(Rules, ANewHolderBeginsWithZero) {
 
 TEST_F(Rules, AZeroThatOvertookItsGrantCountsForASecond) {
     const auto change = [&](std::int64_t now) {
-        m_rules.hear(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(now));
+        m_rules.receive(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(now));
         hold("b", 2, now);
     };
     EXPECT_EQ(drive(Zero, 10, 2), DriveVerdict::NotHolder);
@@ -85,7 +85,7 @@ TEST_F(Rules, AZeroThatOvertookItsGrantCountsForASecond) {
 TEST_F(Rules, SticksThatArePushedBeforeTheGrantIsHeardMoveTheRobotOnceItIs) {
     EXPECT_EQ(drive(Zero, 10, 2), DriveVerdict::NotHolder);
     EXPECT_EQ(drive(Forward, 15, 2), DriveVerdict::NotHolder);
-    m_rules.hear(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(20));
+    m_rules.receive(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(20));
     hold("b", 2, 20);
     EXPECT_EQ(commanded(20), Zero) << "what was said before it had the grant moves nothing";
     EXPECT_EQ(drive(Forward, 30, 2), DriveVerdict::Taken);
@@ -94,7 +94,7 @@ TEST_F(Rules, SticksThatArePushedBeforeTheGrantIsHeardMoveTheRobotOnceItIs) {
 
 TEST_F(Rules, AZeroOfLongAgoOrBeforeAStopCountsNoMore) {
     const auto change = [&](std::int64_t now) {
-        m_rules.hear(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(now));
+        m_rules.receive(grantSaying("a", Action::Consent, 1, "b"), sender(1), at(now));
         hold("b", 2, now);
     };
     EXPECT_EQ(drive(Zero, 10, 2), DriveVerdict::NotHolder);
@@ -102,9 +102,9 @@ TEST_F(Rules, AZeroOfLongAgoOrBeforeAStopCountsNoMore) {
     EXPECT_EQ(drive(Forward, 1'010, 2), DriveVerdict::NotNeutral);
     RobotRules stopped{"kurt3d", {.limits = {0.5, 1.0, false}}};
     EXPECT_EQ(stopped.drive(Zero, sender(2), at(10)), DriveVerdict::NotHolder);
-    const auto state = stopped.hear({{}, "viewer", 1, true, 0}, sender(7), at(20));
-    stopped.hear(grantSaying("b", Action::Hold), sender(2), at(30));
-    EXPECT_FALSE(stopped.hear({{}, "b", 2, false, state.stops}, sender(2), at(40)).stopped);
+    const auto state = stopped.receive({{}, "viewer", 1, true, 0}, sender(7), at(20));
+    stopped.receive(grantSaying("b", Action::Hold), sender(2), at(30));
+    EXPECT_FALSE(stopped.receive({{}, "b", 2, false, state.stops}, sender(2), at(40)).stopped);
     EXPECT_EQ(stopped.drive(Forward, sender(2), at(50)), DriveVerdict::NotNeutral);
 }
 
@@ -119,17 +119,17 @@ TEST_F(Rules, ASilentHolderMovesNothing) {
 TEST_F(Rules, AStopLatchesAndSticksMustBeNeutralAfterItsRelease) {
     static_cast<void>(drive(Zero, 0));
     static_cast<void>(drive(Forward, 10));
-    const StopStateSample stopped = m_rules.hear({{}, "viewer", 1, true, 0}, sender(7), at(20));
+    const StopStateSample stopped = m_rules.receive({{}, "viewer", 1, true, 0}, sender(7), at(20));
     EXPECT_TRUE(stopped.stopped);
     EXPECT_EQ(commanded(20), Zero);
     EXPECT_EQ(drive(Forward, 30), DriveVerdict::Stopped);
     EXPECT_EQ(drive(Zero, 40), DriveVerdict::Stopped);
-    EXPECT_TRUE(m_rules.hear({{}, "b", 2, false, stopped.stops}, sender(2), at(50)).stopped)
+    EXPECT_TRUE(m_rules.receive({{}, "b", 2, false, stopped.stops}, sender(2), at(50)).stopped)
         << "not the holder";
-    EXPECT_TRUE(m_rules.hear({{}, "a", 2, false, stopped.stops}, sender(2), at(50)).stopped)
+    EXPECT_TRUE(m_rules.receive({{}, "a", 2, false, stopped.stops}, sender(2), at(50)).stopped)
         << "only says so";
-    EXPECT_TRUE(m_rules.hear({{}, "b", 2, false, stopped.stops}, sender(1), at(50)).stopped) << "neither";
-    EXPECT_FALSE(m_rules.hear({{}, "a", 3, false, stopped.stops}, sender(1), at(50)).stopped);
+    EXPECT_TRUE(m_rules.receive({{}, "b", 2, false, stopped.stops}, sender(1), at(50)).stopped) << "neither";
+    EXPECT_FALSE(m_rules.receive({{}, "a", 3, false, stopped.stops}, sender(1), at(50)).stopped);
     EXPECT_EQ(commanded(60), Zero) << "it never moves on by itself";
     EXPECT_EQ(drive(Forward, 70), DriveVerdict::NotNeutral);
     EXPECT_EQ(drive(Zero, 80), DriveVerdict::Taken);
@@ -152,7 +152,7 @@ TEST_F(Rules, ACarelessRobotObeysAnybodyForEverButStops) {
     EXPECT_EQ(careless.commanded(at(3'600'000)), Forward);
     EXPECT_EQ(careless.drive({3.0, 0.0, 0.0}, sender(8), at(3'600'000)), DriveVerdict::Taken);
     EXPECT_EQ(careless.commanded(at(3'600'000)).forward, 0.5);
-    static_cast<void>(careless.hear({{}, "viewer", 1, true, 0}, sender(7), at(3'600'010)));
+    static_cast<void>(careless.receive({{}, "viewer", 1, true, 0}, sender(7), at(3'600'010)));
     EXPECT_EQ(careless.commanded(at(3'600'010)), Zero);
     EXPECT_EQ(careless.drive(Forward, sender(7), at(3'600'020)), DriveVerdict::Stopped);
 }

@@ -20,9 +20,9 @@ TEST(ScannerCorrection, MovesPointsAlongTheirRaysAndLeavesWhatIsNoEcho) {
 }
 
 TEST(ScannerCorrection, TurnsTheMountInTheRobotsBase) {
-    const Pose said = poseFrom({0.1, 0.0, 0.5}, 0.0, 0.0, degrees(90));
-    const Pose is = ScannerCorrection{0.0, 0.0, degrees(2)}.corrected(said);
-    EXPECT_EQ(is.translation(), said.translation());
+    const Pose reported = poseFrom({0.1, 0.0, 0.5}, 0.0, 0.0, degrees(90));
+    const Pose is = ScannerCorrection{0.0, 0.0, degrees(2)}.corrected(reported);
+    EXPECT_EQ(is.translation(), reported.translation());
     // Pitched: what the scanner sees to its right, which is ahead of the robot, lies lower.
     EXPECT_NEAR((is.linear() * Eigen::Vector3d(0, -1, 0)).z(), -std::sin(degrees(2)), 1e-12);
 }

@@ -23,9 +23,9 @@ public:
     }
     void run(std::int64_t until, bool trouble) {
         for (; m_now < until; m_now += 20) {
-            m_rules.hear(grantSaying(name(m_holder), GrantSample::Action::Hold), process(m_holder),
-                         at(m_now));
-            m_heard = process(m_holder);
+            m_rules.receive(grantSaying(name(m_holder), GrantSample::Action::Hold), process(m_holder),
+                            at(m_now));
+            m_received = process(m_holder);
             if (trouble) operators();
             stations(trouble ? 0.3 : 0.0);
             network(trouble);
@@ -75,8 +75,8 @@ private:
         }
         if (chance(0.002)) {
             const std::size_t next = (m_holder + 1) % Stations;
-            m_rules.hear(grantSaying(name(m_holder), GrantSample::Action::Consent, 1, name(next)),
-                         process(m_holder), at(m_now));
+            m_rules.receive(grantSaying(name(m_holder), GrantSample::Action::Consent, 1, name(next)),
+                            process(m_holder), at(m_now));
             m_holder = next;
         }
     }
@@ -115,21 +115,21 @@ private:
             const Answer answer = m_answers[i];
             m_answers.erase(m_answers.begin() + static_cast<std::ptrdiff_t>(i));
             m_heardStops[answer.to] = answer.state.stops;
-            m_controls[answer.to].hear(answer.state);
+            m_controls[answer.to].receive(answer.state);
         }
     }
     void arrive(const Message& message, bool trouble) {
         const StopStateSample before = m_rules.stopState(at(m_now));
         const auto last = m_last.find(message.from);
         const bool repeated = last != m_last.end() && last->second == message.command.number;
-        const StopStateSample state = m_rules.hear(message.command, message.from, at(m_now));
+        const StopStateSample state = m_rules.receive(message.command, message.from, at(m_now));
         EXPECT_EQ(state.number, message.command.number) << "every command is answered";
         if (message.command.stop) {
             EXPECT_TRUE(state.stopped || repeated) << "a stop stops";
             m_last[message.from] = message.command.number;
         } else if (before.stopped && !state.stopped) {
             ++m_releases;
-            EXPECT_EQ(message.from, m_heard) << "not the holder";
+            EXPECT_EQ(message.from, m_received) << "not the holder";
             EXPECT_EQ((m_seen[{message.from, message.command.number}]), before.stops)
                 << "whoever released had not seen the last stop";
         }
@@ -161,7 +161,7 @@ private:
     std::vector<Message> m_messages, m_old;
     std::vector<Answer> m_answers;
     std::size_t m_holder = 0;
-    Sender m_heard;  ///< whose heartbeat the robot heard last
+    Sender m_received;  ///< whose heartbeat the robot heard last
     std::int64_t m_now = 0;
     int m_releases = 0, m_refused = 0, m_moved = 0;
 };

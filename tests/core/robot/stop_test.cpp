@@ -20,68 +20,68 @@ StopCommandSample releaseOf(const std::string& station, std::uint64_t number, st
 TEST(StopLatch, AStopOfAnybodyStaysUntilTheHolderReleasesIt) {
     StopLatch latch(100);
     EXPECT_FALSE(latch.isStopped());
-    const StopStateSample stopped = latch.hear(stopOf("viewer", 7), sender(1), false);
+    const StopStateSample stopped = latch.receive(stopOf("viewer", 7), sender(1), false);
     EXPECT_TRUE(stopped.stopped);
     EXPECT_EQ(stopped.number, 7U);
     EXPECT_EQ(stopped.station, "viewer");
     EXPECT_EQ(stopped.stops, 101U);
-    const StopStateSample refused = latch.hear(releaseOf("viewer", 8, 101), sender(1), false);
+    const StopStateSample refused = latch.receive(releaseOf("viewer", 8, 101), sender(1), false);
     EXPECT_TRUE(refused.stopped);
     EXPECT_EQ(refused.number, 8U);
     EXPECT_THAT(refused.refused, HasSubstr("holds the drive grant"));
-    const StopStateSample released = latch.hear(releaseOf("a", 3, 101), sender(2), true);
+    const StopStateSample released = latch.receive(releaseOf("a", 3, 101), sender(2), true);
     EXPECT_FALSE(released.stopped) << released.refused;
     EXPECT_EQ(released.refused, "");
 }
 
 TEST(StopLatch, ARepeatedCommandIsAnsweredButCountsOnce) {
     StopLatch latch;
-    static_cast<void>(latch.hear(stopOf("a", 5), sender(1), true));
-    const StopStateSample again = latch.hear(stopOf("a", 5), sender(1), true);
+    static_cast<void>(latch.receive(stopOf("a", 5), sender(1), true));
+    const StopStateSample again = latch.receive(stopOf("a", 5), sender(1), true);
     EXPECT_EQ(again.number, 5U);
     EXPECT_EQ(again.stops, 1U);
-    static_cast<void>(latch.hear(releaseOf("b", 1, 1), sender(2), true));
-    const StopStateSample late = latch.hear(stopOf("a", 5), sender(1), true);
+    static_cast<void>(latch.receive(releaseOf("b", 1, 1), sender(2), true));
+    const StopStateSample late = latch.receive(stopOf("a", 5), sender(1), true);
     EXPECT_FALSE(late.stopped) << "a repeated stop undoes no release";
     EXPECT_EQ(late.number, 5U) << "but is acknowledged";
     EXPECT_EQ(late.station, "a");
-    EXPECT_TRUE(latch.hear(stopOf("a", 6), sender(1), true).stopped) << "a new one stops";
+    EXPECT_TRUE(latch.receive(stopOf("a", 6), sender(1), true).stopped) << "a new one stops";
 }
 
 TEST(StopLatch, AReleaseThatWasGivenBeforeAnotherStopReleasesNothing) {
     StopLatch latch;
-    static_cast<void>(latch.hear(stopOf("a", 5), sender(1), true));
+    static_cast<void>(latch.receive(stopOf("a", 5), sender(1), true));
     const StopCommandSample release = releaseOf("a", 1'000'000, 1);  // a's clock is far ahead of b's
-    static_cast<void>(latch.hear(stopOf("b", 6), sender(2), false));
-    const StopStateSample state = latch.hear(release, sender(1), true);
+    static_cast<void>(latch.receive(stopOf("b", 6), sender(2), false));
+    const StopStateSample state = latch.receive(release, sender(1), true);
     EXPECT_TRUE(state.stopped);
     EXPECT_THAT(state.refused, HasSubstr("again"));
-    EXPECT_FALSE(latch.hear(releaseOf("a", 1'000'001, 2), sender(1), true).stopped);
+    EXPECT_FALSE(latch.receive(releaseOf("a", 1'000'001, 2), sender(1), true).stopped);
 }
 
 TEST(StopLatch, AReplayedReleaseReleasesNothing) {
     StopLatch latch;
-    static_cast<void>(latch.hear(stopOf("a", 5), sender(1), true));
+    static_cast<void>(latch.receive(stopOf("a", 5), sender(1), true));
     const StopCommandSample release = releaseOf("a", 6, 1);
-    EXPECT_FALSE(latch.hear(release, sender(1), true).stopped);
-    static_cast<void>(latch.hear(stopOf("b", 6), sender(2), false));
-    EXPECT_TRUE(latch.hear(release, sender(1), true).stopped);
-    static_cast<void>(latch.hear(stopOf("a", 7), sender(1), true));
-    EXPECT_TRUE(latch.hear(release, sender(1), true).stopped);
-    EXPECT_TRUE(latch.hear(releaseOf("a", 6, 3), sender(1), true).stopped) << "its number is old";
+    EXPECT_FALSE(latch.receive(release, sender(1), true).stopped);
+    static_cast<void>(latch.receive(stopOf("b", 6), sender(2), false));
+    EXPECT_TRUE(latch.receive(release, sender(1), true).stopped);
+    static_cast<void>(latch.receive(stopOf("a", 7), sender(1), true));
+    EXPECT_TRUE(latch.receive(release, sender(1), true).stopped);
+    EXPECT_TRUE(latch.receive(releaseOf("a", 6, 3), sender(1), true).stopped) << "its number is old";
 }
 
 TEST(StopLatch, AStopWithASmallerNumberStops) {
     StopLatch latch;
-    static_cast<void>(latch.hear(stopOf("a", 1'000), sender(1), true));
-    static_cast<void>(latch.hear(releaseOf("a", 1'001, 1), sender(1), true));
+    static_cast<void>(latch.receive(stopOf("a", 1'000), sender(1), true));
+    static_cast<void>(latch.receive(releaseOf("a", 1'001, 1), sender(1), true));
     ASSERT_FALSE(latch.isStopped());
-    const StopStateSample restarted = latch.hear(stopOf("a", 3), sender(2), true);
+    const StopStateSample restarted = latch.receive(stopOf("a", 3), sender(2), true);
     EXPECT_TRUE(restarted.stopped);
     EXPECT_EQ(restarted.number, 3U);
-    static_cast<void>(latch.hear(releaseOf("a", 4, 2), sender(2), true));
+    static_cast<void>(latch.receive(releaseOf("a", 4, 2), sender(2), true));
     ASSERT_FALSE(latch.isStopped());
-    EXPECT_TRUE(latch.hear(stopOf("a", 2), sender(2), true).stopped) << "even from the same process";
+    EXPECT_TRUE(latch.receive(stopOf("a", 2), sender(2), true).stopped) << "even from the same process";
 }
 
 TEST(StopLatch, ItsOwnButtonStopsToo) {
@@ -89,13 +89,13 @@ TEST(StopLatch, ItsOwnButtonStopsToo) {
     latch.press();
     EXPECT_TRUE(latch.isStopped());
     EXPECT_EQ(latch.state().station, "");
-    EXPECT_FALSE(latch.hear(releaseOf("a", 1, 1), sender(1), true).stopped);
+    EXPECT_FALSE(latch.receive(releaseOf("a", 1, 1), sender(1), true).stopped);
 }
 
 TEST(StopLatch, AnyNumberOfProcessesTakesBoundedRoomAndStillStops) {
     StopLatch latch;
     for (std::uint8_t i = 0; i < 250; ++i) {
-        EXPECT_TRUE(latch.hear(stopOf(fmt::format("s{}", i), 1), sender(i), false).stopped);
+        EXPECT_TRUE(latch.receive(stopOf(fmt::format("s{}", i), 1), sender(i), false).stopped);
     }
     EXPECT_EQ(latch.state().stops, 250U);
 }
@@ -132,7 +132,7 @@ protected:
     /// The robot gets @p command and is heard.
     void answer(const std::optional<StopCommandSample>& command, bool held = true) {
         ASSERT_TRUE(command);
-        m_control.hear(m_robot.hear(*command, sender(1), held));
+        m_control.receive(m_robot.receive(*command, sender(1), held));
     }
     StopControl m_control{"a"};
     StopLatch m_robot{1'000};
@@ -168,13 +168,13 @@ TEST_F(Control, RepeatsAStopUntilItIsAcknowledged) {
 TEST_F(Control, OnlyTheAnswerToItsOwnNumberCounts) {
     stop(0);
     const auto command = due(0);
-    StopStateSample other = m_robot.hear(stopOf("b", command->number), sender(2), false);
-    m_control.hear(other);
+    StopStateSample other = m_robot.receive(stopOf("b", command->number), sender(2), false);
+    m_control.receive(other);
     EXPECT_FALSE(m_control.status(at(0)).acknowledged) << "of another station";
     EXPECT_TRUE(m_control.status(at(0)).stopped);
     other.station = "a";
     other.number = command->number - 1;
-    m_control.hear(other);
+    m_control.receive(other);
     EXPECT_FALSE(m_control.status(at(0)).acknowledged) << "of an earlier one";
     EXPECT_TRUE(due(100));
 }
@@ -199,7 +199,7 @@ TEST_F(Control, NumbersRiseEvenWhenTheClockIsSetBack) {
 
 TEST_F(Control, ReleasesWhatTheRobotTold) {
     stop(0);
-    EXPECT_THAT(release(10).error().text, HasSubstr("not told"));
+    EXPECT_THAT(release(10).error().text, HasSubstr("not reported"));
     answer(due(0));
     EXPECT_THAT(release(10, false).error().text, HasSubstr("grant"));
     ASSERT_TRUE(release(20).ok());
@@ -217,7 +217,7 @@ TEST_F(Control, ReleasesWhatTheRobotTold) {
 
 TEST_F(Control, NoReleaseBeforeTheStopIsAcknowledged) {
     stop(0);
-    m_control.hear(m_robot.state());
+    m_control.receive(m_robot.state());
     EXPECT_THAT(release(10).error().text, HasSubstr("acknowledged"));
 }
 
@@ -240,7 +240,7 @@ TEST_F(Control, AStopOfAnotherEndsARelease) {
     answer(due(0));
     ASSERT_TRUE(release(20).ok());
     const auto underway = due(20);
-    m_control.hear(m_robot.hear(stopOf("b", 9), sender(2), false));
+    m_control.receive(m_robot.receive(stopOf("b", 9), sender(2), false));
     EXPECT_FALSE(m_control.status(at(30)).releasing);
     EXPECT_THAT(m_control.status(at(30)).refused, HasSubstr("again"));
     EXPECT_FALSE(due(200));
@@ -272,14 +272,14 @@ TEST_F(Control, AReleaseThatIsNotAnsweredIsTakenBack) {
 TEST_F(Control, IsOverWhenTheHolderReleasedIt) {
     stop(0);
     answer(due(0));
-    m_control.hear(m_robot.hear(releaseOf("b", 3, 1'001), sender(2), true));
+    m_control.receive(m_robot.receive(releaseOf("b", 3, 1'001), sender(2), true));
     EXPECT_FALSE(m_control.status(at(0)).sent);
     EXPECT_TRUE(m_control.allowsDriving());
 }
 
 TEST_F(Control, AnUnacknowledgedStopStandsWhateverTheRobotSays) {
     stop(0);
-    m_control.hear(m_robot.state());
+    m_control.receive(m_robot.state());
     EXPECT_TRUE(m_control.status(at(0)).sent);
     EXPECT_FALSE(m_control.allowsDriving());
     EXPECT_TRUE(due(0));
@@ -289,7 +289,7 @@ TEST_F(Control, StandingIsWhatOdometrySays) {
     StopStateSample state = m_robot.state();
     EXPECT_FALSE(m_control.status(at(0)).standingKnown);
     state.standing = true;
-    m_control.hear(state);
+    m_control.receive(state);
     EXPECT_TRUE(m_control.status(at(0)).standing);
     m_control.moved(0.2, 0.0, at(100));
     EXPECT_FALSE(m_control.status(at(100)).standing) << "odometry is newer";

@@ -23,7 +23,7 @@ Time now() {
 }
 
 /// A process that records numbered events, some 2 MB/s, until it is killed; tells by a byte that it began.
-[[noreturn]] void record(const std::filesystem::path& mission, int tell) {
+[[noreturn]] void record(const std::filesystem::path& mission, int notifyPipe) {
     auto opening = BagWriter::open(mission);
     if (!opening) _exit(1);
     const auto writer = std::move(opening).value();
@@ -33,8 +33,8 @@ Time now() {
         event.received = now();
         writer->write(std::move(event));
         if (i % 10 == 0) std::this_thread::sleep_for(2ms);
-        if (tell >= 0) (void)!write(tell, "", 1);
-        tell = -1;
+        if (notifyPipe >= 0) (void)!write(notifyPipe, "", 1);
+        notifyPipe = -1;
     }
 }
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/station/alarms/log_says.h"
+#include "core/station/alarms/log_format.h"
 #include "tests/io/bag/sample_bags.h"
 #include "tests/io/bag/slow_store.h"
 
@@ -87,7 +87,7 @@ TEST_F(SlowDisk, DropsPicturesFirstCountsThemAndNeverBlocks) {
     const auto slow = alarm(BagAlarm::Kind::DiskSlow, true);
     ASSERT_TRUE(slow.has_value());
     EXPECT_THAT(slow->text, HasSubstr("does not keep up"));
-    EXPECT_STREQ(log_says::newsIn(slow->text).words, log_says::DiskSlow) << "to be told in any language";
+    EXPECT_STREQ(log_format::newsIn(slow->text).words, log_format::DiskSlow) << "to be told in any language";
     m_disk->hold(false);
     ASSERT_TRUE(m_writer->flush().ok());
     EXPECT_EQ(stored("/kurt3d/points"), 40U);
@@ -98,7 +98,7 @@ TEST_F(SlowDisk, DropsPicturesFirstCountsThemAndNeverBlocks) {
     const auto over = alarm(BagAlarm::Kind::DiskSlow, false);
     ASSERT_TRUE(over.has_value());
     EXPECT_THAT(over->text, HasSubstr("keeps up again"));
-    EXPECT_STREQ(log_says::newsIn(over->text).words, log_says::DiskKeepsUp);
+    EXPECT_STREQ(log_format::newsIn(over->text).words, log_format::DiskKeepsUp);
 }
 
 TEST_F(SlowDisk, WhatAPersonDidWaitsForNoInterval) {

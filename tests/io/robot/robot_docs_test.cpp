@@ -40,9 +40,9 @@ std::vector<std::vector<std::string>> rowsOf(const std::string& title) {
 }
 
 TEST(RobotDocs, TellEveryKeyAndNoOther) {
-    std::vector<std::string> told;
-    for (const auto& cells : rowsOf("Keys")) told.push_back(cells[0].substr(1, cells[0].size() - 2));
-    EXPECT_THAT(told, testing::UnorderedElementsAreArray(detail::allRobotKeys()));
+    std::vector<std::string> reported;
+    for (const auto& cells : rowsOf("Keys")) reported.push_back(cells[0].substr(1, cells[0].size() - 2));
+    EXPECT_THAT(reported, testing::UnorderedElementsAreArray(detail::allRobotKeys()));
 }
 
 std::string qosWords(const Qos& qos) {

@@ -271,7 +271,7 @@ TEST(RobotFile, TakesNoHarmFromDamagedFiles) {
     const auto below = [&random](std::size_t end) {
         return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
     };
-    int told = 0;
+    int reported = 0;
     for (const auto& entry : std::filesystem::directory_iterator(ShippedRobots)) {
         const std::string whole = readText(entry.path());
         for (int i = 0; i < 400; ++i) {
@@ -287,11 +287,11 @@ TEST(RobotFile, TakesNoHarmFromDamagedFiles) {
             }
             const auto robot = parseRobot(text, "r.yaml");
             if (robot.ok()) continue;
-            ++told;
+            ++reported;
             ASSERT_TRUE(robot.error().text.starts_with("r.yaml:")) << robot.error().text;
         }
     }
-    EXPECT_GT(told, 600);
+    EXPECT_GT(reported, 600);
 }
 
 }  // namespace

@@ -87,8 +87,8 @@ TEST(LayoutFile, TellsHowTheMapIsLookedAt) {
     EXPECT_EQ(half.look, std::nullopt) << "what is left out is the operator's own";
     EXPECT_EQ(half.follow, MapFollow::Behind);
     EXPECT_EQ(mapOf("map: {look: voxels}\n").look, MapLook::Voxels);
-    EXPECT_FALSE(mapOf("").saysSomething());
-    EXPECT_FALSE(mapOf("map: {}\n").saysSomething());
+    EXPECT_FALSE(mapOf("").isMeaningful());
+    EXPECT_FALSE(mapOf("map: {}\n").isMeaningful());
 }
 
 TEST(LayoutFile, HowTheMapIsLookedAtComesBackAsItWasWritten) {

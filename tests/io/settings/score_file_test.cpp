@@ -96,10 +96,10 @@ TEST(ScoreFile, ShippedProfilesAreReadAndTellWhatIsUnconfirmed) {
 MissionState fourVictims() {
     using Sign = VictimSign::State;
     MissionState state;
-    std::vector<VictimSample> victims(4);
+    std::vector<FindSample> victims(4);
     for (std::uint32_t i = 0; i < 4; ++i) {
         victims[i].number = i + 1;
-        victims[i].status = VictimSample::Status::Confirmed;
+        victims[i].status = FindSample::Status::Confirmed;
         victims[i].positionInMap = {1.0 + i, 2.0, 0.3};
         victims[i].area = i == 1 ? "orange" : "yellow";
         victims[i].situation = "void";
@@ -110,9 +110,9 @@ MissionState fourVictims() {
     victims[2].co2.state = Sign::Absent;
     victims[0].tag = victims[2].tag = "R-17";
     victims[2].autonomous = true;
-    victims[3].status = VictimSample::Status::Hypothesis;
-    for (const VictimSample& victim : victims)
-        state.victims.edit()[{victim.kind, victim.number}] = {victim.number, victim.number, victim};
+    victims[3].status = FindSample::Status::Hypothesis;
+    for (const FindSample& victim : victims)
+        state.finds.edit()[{victim.kind, victim.number}] = {victim.number, victim.number, victim};
     return state;
 }
 

@@ -28,7 +28,7 @@ public:
         bool changed = false;
         for (int i = 0; i < std::max(1, static_cast<int>(std::lround(seconds * 20))); ++i) {
             m_now += std::chrono::milliseconds(50);
-            if (link) m_machine.heardStation(m_now);
+            if (link) m_machine.receivedStation(m_now);
             if (sticks && link) m_machine.command(*sticks, m_now);
             decision = m_machine.step(inputs, m_now);
             changed = changed || decision.changed;

@@ -84,8 +84,8 @@ TEST(SafeTeleoperation, FullAheadAtAWallStopsBeforeIt) {
             ground.place(1.8, 1.8, yaw);
             while (ground.seconds() < 3.0) ground.step({});
             while (ground.seconds() < 25.0) {
-                const DriveVelocity wish{0.6, 0.0, turn};
-                ground.step(safeVelocity(wish, ground.view(), settings()).velocity);
+                const DriveVelocity requested{0.6, 0.0, turn};
+                ground.step(safeVelocity(requested, ground.view(), settings()).velocity);
             }
             EXPECT_EQ(ground.touches(), 0) << yaw << " " << turn;
             if (turn == 0.0) {

@@ -133,13 +133,14 @@ TEST(DriveKinematics, ThereAndBack) {
 
 TEST(DriveKinematics, LimitsKeepTheCurve) {
     const DriveGeometry geometry{0.4, 0.6};
-    for (const DriveVelocity& wish : {DriveVelocity{1.0, 0.0, 2.0}, DriveVelocity{-0.6, 0.0, 1.0},
-                                      DriveVelocity{0.0, 0.0, 9.0}, DriveVelocity{0.6, 0.0, -0.2}}) {
-        const SideSpeeds sides = sidesFor(wish, geometry);
+    for (const DriveVelocity& requested : {DriveVelocity{1.0, 0.0, 2.0}, DriveVelocity{-0.6, 0.0, 1.0},
+                                           DriveVelocity{0.0, 0.0, 9.0}, DriveVelocity{0.6, 0.0, -0.2}}) {
+        const SideSpeeds sides = sidesFor(requested, geometry);
         EXPECT_NEAR(std::max(std::abs(sides.left), std::abs(sides.right)), 0.6, 1e-12);
         const DriveVelocity driven = velocityOf(sides, geometry);
-        EXPECT_NEAR(driven.forward * wish.turn, driven.turn * wish.forward, 1e-9) << "same curvature";
-        EXPECT_GE(driven.forward * wish.forward, 0.0);
+        EXPECT_NEAR(driven.forward * requested.turn, driven.turn * requested.forward, 1e-9)
+            << "same curvature";
+        EXPECT_GE(driven.forward * requested.forward, 0.0);
     }
     const SideSpeeds none = sidesFor({std::nan(""), 0.0, 0.0}, geometry);
     EXPECT_EQ(none.left, 0.0);

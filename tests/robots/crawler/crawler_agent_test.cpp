@@ -76,9 +76,9 @@ JointSample tracks(double left, double right) {
 
 TEST_F(Crawler, EachChainKeepsItsSpeed) {
     station.hold();
-    station.say(StreamRole::TrackCommand, tracks(0.0, 0.0));
+    station.publish(StreamRole::TrackCommand, tracks(0.0, 0.0));
     for (int i = 0; i < 20; ++i) {
-        station.say(StreamRole::TrackCommand, tracks(0.2, 0.1));
+        station.publish(StreamRole::TrackCommand, tracks(0.2, 0.1));
         station.pass(0.05);
     }
     EXPECT_NEAR(robot.tracks().left, 0.2, 0.02);

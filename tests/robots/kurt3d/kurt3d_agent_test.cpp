@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/robot/robot_file.h"
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "tests/support/fake_robot.h"
 #include "tests/support/places.h"
@@ -98,9 +98,9 @@ TEST_F(Kurt3d, AStickThatWasHeldThroughAHangOfItsStationMovesNothingAndIsTold) {
     station->pass(1.0);
     station->keepDriving(0.3, 1.0);
     EXPECT_EQ(robot.left, 0.0);
-    EXPECT_EQ(station->all<ModeSample>().back().reason, robot_says::NeutralFirst);
+    EXPECT_EQ(station->all<ModeSample>().back().reason, robot_format::NeutralFirst);
     station->keepDriving(0.0, 0.1);
-    EXPECT_NE(station->all<ModeSample>().back().reason, robot_says::NeutralFirst);
+    EXPECT_NE(station->all<ModeSample>().back().reason, robot_format::NeutralFirst);
     station->keepDriving(0.3, 0.5);
     EXPECT_GT(robot.left, 0.2);
 }
@@ -179,7 +179,7 @@ TEST_F(Kurt3d, ALostLinkStopsTeleoperationAndNothingBeginsByItself) {
 }
 
 TEST_F(Kurt3d, PingsComeBackWithItsClock) {
-    station->say(StreamRole::Ping, PingSample{42, "station 1", Time(std::chrono::seconds(5))});
+    station->publish(StreamRole::Ping, PingSample{42, "station 1", Time(std::chrono::seconds(5))});
     station->pass(0.01);
     const auto pongs = station->all<PongSample>();
     ASSERT_EQ(pongs.size(), 1u);
@@ -193,12 +193,12 @@ TEST_F(Kurt3d, CamerasTurnAndStreamsAreSet) {
     PanTiltCommand look;
     look.names = {"left_pan", "left_tilt"};
     look.positions = {0.5, -0.2};
-    station->say(StreamRole::PanTiltCommand, look);
+    station->publish(StreamRole::PanTiltCommand, look);
     EXPECT_EQ(robot.cameras["left"], std::make_pair(0.5, -0.2));
     StreamCommandSample slow;
     slow.topic = "/kurt3d/left/image/compressed";
     slow.rate = 2.0;
-    station->say(StreamRole::StreamCommand, slow);
+    station->publish(StreamRole::StreamCommand, slow);
     EXPECT_EQ((robot.streams[{StreamRole::Picture, "left"}].rate), 2.0);
 }
 
@@ -217,7 +217,7 @@ TEST_F(Kurt3d, LooksAsideForHeatWhileItExploresUnlessTheOperatorLooks) {
     PanTiltCommand look;
     look.names = {"right_pan", "right_tilt"};
     look.positions = {0.5, 0.2};
-    station->say(StreamRole::PanTiltCommand, look);
+    station->publish(StreamRole::PanTiltCommand, look);
     for (int i = 0; i < 90; ++i) {
         station->hold();
         station->pass(0.1);

@@ -18,10 +18,10 @@ class WireCommands : public testing::Test {
 protected:
     /// All that came until @p enough did.
     template <class Enough>
-    std::vector<HeardCommand> takeUntil(Enough enough) {
-        std::vector<HeardCommand> all;
+    std::vector<ReceivedCommand> takeUntil(Enough enough) {
+        std::vector<ReceivedCommand> all;
         EXPECT_TRUE(waitUntil([&] {
-            for (HeardCommand& one : m_wire->take()) all.push_back(std::move(one));
+            for (ReceivedCommand& one : m_wire->take()) all.push_back(std::move(one));
             return enough(all);
         }));
         return all;
@@ -41,19 +41,20 @@ TEST_F(WireCommands, AllComeAsTheyWereSaidAndFromWhom) {
         for (const StreamDescription& stream : robot.streams) {
             if (!isCommand(stream.role)) continue;
             const Sample sample = sampleFor(stream);
-            std::optional<HeardCommand> heard;
+            std::optional<ReceivedCommand> received;
             EXPECT_TRUE(waitUntil([&] {
-                station.say(stream, sample);
-                for (HeardCommand& one : wire->take()) {
-                    if (one.role == stream.role) heard = std::move(one);  // repetitions of others come late
+                station.publish(stream, sample);
+                for (ReceivedCommand& one : wire->take()) {
+                    if (one.role == stream.role)
+                        received = std::move(one);  // repetitions of others come late
                 }
-                return heard.has_value();
+                return received.has_value();
             })) << stream.topic;
-            ASSERT_TRUE(heard) << stream.topic;
-            EXPECT_EQ(heard->role, stream.role);
-            EXPECT_FALSE(heard->grant);
-            EXPECT_EQ(*must(encode(heard->sample, stream.type)), *must(encode(sample, stream.type)));
-            EXPECT_EQ(heard->from, senderOf(station.on(stream.topic).guid()));
+            ASSERT_TRUE(received) << stream.topic;
+            EXPECT_EQ(received->role, stream.role);
+            EXPECT_FALSE(received->grant);
+            EXPECT_EQ(*must(encode(received->sample, stream.type)), *must(encode(sample, stream.type)));
+            EXPECT_EQ(received->from, senderOf(station.on(stream.topic).guid()));
         }
     }
 }
@@ -67,13 +68,13 @@ TEST_F(WireCommands, GrantsComeWithTheCommandsInOrderAndFromTheSameSender) {
     StreamDescription grants;
     grants.topic = station_topic::Grants;
     grants.type = "leitstand_msgs/msg/Grant";
-    const auto all = takeUntil([&](const auto& heard) {
-        station.say(grants, grant);
-        station.say(*m_robot.stream(StreamRole::DriveCommand), TwistSample{});
-        return std::any_of(heard.begin(), heard.end(), [](const auto& one) { return one.grant; }) &&
-               std::any_of(heard.begin(), heard.end(), [](const auto& one) { return !one.grant; });
+    const auto all = takeUntil([&](const auto& received) {
+        station.publish(grants, grant);
+        station.publish(*m_robot.stream(StreamRole::DriveCommand), TwistSample{});
+        return std::any_of(received.begin(), received.end(), [](const auto& one) { return one.grant; }) &&
+               std::any_of(received.begin(), received.end(), [](const auto& one) { return !one.grant; });
     });
-    for (const HeardCommand& one : all) {
+    for (const ReceivedCommand& one : all) {
         EXPECT_EQ(one.from, all.front().from) << "one process";
         if (!one.grant) continue;
         EXPECT_EQ(std::get<GrantSample>(one.sample).station, "a");
@@ -113,12 +114,13 @@ TEST_F(WireCommands, HostileBytesAreCountedAndStopDrivingAndNothingElse) {
                 topic == drive ? 200ms : 20s);
             // Noise may be a Twist: any six numbers are one.
             EXPECT_TRUE(counted || topic == drive) << topic << ", " << bytes.size() << " bytes";
-            for (const HeardCommand& heard : m_wire->take()) {
-                EXPECT_FALSE(heard.grant);
-                ASSERT_TRUE(heard.role == StreamRole::DriveCommand || heard.role == StreamRole::TrackCommand)
+            for (const ReceivedCommand& received : m_wire->take()) {
+                EXPECT_FALSE(received.grant);
+                ASSERT_TRUE(received.role == StreamRole::DriveCommand ||
+                            received.role == StreamRole::TrackCommand)
                     << topic;
-                if (heard.role != StreamRole::TrackCommand) continue;
-                const auto* twist = std::get_if<TwistSample>(&heard.sample);
+                if (received.role != StreamRole::TrackCommand) continue;
+                const auto* twist = std::get_if<TwistSample>(&received.sample);
                 ASSERT_NE(twist, nullptr);
                 EXPECT_FALSE(twist->linear.allFinite()) << "no number: it stops";
             }
@@ -127,9 +129,9 @@ TEST_F(WireCommands, HostileBytesAreCountedAndStopDrivingAndNothingElse) {
     EXPECT_GT(m_wire->counts().broken, 50u);
     // It hears on.
     const StreamDescription& ping = *m_robot.stream(StreamRole::Ping);
-    takeUntil([&](const auto& heard) {
-        station.say(ping, PingSample{20, "a", Time{}});
-        return std::any_of(heard.begin(), heard.end(), [](const auto& one) {
+    takeUntil([&](const auto& received) {
+        station.publish(ping, PingSample{20, "a", Time{}});
+        return std::any_of(received.begin(), received.end(), [](const auto& one) {
             const auto* found = std::get_if<PingSample>(&one.sample);
             return found != nullptr && found->number == 20;
         });
@@ -144,18 +146,18 @@ TEST_F(WireCommands, AFloodIsDroppedButNeverAStop) {
     std::uint64_t number = 0;
     ASSERT_TRUE(waitUntil(
         [&] {
-            for (int i = 0; i < 20; ++i) station.say(ping, PingSample{++number, "flood", Time{}});
+            for (int i = 0; i < 20; ++i) station.publish(ping, PingSample{++number, "flood", Time{}});
             return m_wire->counts().dropped > 0;
         },
         60s));
-    const std::uint64_t before = m_wire->counts().heard;
+    const std::uint64_t before = m_wire->counts().accepted;
     ASSERT_TRUE(waitUntil([&] {
-        station.say(stop, StopCommandSample{{}, "a", 77, true, 0});
-        return m_wire->counts().heard > before + 20;
+        station.publish(stop, StopCommandSample{{}, "a", 77, true, 0});
+        return m_wire->counts().accepted > before + 20;
     }));
     const auto all = m_wire->take();
     EXPECT_GE(all.size(), 1'000u);
-    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const HeardCommand& one) {
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const ReceivedCommand& one) {
         const auto* found = std::get_if<StopCommandSample>(&one.sample);
         return found != nullptr && found->number == 77;
     }));
@@ -165,23 +167,23 @@ TEST_F(WireCommands, ThroughTheAgentTheyReachTheHardwareAndAreAnswered) {
     FakeRobot hardware;
     RobotAgent agent(hardware, m_robot, {});
     WireStation station(*m_here, m_robot);
-    RobotListener said(*m_here, m_robot);
+    RobotListener published(*m_here, m_robot);
     ASSERT_TRUE(station.matched());
     const auto turn = [&] {
-        for (const HeardCommand& heard : m_wire->take()) {
-            if (heard.grant) {
-                agent.hear(std::get<GrantSample>(heard.sample), heard.from);
+        for (const ReceivedCommand& received : m_wire->take()) {
+            if (received.grant) {
+                agent.receive(std::get<GrantSample>(received.sample), received.from);
             } else {
-                agent.hear(heard.role, heard.sample, heard.from);
+                agent.receive(received.role, received.sample, received.from);
             }
         }
         hardware.time += 10ms;
-        for (const HardwareSample& sample : agent.step()) m_wire->say(sample);
+        for (const HardwareSample& sample : agent.step()) m_wire->publish(sample);
     };
     const StreamDescription& settings = *m_robot.stream(StreamRole::StreamCommand);
     const std::string omni = "/crawler/omni/image/compressed";
     EXPECT_TRUE(waitUntil([&] {
-        station.say(settings, StreamCommandSample{{}, "a", omni, true, 2.5, 30, 160});
+        station.publish(settings, StreamCommandSample{{}, "a", omni, true, 2.5, 30, 160});
         turn();
         return hardware.streams.contains({StreamRole::Picture, "omni"});
     }));
@@ -191,15 +193,15 @@ TEST_F(WireCommands, ThroughTheAgentTheyReachTheHardwareAndAreAnswered) {
     EXPECT_EQ(set.quality, 30);
     EXPECT_EQ(set.maxWidth, 160);
     EXPECT_TRUE(waitUntil([&] {
-        station.say(*m_robot.stream(StreamRole::Ping), PingSample{9, "a", Time(5s)});
+        station.publish(*m_robot.stream(StreamRole::Ping), PingSample{9, "a", Time(5s)});
         turn();
-        return said.count("/crawler/pong") > 0;
+        return published.count("/crawler/pong") > 0;
     }));
-    EXPECT_EQ(said.all<PongSample>("/crawler/pong").front().sent, Time(5s));
+    EXPECT_EQ(published.all<PongSample>("/crawler/pong").front().sent, Time(5s));
     EXPECT_TRUE(waitUntil([&] {
-        station.say(*m_robot.stream(StreamRole::StopCommand), StopCommandSample{{}, "a", 12, true, 0});
+        station.publish(*m_robot.stream(StreamRole::StopCommand), StopCommandSample{{}, "a", 12, true, 0});
         turn();
-        const auto states = said.all<StopStateSample>("/crawler/stop_state");
+        const auto states = published.all<StopStateSample>("/crawler/stop_state");
         return !states.empty() && states.back().number == 12 && states.back().stopped;
     }));
 }

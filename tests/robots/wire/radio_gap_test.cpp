@@ -33,13 +33,13 @@ protected:
             std::make_unique<RobotListener>(*m_here, std::vector{*m_robot.stream(StreamRole::Points)});
         ASSERT_TRUE(waitUntil(
             [&] {
-                say(2, 10);
+                publish(2, 10);
                 return m_station->count(Topic) > 2;
             },
             60s));
         EXPECT_TRUE(waitUntil([&] { return m_station->count(Topic) > 0 && newest() == m_number; }, 60s));
     }
-    void say(int rows, int columns) {
+    void publish(int rows, int columns) {
         CloudSample slice;
         slice.header = {Time(std::chrono::milliseconds(100 * ++m_number)), "laser"};
         slice.rows = rows;
@@ -48,7 +48,7 @@ protected:
         slice.intensities.assign(slice.points.size(), 9.0F);
         slice.times.assign(slice.points.size(), 5);
         slice.rings.assign(slice.points.size(), 1);
-        m_wire->say({StreamRole::Points, "scanner", slice});
+        m_wire->publish({StreamRole::Points, "scanner", slice});
     }
     [[nodiscard]] static std::int64_t numberOf(const CloudSample& slice) {
         return slice.header.stamp.time_since_epoch() / 100ms;
@@ -58,10 +58,10 @@ protected:
     double refill(int slices, int rows, int columns, std::chrono::seconds atMost) {
         m_radio->setOutage(true);
         const std::int64_t first = m_number + 1;
-        for (int i = 0; i < slices; ++i) say(rows, columns);
+        for (int i = 0; i < slices; ++i) publish(rows, columns);
         m_radio->setOutage(false);
         const auto back = Clock::now();
-        EXPECT_EQ(m_wire->counts().unsaid, 0U);
+        EXPECT_EQ(m_wire->counts().unpublished, 0U);
         EXPECT_TRUE(waitUntil([&] { return newest() == m_number; }, atMost))
             << newest() << " of " << m_number;
         std::int64_t expected = std::max(first, m_number - 599);

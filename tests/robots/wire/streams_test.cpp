@@ -24,22 +24,22 @@ protected:
 
 TEST_P(WireStreams, AllComeAsTheFileSaysAndAsTheyWereSaid) {
     RobotListener station(*m_here, m_robot);
-    std::size_t said = 0;
+    std::size_t published = 0;
     for (const StreamDescription& stream : m_robot.streams) {
         if (isCommand(stream.role)) continue;
         const Sample sample = sampleFor(stream);
         // The first may be lost before both sides know each other.
-        const std::uint64_t before = m_wire->counts().said;
+        const std::uint64_t before = m_wire->counts().published;
         EXPECT_TRUE(waitUntil([&] {
-            m_wire->say({stream.role, stream.sensor, sample});
+            m_wire->publish({stream.role, stream.sensor, sample});
             return station.count(stream.topic) > 0;
         })) << stream.topic;
-        said += m_wire->counts().said - before;
+        published += m_wire->counts().published - before;
         EXPECT_EQ(bytesOf(station.on(stream.topic).front().sample, stream.type), bytesOf(sample, stream.type))
             << stream.topic;
     }
-    EXPECT_EQ(m_wire->counts().said, said) << "each on its own stream only";
-    EXPECT_EQ(m_wire->counts().unsaid, 0u);
+    EXPECT_EQ(m_wire->counts().published, published) << "each on its own stream only";
+    EXPECT_EQ(m_wire->counts().unpublished, 0u);
     EXPECT_THAT(station.errors(), testing::IsEmpty());
 }
 
@@ -67,10 +67,10 @@ TEST_P(WireStreams, TopicsTypesAndQosAreThoseOfTheFile) {
 }
 
 TEST_P(WireStreams, WhatTheRobotHasNoStreamForIsNotSaid) {
-    m_wire->say({StreamRole::Picture, "none", sampleFor(*m_robot.stream(StreamRole::Picture))});
-    EXPECT_EQ(m_wire->counts().said + m_wire->counts().unsaid, 0u);
-    m_wire->say({StreamRole::Odometry, {}, GasSample{}});
-    EXPECT_EQ(m_wire->counts().unsaid, 1u) << "no odometry message can say that";
+    m_wire->publish({StreamRole::Picture, "none", sampleFor(*m_robot.stream(StreamRole::Picture))});
+    EXPECT_EQ(m_wire->counts().published + m_wire->counts().unpublished, 0u);
+    m_wire->publish({StreamRole::Odometry, {}, GasSample{}});
+    EXPECT_EQ(m_wire->counts().unpublished, 1u) << "no odometry message can say that";
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, WireStreams, testing::Values("kurt3d", "crawler"),
@@ -89,16 +89,16 @@ RobotDescription withRawPictures() {
     return robot;
 }
 
-/// Says @p sample at 4 Hz until @p heard: what is said faster than it can leave is pushed out by the next.
+/// Says @p sample at 4 Hz until @p received: what is said faster than it can leave is pushed out by the next.
 template <class Condition>
-bool sayUntil(RobotWire& wire, const HardwareSample& sample, Condition heard) {
+bool sayUntil(RobotWire& wire, const HardwareSample& sample, Condition received) {
     auto next = std::chrono::steady_clock::now();
     return waitUntil([&] {
         if (std::chrono::steady_clock::now() >= next) {
-            wire.say(sample);
+            wire.publish(sample);
             next += std::chrono::milliseconds(250);
         }
-        return heard();
+        return received();
     });
 }
 
@@ -131,7 +131,7 @@ TEST(WirePictures, InfraredGoesOutRawWhereTheFileSaysSoWhileSomebodyListens) {
     EXPECT_EQ(picture.header.frame, "infrared");
     ASSERT_EQ(picture.content.bytes.size(), pixels.size() * 2);
     EXPECT_EQ(std::memcmp(picture.content.bytes.data(), pixels.data(), pixels.size() * 2), 0);
-    EXPECT_EQ(wire->counts().unsaid, 0u);
+    EXPECT_EQ(wire->counts().unpublished, 0u);
 }
 
 TEST(WirePictures, ColourGoesOutRawTooAndBrokenFilesAreNotSaid) {
@@ -152,10 +152,10 @@ TEST(WirePictures, ColourGoesOutRawTooAndBrokenFilesAreNotSaid) {
     EXPECT_EQ(picture.encoding, "rgb8");
     EXPECT_EQ(picture.content.bytes.size(), red.size());
     EXPECT_NEAR(std::to_integer<int>(picture.content.bytes[0]), 40, 3);
-    EXPECT_EQ(wire->counts().unsaid, 0u);
+    EXPECT_EQ(wire->counts().unpublished, 0u);
     left.content.bytes = left.content.bytes.first(100);
-    wire->say({StreamRole::Picture, "left", left});
-    EXPECT_GE(wire->counts().unsaid, 1u);
+    wire->publish({StreamRole::Picture, "left", left});
+    EXPECT_GE(wire->counts().unpublished, 1u);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ public:
         add(node, std::string(station_topic::Grants), "leitstand_msgs/msg/Grant", grantQos());
     }
     [[nodiscard]] Publisher& on(const std::string& topic) { return *m_publishers.at(topic); }
-    void say(const StreamDescription& stream, const Sample& sample) {
+    void publish(const StreamDescription& stream, const Sample& sample) {
         if (!on(stream.topic).write(must(encode(sample, stream.type))))
             throw std::runtime_error(stream.topic);
     }

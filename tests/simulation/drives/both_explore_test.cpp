@@ -24,7 +24,7 @@ struct Together {
 void letExplore(OperatedRobot& robot) {
     Sender station;
     station.bytes[0] = 1;
-    robot.agent().hear(StreamRole::ModeCommand, ModeCommandSample{{}, "station 1", "explore"}, station);
+    robot.agent().receive(StreamRole::ModeCommand, ModeCommandSample{{}, "station 1", "explore"}, station);
 }
 
 /// Kurt3D and the Crawler explore the same yellow arena, side by side at first.

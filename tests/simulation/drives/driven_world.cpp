@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/robot/robot_file.h"
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "robots/crawler/crawler_agent.h"
 #include "robots/kurt3d/kurt3d_agent.h"
@@ -57,7 +57,7 @@ DrivenWorld::DrivenWorld(Arena arena, ArenaMesh mesh, const DriveSetup& setup)
         StreamCommandSample off;
         off.topic = stream.topic;
         off.enabled = false;
-        station->say(StreamRole::StreamCommand, off);
+        station->publish(StreamRole::StreamCommand, off);
     }
 }
 
@@ -73,12 +73,12 @@ void DrivenWorld::step() {
         } else if (const auto* found = std::get_if<SightingSample>(&sample.sample)) {
             sightings = found->sightings;
         } else if (const auto* mode = std::get_if<ModeSample>(&sample.sample)) {
-            for (const robot_says::Part& part : robot_says::partsOf(mode->reason))
+            for (const robot_format::Part& part : robot_format::partsOf(mode->reason))
                 EXPECT_NE(part.words, nullptr) << "stations cannot translate it: " << part.value;
             modes.push_back(*mode);
         } else if (std::holds_alternative<StopStateSample>(sample.sample) ||
                    std::holds_alternative<BumpSample>(sample.sample)) {
-            station->heard(std::move(sample));
+            station->received(std::move(sample));
         }
     }
 }

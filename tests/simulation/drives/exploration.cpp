@@ -49,13 +49,14 @@ Exploration explore(DrivenWorld& driven, SeenFloor& floor, double seconds,
     }
     driven.pass(0.2);
     driven.ask("explore");
-    std::size_t told = driven.sightings.size();
+    std::size_t reported = driven.sightings.size();
     double waits = 0.0;
     const double begin = driven.world->seconds();
     while (driven.world->seconds() - begin < seconds) {
         driven.pass(0.1);
         floor.look(driven.robot);
-        for (; told < driven.sightings.size(); ++told) take(result, driven, driven.sightings[told]);
+        for (; reported < driven.sightings.size(); ++reported)
+            take(result, driven, driven.sightings[reported]);
         if (watch) watch();
         const std::string reason = driven.reason();
         const bool held = driven.mode() == DriveMode::VictimApproach && reason.starts_with("stands");

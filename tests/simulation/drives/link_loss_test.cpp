@@ -112,7 +112,7 @@ TEST_P(OfBothRobots, ExploringReturnsToWhereTheRadioReachedIt) {
     DrivenWorld driven(corner(), blindToHeat(GetParam()));
     driven.pass(0.5);
     driven.ask("explore");
-    driven.station->say(StreamRole::GoalPose, goalAt(driven, "odom", {5.2, 0.7}));
+    driven.station->publish(StreamRole::GoalPose, goalAt(driven, "odom", {5.2, 0.7}));
     // The radio reaches only the first room; the robot goes on until the silence counts as a lost link.
     while (driven.world->seconds() < 120.0 && driven.place().x() < 2.4) driven.pass(0.1);
     ASSERT_GE(driven.place().x(), 2.4) << driven.reason();
@@ -160,7 +160,7 @@ TEST_P(OfBothRobots, AGoalIsReachedAroundACorner) {
         driven.pass(0.5);
         driven.ask("explore");
         const Eigen::Vector2d goal(4.8, 0.8);
-        driven.station->say(StreamRole::GoalPose, goalAt(driven, frame, goal));
+        driven.station->publish(StreamRole::GoalPose, goalAt(driven, frame, goal));
         while (driven.world->seconds() < 120.0 && driven.reason() != "at the goal") driven.pass(0.1);
         EXPECT_EQ(driven.reason(), "at the goal");
         EXPECT_LT((driven.place() - goal).norm(), 0.45) << frame;
@@ -178,7 +178,7 @@ TEST(Goal, BehindWallsIsGivenUp) {
     DrivenWorld driven(arena, blindToHeat());
     driven.pass(0.5);
     driven.ask("explore");
-    driven.station->say(StreamRole::GoalPose, goalAt(driven, "odom", {5.0, 1.5}));
+    driven.station->publish(StreamRole::GoalPose, goalAt(driven, "odom", {5.0, 1.5}));
     while (driven.world->seconds() < 120.0 && driven.reason().find("no way") == std::string::npos)
         driven.pass(0.1);
     EXPECT_NE(driven.reason().find("no way to the goal"), std::string::npos) << driven.reason();

@@ -159,7 +159,7 @@ std::vector<Eigen::Vector3d> storeysRoute(const BuildingWays& ways) {
     return route;
 }
 
-void tell(const char* how, const BuildingResult& result) {
+void print(const char* how, const BuildingResult& result) {
     std::printf("    %-6s %7.3f %7.3f %7.3f %7.3f %7.2f\n", how, result.ate, result.seam, result.surfaces,
                 result.height, inDegrees(result.angle));
 }

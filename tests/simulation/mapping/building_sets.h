@@ -47,7 +47,7 @@ struct BuildingRow {
 };
 
 /// Prints @p result as a line of a table.
-void tell(const char* how, const BuildingResult& result);
+void print(const char* how, const BuildingResult& result);
 
 /// What @p mapped, made of @p drive in @p building, comes to.
 [[nodiscard]] BuildingRow rowOf(const Building& building, const RecordedDrive& drive,

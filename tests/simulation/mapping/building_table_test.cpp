@@ -128,8 +128,8 @@ TEST_P(BuildingTableLong, Row) {
                 inDegrees(row.correction.pitch));
     std::printf("    a scan about 100 key scans %.1f ms, about 1,000 %.1f ms; loops and solves %.3f cores\n",
                 1e3 * row.early, 1e3 * row.late, row.beside);
-    tell("entry", row.entry);
-    tell("final", row.final);
+    print("entry", row.entry);
+    print("final", row.final);
     std::printf("    %-6s %7.3f %7.3f %7.3f, uncertain %.2f of all\n", "wanted", set.wanted.ate,
                 set.wanted.seam, set.wanted.surfaces, set.wanted.uncertain);
     EXPECT_GT(row.odometry, 0.5) << "the drift that mapping takes out";

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 
 namespace leitstand::simulation::test {
 namespace {
@@ -140,7 +140,7 @@ bool BuildingTour::approaches(double now) {
     }
     if (!m_approaches) m_approaches = now;
     if (now - *m_approaches > Approach) return false;
-    if (mode.reason == robot_says::HeatInSight) return true;
+    if (mode.reason == robot_format::HeatInSight) return true;
     if (m_goal && now - m_sent > 1.0) send(now);  // it waits at the body, or gave it up
     return true;
 }

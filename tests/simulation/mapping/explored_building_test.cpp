@@ -41,9 +41,9 @@ public:
         const double begin = m_world.seconds();
         int minutes = 0;
         while (m_world.seconds() - begin < longest && !(m_kurts.isOver() && m_crawlers.isOver())) {
-            m_touredKurt.hear(passes(0.1));
+            m_touredKurt.receive(passes(0.1));
             m_kurts.look();
-            m_touredCrawler.hear(m_crawler.said());
+            m_touredCrawler.receive(m_crawler.reported());
             m_crawlers.look();
             m_crawler.forget();
             if (m_world.seconds() - begin < 60.0 * (minutes + 1)) continue;
@@ -66,7 +66,7 @@ private:
     }
     /// Returns what Kurt3D said meanwhile.
     std::vector<HardwareSample> passes(double seconds) {
-        std::vector<HardwareSample> said;
+        std::vector<HardwareSample> reported;
         for (int i = 0; i < static_cast<int>(seconds * 100.0 + 0.5); ++i) {
             pass(m_world, {&m_kurt, &m_crawler}, 0.01);
             const Pose& base = m_kurt.state().baseInArena;
@@ -74,13 +74,13 @@ private:
             result.drive.way += (base.translation() - m_was).norm();
             result.highest = std::max(result.highest, base.translation().z());
             m_was = base.translation();
-            for (const HardwareSample& sample : m_kurt.said()) {
-                said.push_back(sample);
-                if (isForMapping(sample)) result.drive.heard.push_back({m_world.now(), sample});
+            for (const HardwareSample& sample : m_kurt.reported()) {
+                reported.push_back(sample);
+                if (isForMapping(sample)) result.drive.received.push_back({m_world.now(), sample});
             }
             m_kurt.forget();
         }
-        return said;
+        return reported;
     }
 
     World m_world;
@@ -110,8 +110,8 @@ TEST(ExploredBuildingLong, TwoStoreysInHalfAnHour) {
         "[degrees]\n",
         static_cast<unsigned long long>(seed), made.seconds, row.way, made.reached, made.places,
         made.pulledBack, row.scans, row.keyScans, row.odometry, row.uncertain, row.solves);
-    tell("entry", row.entry);
-    tell("final", row.final);
+    print("entry", row.entry);
+    print("final", row.final);
     std::printf("    wanted   0.050   0.040; finds 0.050\n");
     for (const double error : row.finds) std::printf("    a find is %.3f m off\n", error);
     EXPECT_GT(made.highest, 0.9 * building.ways.storeyHeight) << "up the ramp";

@@ -21,7 +21,7 @@ int uncertain(const MappedDrive& drive) {
                       [](const Localisation& one) { return one.trust != ScanTrust::Certain; }));
 }
 
-void tell(const char* how, const TrajectoryError& error, double surfaces) {
+void print(const char* how, const TrajectoryError& error, double surfaces) {
     std::printf("  %-41s %5.1f cm (z %4.1f) %5.2f deg (tilt %4.2f) %6.1f cm\n", how, 100.0 * error.distance,
                 100.0 * error.height, inDegrees(error.angle), inDegrees(error.tilt), 100.0 * surfaces);
 }
@@ -66,9 +66,9 @@ TEST(LiveDrive, AShortDriveIsMappedToTheTruth) {
     EXPECT_EQ(uncertain(result), 0);
     EXPECT_LT(result.map->scans.size(), result.scans.size());
     const Trajectory uos = fromUos(result);
-    tell("live mapping", error, surfaceError(result, surfaces, false));
-    tell(FromUos, errorOf(uos), surfaceError(result, surfaces, uos));
-    tell("odometry alone", errorOf(result.odometry), surfaceError(result, surfaces, true));
+    print("live mapping", error, surfaceError(result, surfaces, false));
+    print(FromUos, errorOf(uos), surfaceError(result, surfaces, uos));
+    print("odometry alone", errorOf(result.odometry), surfaceError(result, surfaces, true));
     EXPECT_LE(error.distance, errorOf(uos).distance + 0.02);
 }
 
@@ -95,18 +95,18 @@ TEST(LiveDriveLong, FiveMinutesInThreeYellowArenas) {
         }
         const TrajectoryError live = errorOf(result.live);
         const double points = surfaceError(result, surfaces, false);
-        tell("live mapping", live, points);
-        tell("nearest scan, no level", errorOf(previous.live), surfaceError(previous, surfaces, false));
+        print("live mapping", live, points);
+        print("nearest scan, no level", errorOf(previous.live), surfaceError(previous, surfaces, false));
         const MappedDrive refining = mapped(drive, scans, refined());
         const TrajectoryError refinedError = errorOf(refining.live);
         const double refinedPoints = surfaceError(refining, surfaces, false);
-        tell("velocity within turns estimated", refinedError, refinedPoints);
+        print("velocity within turns estimated", refinedError, refinedPoints);
         EXPECT_LE(refinedPoints, 0.04) << seed;
         EXPECT_LE(refinedError.distance, 0.08) << seed;
         EXPECT_LE(inDegrees(refinedError.angle), 1.5) << seed;
         const Trajectory uos = fromUos(result);
-        tell(FromUos, errorOf(uos), surfaceError(result, surfaces, uos));
-        tell("odometry alone", errorOf(result.odometry), surfaceError(result, surfaces, true));
+        print(FromUos, errorOf(uos), surfaceError(result, surfaces, uos));
+        print("odometry alone", errorOf(result.odometry), surfaceError(result, surfaces, true));
         EXPECT_LE(live.distance, errorOf(uos).distance + 0.02) << seed;
         EXPECT_LE(live.distance, 0.08) << seed;
         EXPECT_LE(inDegrees(live.angle), 1.5) << seed;

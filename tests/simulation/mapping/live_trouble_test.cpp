@@ -10,9 +10,9 @@ namespace leitstand::simulation::test {
 namespace {
 
 std::size_t slicesIn(const RecordedDrive& drive) {
-    return static_cast<std::size_t>(
-        std::count_if(drive.heard.begin(), drive.heard.end(), [](const RecordedDrive::Heard& heard) {
-            return std::holds_alternative<CloudSample>(heard.sample.sample);
+    return static_cast<std::size_t>(std::count_if(
+        drive.received.begin(), drive.received.end(), [](const RecordedDrive::Received& received) {
+            return std::holds_alternative<CloudSample>(received.sample.sample);
         }));
 }
 
@@ -40,7 +40,7 @@ TEST(LiveTrouble, ARobotThatStopsScansAndGoesIsMapped) {
 TEST(LiveTrouble, ARadioGapCostsNoSliceAndTheMapGoesOn) {
     const RecordedDrive whole = exploredYellow(4, 45.0);
     const RecordedDrive drive = withRadioGap(whole, 15.0, 22.0);
-    EXPECT_LT(drive.heard.size(), whole.heard.size());
+    EXPECT_LT(drive.received.size(), whole.received.size());
     const auto scans = cutScans(drive);
     EXPECT_EQ(slicesIn(scans), slicesIn(whole)) << "one scan each, although some came twice";
     const MappedDrive result = mapped(drive, scans);

@@ -60,13 +60,13 @@ TEST(MapChangesLong, WhatCameAndWentBetweenTwoDrivesIsToldAndNothingElse) {
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
         EXPECT_EQ(changes.visits.name, "tuesday");
-        const ToldChanges told = judged(changes.things, days, arenaIn(*map, days.first));
+        const ToldChanges reported = judged(changes.things, days, arenaIn(*map, days.first));
         std::printf("changes %llu: %d of %d told, %d wrong, %zu and %zu scans, %.1f s\n",
-                    static_cast<unsigned long long>(seed), told.right, told.right + told.missed, told.wrong,
-                    changes.visits.before.size(), changes.visits.after.size(), seconds);
-        right += told.right;
-        missed += told.missed;
-        wrong += told.wrong;
+                    static_cast<unsigned long long>(seed), reported.right, reported.right + reported.missed,
+                    reported.wrong, changes.visits.before.size(), changes.visits.after.size(), seconds);
+        right += reported.right;
+        missed += reported.missed;
+        wrong += reported.wrong;
     }
     EXPECT_GE(right, 0.9 * (right + missed));
     EXPECT_LE(wrong, 0.1 * right);

@@ -46,16 +46,16 @@ std::vector<LiveScan> cutScans(const RecordedDrive& drive, const ScanCutterSetti
     const auto keep = [&](std::vector<LiveScan> more) {
         std::move(more.begin(), more.end(), std::back_inserter(scans));
     };
-    for (const RecordedDrive::Heard& heard : drive.heard) {
+    for (const RecordedDrive::Received& received : drive.received) {
         const auto& sensors = drive.robot.sensors;
-        if (const auto* odometry = std::get_if<OdometrySample>(&heard.sample.sample)) {
-            cutter.add(*odometry, heard.at);
-        } else if (const auto* imu = std::get_if<ImuSample>(&heard.sample.sample)) {
-            cutter.add(*imu, sensors.at(heard.sample.sensor).sensorInBase, heard.at);
-        } else if (const auto* cloud = std::get_if<CloudSample>(&heard.sample.sample)) {
-            cutter.add(*cloud, sensors.at(heard.sample.sensor).sensorInBase, heard.at);
+        if (const auto* odometry = std::get_if<OdometrySample>(&received.sample.sample)) {
+            cutter.add(*odometry, received.at);
+        } else if (const auto* imu = std::get_if<ImuSample>(&received.sample.sample)) {
+            cutter.add(*imu, sensors.at(received.sample.sensor).sensorInBase, received.at);
+        } else if (const auto* cloud = std::get_if<CloudSample>(&received.sample.sample)) {
+            cutter.add(*cloud, sensors.at(received.sample.sensor).sensorInBase, received.at);
         }
-        keep(cutter.take(heard.at));
+        keep(cutter.take(received.at));
     }
     keep(cutter.finish());
     return scans;
@@ -71,9 +71,9 @@ MappedDrive mapped(const RecordedDrive& drive, std::vector<LiveScan> scans, cons
         const double before = processorTime();
         const MapUpdate update = mapper.add(live, live.scan->end);
         result.busy.push_back(processorTime() - before);
-        for (const auto* said : {&update.links, &update.loop}) {
-            if (!*said) continue;
-            for (const Link& link : (*said)->links) result.graph.add(link);
+        for (const auto* reported : {&update.links, &update.loop}) {
+            if (!*reported) continue;
+            for (const Link& link : (*reported)->links) result.graph.add(link);
         }
         if (const auto sought = mapper.sought()) {
             const double began = processorTime();

@@ -14,14 +14,14 @@ namespace leitstand::simulation::test {
 
 /// How many buildings, each of its own seed: LEITSTAND_BUILDINGS=2 takes fewer than @p usual.
 [[nodiscard]] inline int measuredBuildings(int usual) {
-    const char* told = std::getenv("LEITSTAND_BUILDINGS");
-    return told == nullptr ? usual : std::atoi(told);
+    const char* reported = std::getenv("LEITSTAND_BUILDINGS");
+    return reported == nullptr ? usual : std::atoi(reported);
 }
 
 /// Of the first of them: LEITSTAND_SEED=3 takes others than from @p usual on.
 [[nodiscard]] inline std::uint64_t firstSeed(std::uint64_t usual) {
-    const char* told = std::getenv("LEITSTAND_SEED");
-    return told == nullptr ? usual : std::strtoull(told, nullptr, 10);
+    const char* reported = std::getenv("LEITSTAND_SEED");
+    return reported == nullptr ? usual : std::strtoull(reported, nullptr, 10);
 }
 
 }  // namespace leitstand::simulation::test

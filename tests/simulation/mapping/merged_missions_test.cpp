@@ -30,9 +30,9 @@ namespace {
 using leitstand::test::TemporaryFolder;
 
 template <class Said>
-void say(LiveMission& mission, const std::optional<Said>& said, std::string_view topic) {
-    if (!said) return;
-    const auto done = mission.say(*said, topic);
+void publish(LiveMission& mission, const std::optional<Said>& reported, std::string_view topic) {
+    if (!reported) return;
+    const auto done = mission.record(*reported, topic);
     EXPECT_TRUE(done) << done.error().text;
 }
 
@@ -42,7 +42,7 @@ void leaveOutPassing(LiveMapper& mapper, PassingBodies& passing, std::uint64_t i
     auto found = passing.add(*mapper.map(), id, mapper.together(id));
     std::erase_if(found, [&](const auto& bodies) { return !mapper.leaveOut(bodies.first, bodies.second); });
     for (const ScanBodiesSample& sample : inSamples(std::move(found), now)) {
-        const auto done = mission.say(sample, station_topic::ScanBodies);
+        const auto done = mission.record(sample, station_topic::ScanBodies);
         EXPECT_TRUE(done) << done.error().text;
     }
 }
@@ -62,13 +62,13 @@ void record(const std::filesystem::path& folder, const ScriptedDrive& drive) {
     for (const LiveScan& live : drive.scans) {
         const Time now = live.scan->end;
         const MapUpdate update = mapper.add(live, now);
-        say(mission, update.keyScan, station_topic::KeyScans);
-        say(mission, update.links, station_topic::ScanLinks);
-        say(mission, update.poses, station_topic::ScanPoses);
-        say(mission, update.loop, station_topic::ScanLinks);
+        publish(mission, update.keyScan, station_topic::KeyScans);
+        publish(mission, update.links, station_topic::ScanLinks);
+        publish(mission, update.poses, station_topic::ScanPoses);
+        publish(mission, update.loop, station_topic::ScanLinks);
         if (const auto problem = mapper.problem()) {
             const Settled settled = mapper.settle(solve(*problem), now);
-            say(mission, settled.poses, station_topic::ScanPoses);
+            publish(mission, settled.poses, station_topic::ScanPoses);
         }
         if (update.keyScan) leaveOutPassing(mapper, passing, update.keyScan->id, now, mission);
     }
@@ -114,18 +114,18 @@ TEST(MergedMissionsLong, TwoDaysInABuildingAreOneMapThatTellsWhatChanged) {
         const Trajectory tidied = trajectoryOf(scans, days);
         const MapChanges changes = changesOf(scans);
         const Pose arenaInMap = scans.front().baseInMap() * days.baseInArena(*scans.front().scan).inverse();
-        const ToldChanges told = judged(changes.things, days, arenaInMap);
+        const ToldChanges reported = judged(changes.things, days, arenaInMap);
         std::printf(
             "merged %llu: %zu of %zu places agree, ATE %.3f m, seam %.3f m; tidied %.3f and %.3f m; changes "
             "%d of %d told, %d wrong\n",
             static_cast<unsigned long long>(seed), merged->agreeing, merged->sought, errorOf(joined).distance,
-            worstSeam(joined), errorOf(tidied).distance, worstSeam(tidied), told.right,
-            told.right + told.missed, told.wrong);
+            worstSeam(joined), errorOf(tidied).distance, worstSeam(tidied), reported.right,
+            reported.right + reported.missed, reported.wrong);
         EXPECT_LT(errorOf(tidied).distance, 0.05);
         EXPECT_LT(worstSeam(tidied), 0.08);
-        right += told.right;
-        missed += told.missed;
-        wrong += told.wrong;
+        right += reported.right;
+        missed += reported.missed;
+        wrong += reported.wrong;
     }
     EXPECT_GE(right, 0.9 * (right + missed));
     EXPECT_LE(wrong, 0.1 * right);

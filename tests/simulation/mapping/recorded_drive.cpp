@@ -19,7 +19,7 @@ public:
         drive.arena = m_driven.world->arena();
         drive.robot = shippedRobot("kurt3d");
         m_driven.onSample = [this](const HardwareSample& sample) {
-            if (isForMapping(sample)) drive.heard.push_back({m_driven.world->now(), sample});
+            if (isForMapping(sample)) drive.received.push_back({m_driven.world->now(), sample});
         };
         drive.truth.add(m_driven.world->now(), m_driven.state().baseInArena);
         m_place = m_driven.place();
@@ -104,26 +104,26 @@ RecordedDrive stopScanGo(std::uint64_t seed, int stops) {
 }
 
 RecordedDrive withRadioGap(RecordedDrive drive, double from, double to) {
-    const Time begin = drive.heard.front().at;
-    const auto inGap = [&](const RecordedDrive::Heard& heard) {
-        const double time = std::chrono::duration<double>(heard.at - begin).count();
+    const Time begin = drive.received.front().at;
+    const auto inGap = [&](const RecordedDrive::Received& received) {
+        const double time = std::chrono::duration<double>(received.at - begin).count();
         return time >= from && time < to;
     };
-    std::vector<RecordedDrive::Heard> heard, late;
-    for (RecordedDrive::Heard& one : drive.heard) {
+    std::vector<RecordedDrive::Received> received, late;
+    for (RecordedDrive::Received& one : drive.received) {
         const bool gap = inGap(one), slice = std::holds_alternative<CloudSample>(one.sample.sample);
         if (gap && slice) late.push_back(one);
         if (gap) continue;
         // What is new waits behind the history.
         for (std::size_t i = 0; i < late.size() && one.at > late.back().at; ++i) {
             late[i].at = one.at;
-            heard.push_back(late[i]);
-            if (i % 2 == 0) heard.push_back(late[i]);
+            received.push_back(late[i]);
+            if (i % 2 == 0) received.push_back(late[i]);
             if (i + 1 == late.size()) late.clear();
         }
-        heard.push_back(std::move(one));
+        received.push_back(std::move(one));
     }
-    drive.heard = std::move(heard);
+    drive.received = std::move(received);
     return drive;
 }
 

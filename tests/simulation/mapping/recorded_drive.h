@@ -12,15 +12,15 @@ namespace leitstand::simulation::test {
 
 /// What a robot said on a drive that mapping wants to know, and the truth.
 struct RecordedDrive {
-    struct Heard {
+    struct Received {
         Time at{};  ///< when it was ready
         HardwareSample sample;
     };
     Arena arena;
     RobotDescription robot;
-    std::vector<Heard> heard;  ///< clouds, odometry, inertial unit, in order
-    PoseTrack truth;           ///< base_link in the arena, 100 times a second
-    double way = 0.0;          ///< that it drove [m]
+    std::vector<Received> received;  ///< clouds, odometry, inertial unit, in order
+    PoseTrack truth;                 ///< base_link in the arena, 100 times a second
+    double way = 0.0;                ///< that it drove [m]
 
     [[nodiscard]] Pose baseInArena(Time stamp) const;
 };

@@ -117,29 +117,30 @@ RobotPlaceSample RobotPair::place(const Pose& baseInMap) {
 }
 
 void RobotPair::steer(OperatedRobot& robot, bool drives, double speed) {
-    if (!drives) return robot.wish(0.0);
+    if (!drives) return robot.request(0.0);
     double& turn = m_turn[0];
-    if (!m_ahead) return robot.wish(0.0);
+    if (!m_ahead) return robot.request(0.0);
     const double ahead = nearest(*m_ahead, 0.0, degrees(30));
     if (ahead > 0.6 || (turn == 0.0 && ahead > 0.4)) {
         turn = 0.0;
         const double left = std::min(1.0, nearest(*m_ahead, degrees(60), degrees(25))),
                      right = std::min(1.0, nearest(*m_ahead, degrees(-60), degrees(25)));
-        return robot.wish(speed, 0.8 * (left - right));
+        return robot.request(speed, 0.8 * (left - right));
     }
     if (turn == 0.0) {
         const bool left =
             nearest(*m_ahead, degrees(75), degrees(30)) > nearest(*m_ahead, degrees(-75), degrees(30));
         turn = left ? 0.7 : -0.7;
     }
-    robot.wish(0.0, turn);
+    robot.request(0.0, turn);
 }
 
 void RobotPair::pass(double seconds, bool kurtDrives, bool crawlerDrives) {
     if (kurtDrives) {
         Sender station;
         station.bytes[0] = 1;
-        m_kurt->agent().hear(StreamRole::ModeCommand, ModeCommandSample{{}, "station 1", "explore"}, station);
+        m_kurt->agent().receive(StreamRole::ModeCommand, ModeCommandSample{{}, "station 1", "explore"},
+                                station);
     }
     for (int i = 0; i < static_cast<int>(seconds * 100.0 + 0.5); ++i) {
         steer(*m_crawler, crawlerDrives, 0.25);
@@ -159,16 +160,16 @@ void RobotPair::tour(double seconds) {
 void RobotPair::step() {
     simulation::pass(*m_world, {m_kurt.get(), m_crawler.get()}, 0.01);
     if (m_touredKurt) {
-        m_touredKurt->hear(m_kurt->said());
-        m_touredCrawler->hear(m_crawler->said());
+        m_touredKurt->receive(m_kurt->reported());
+        m_touredCrawler->receive(m_crawler->reported());
     }
-    hear();
+    receive();
     const Eigen::Vector2d here = m_crawler->state().baseInArena.translation().head<2>();
     way += (here - m_last).norm();
     m_last = here;
 }
 
-void RobotPair::hear() {
+void RobotPair::receive() {
     const Time now = m_world->now();
     const auto& kurt = m_kurt->description().sensors;
     for (const auto& one : m_kurt->all<OdometrySample>()) m_cutter.add(one, now);

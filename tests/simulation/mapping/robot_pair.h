@@ -54,7 +54,7 @@ public:
     double sightingSeconds = 0.0;
 
 private:
-    void hear();
+    void receive();
     [[nodiscard]] int onCrawler(const KeyScanSample& key) const;
     [[nodiscard]] std::vector<Disc> kurtOnMap() const;
     void begin(const Pose& wrongSlot, std::uint64_t seed);

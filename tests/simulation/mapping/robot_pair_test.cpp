@@ -16,7 +16,7 @@ namespace {
 
 const Pose Wrong = poseFrom({0.32, 0.24, 0}, 0, 0, degrees(15));  ///< 0.4 m
 
-std::string saidOf(const RobotPair& pair) {
+std::string eventsOf(const RobotPair& pair) {
     std::string text;
     for (const RobotPlaceSample& place : pair.places)
         text +=
@@ -27,9 +27,9 @@ std::string saidOf(const RobotPair& pair) {
 TEST(RobotPair, TheCrawlerIsPlacedFromAWrongSlotAndKeptWhileItDrives) {
     RobotPair pair(2, Wrong);
     pair.pass(9.0, false, false);
-    ASSERT_TRUE(pair.crawler().placed) << saidOf(pair);
+    ASSERT_TRUE(pair.crawler().placed) << eventsOf(pair);
     EXPECT_TRUE(pair.crawler().certain);
-    EXPECT_LE(pair.off(), 0.10) << saidOf(pair);
+    EXPECT_LE(pair.off(), 0.10) << eventsOf(pair);
     EXPECT_LE(inDegrees(pair.turned()), 3.0);
     double most = 0.0;
     for (int i = 0; i < 12; ++i) {
@@ -37,7 +37,7 @@ TEST(RobotPair, TheCrawlerIsPlacedFromAWrongSlotAndKeptWhileItDrives) {
         most = std::max(most, pair.off());
     }
     EXPECT_GT(pair.way, 1.0);
-    EXPECT_LE(most, 0.15) << saidOf(pair);
+    EXPECT_LE(most, 0.15) << eventsOf(pair);
 }
 
 /// Stands until it was placed, 20 s at most.
@@ -56,10 +56,10 @@ TEST(RobotPair, TheCrawlerIsPlacedWhereKurt3DSeesItWhenTheSlotIsWrongByMetres) {
     RobotPair pair(2, poseFrom({3.0, 2.0, 0}, 0, 0, degrees(100)));
     untilSeen(pair);
     printSighting(2, pair);
-    ASSERT_TRUE(pair.crawler().certain) << saidOf(pair);
+    ASSERT_TRUE(pair.crawler().certain) << eventsOf(pair);
     ASSERT_FALSE(pair.places.empty());
-    EXPECT_EQ(pair.places.back().cause, RobotPlaceSample::Cause::Seen) << saidOf(pair);
-    EXPECT_LE(pair.off(), 0.10) << saidOf(pair);
+    EXPECT_EQ(pair.places.back().cause, RobotPlaceSample::Cause::Seen) << eventsOf(pair);
+    EXPECT_LE(pair.off(), 0.10) << eventsOf(pair);
     EXPECT_LE(inDegrees(pair.turned()), 3.0);
 }
 
@@ -69,7 +69,7 @@ TEST(RobotPair, TheCrawlerStaysInNoScanOfKurt3DsOnceItIsPlaced) {
         RobotPair pair(1, Wrong);
         pair.leavesOut = leavesOut;
         pair.pass(9.0, false, false);
-        ASSERT_TRUE(pair.crawler().certain) << saidOf(pair);
+        ASSERT_TRUE(pair.crawler().certain) << eventsOf(pair);
         pair.pass(25.0, true, false);
         points[leavesOut ? 1 : 0] = pair.bodyPoints;
     }
@@ -94,7 +94,7 @@ TEST(RobotPairLong, TheCrawlerIsPlacedWhereKurt3DSeesItInYellowArenas) {
             if (!seen || !pair.crawler().certain) continue;
             ++placed;
             printSighting(seed, pair);
-            EXPECT_LE(pair.off(), 0.10) << seed << "\n" << saidOf(pair);
+            EXPECT_LE(pair.off(), 0.10) << seed << "\n" << eventsOf(pair);
             EXPECT_LE(inDegrees(pair.turned()), 3.0) << seed;
         }
     }
@@ -108,9 +108,9 @@ TEST(RobotPairLong, AMinuteInFourYellowArenas) {
     for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
         RobotPair pair(seed, Wrong);
         pair.pass(9.0, false, false);
-        ASSERT_TRUE(pair.crawler().placed) << saidOf(pair);
+        ASSERT_TRUE(pair.crawler().placed) << eventsOf(pair);
         const double start = pair.off(), startTurned = pair.turned();
-        EXPECT_LE(start, 0.10) << saidOf(pair);
+        EXPECT_LE(start, 0.10) << eventsOf(pair);
         EXPECT_LE(inDegrees(startTurned), 3.0);
         pair.pass(60.0, true, false);
         double most = 0.0, mostTurned = 0.0, certainMost = 0.0, certainTurned = 0.0;
@@ -130,7 +130,7 @@ TEST(RobotPairLong, AMinuteInFourYellowArenas) {
             static_cast<unsigned>(seed), pair.way, 100.0 * start, inDegrees(startTurned), 100.0 * certainMost,
             inDegrees(certainTurned), 100.0 * most, inDegrees(mostTurned), certain * 100 / 120,
             1e3 * pair.seconds / pair.views);
-        EXPECT_LE(certainMost, 0.15) << seed << "\n" << saidOf(pair);
+        EXPECT_LE(certainMost, 0.15) << seed << "\n" << eventsOf(pair);
         EXPECT_LE(most, 0.35) << seed << ": where Kurt3D has not been, tracks alone carry it on";
     }
 }
@@ -144,7 +144,7 @@ TEST(RobotPairLong, QuarterOfAnHourInABuilding) {
     settings.depth = 20.0;
     RobotPair pair(std::move(generateBuilding(settings, seed)).value(), seed);
     pair.pass(6.0, false, false);
-    ASSERT_TRUE(pair.crawler().placed) << saidOf(pair);
+    ASSERT_TRUE(pair.crawler().placed) << eventsOf(pair);
     std::vector<double> all, certain;
     for (int i = 0; i < 900; ++i) {
         pair.tour(1.0);

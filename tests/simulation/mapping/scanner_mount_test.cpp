@@ -9,9 +9,9 @@ namespace {
 
 constexpr double Least = 40.0;  ///< way that a mount shows on [m]
 
-void tell(std::uint64_t seed, double way, const ScannerCalibration& calibration) {
-    const MountError told = calibration.mount.value_or(MountError());
-    const Eigen::Vector4d &is = told.value, &off = told.deviation;
+void print(std::uint64_t seed, double way, const ScannerCalibration& calibration) {
+    const MountError reported = calibration.mount.value_or(MountError());
+    const Eigen::Vector4d &is = reported.value, &off = reported.deviation;
     std::printf(
         "%llu: %.0f m: x %.1f (%.1f) mm, y %.1f (%.1f) mm, heading %.2f (%.2f) degrees, clock %.1f (%.1f) "
         "ms\n",
@@ -39,7 +39,7 @@ MappedDrive corrected(const SensorErrors& sensor, const OdometryErrors& odometry
             better.correction = more;
             return scriptedDrive(building.arena, path, better).scans;
         });
-    tell(seed, made.drive.way, result.calibration);
+    print(seed, made.drive.way, result.calibration);
     EXPECT_GT(made.drive.way, Least);
     return result;
 }
@@ -81,7 +81,7 @@ TEST_P(ScannerMountLong, ARobotThatSlipsInArenasIsNotAskedAbout) {
     LiveSettings mapping;
     mapping.loops.on = true;
     const MappedDrive result = mapped(drive, cutScans(drive), mapping);
-    tell(GetParam(), drive.way, result.calibration);
+    print(GetParam(), drive.way, result.calibration);
     EXPECT_GT(drive.way, Least);
     EXPECT_EQ(result.calibration.advised(), std::nullopt);
 }

@@ -25,7 +25,7 @@ public:
           m_within(within),
           m_cutter(robot.name) {}
 
-    void hear(CloudSample slice, std::vector<LiveScan>& scans) {
+    void receive(CloudSample slice, std::vector<LiveScan>& scans) {
         // A slice comes when its last shot is over, and odometry that covers it is there.
         const Time end = slice.header.stamp + std::chrono::nanoseconds(slice.times.back());
         const Time now = end + std::chrono::milliseconds(60);
@@ -108,7 +108,7 @@ ScriptedDrive scriptedDrive(const Arena& arena, const DrivePath& path, const Scr
     ScriptedScanner scanner(arena, motion, robot.sensors.at("scanner").sensorInBase, settings);
     for (int first = 0; first < scanner.turns(); first += Batch) {
         for (auto& turn : scanner.slices(first, std::min(first + Batch, scanner.turns()))) {
-            for (CloudSample& slice : turn) listener.hear(std::move(slice), result.scans);
+            for (CloudSample& slice : turn) listener.receive(std::move(slice), result.scans);
         }
     }
     listener.finish(result.scans);

@@ -56,7 +56,7 @@ struct ScriptSettings {
 
 /// A drive without physics, window and clock, and the truth beside.
 struct ScriptedDrive {
-    RecordedDrive drive;          ///< arena, robot, truth, way; nothing in `heard`
+    RecordedDrive drive;          ///< arena, robot, truth, way; nothing in `received`
     std::vector<LiveScan> scans;  ///< as ScanCutter makes them of slices, odometry and inertial unit
 };
 

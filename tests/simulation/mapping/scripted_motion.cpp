@@ -105,18 +105,18 @@ MotionSamples motionSamples(const ScriptedMotion& motion, const OdometryErrors& 
         lastYaw = yaw;
         // The path is level; uphill, wheels turn more.
         const double rise = base.linear()(2, 0), slope = 1.0 / std::sqrt(std::max(0.5, 1.0 - rise * rise));
-        const double told = gone * slope * (1.0 + errors.scale + errors.wayNoise * noise.normal());
+        const double reported = gone * slope * (1.0 + errors.scale + errors.wayNoise * noise.normal());
         MeasuredAttitude attitude;
         attitude.stamp = stamp;
         attitude.roll = attitudes.roll();
         attitude.pitch = attitudes.pitch();
         attitude.heading = heading;
-        reckoning.step(told, told, attitude);
+        reckoning.step(reported, reported, attitude);
         OdometrySample sample;
         sample.header = {stamp, "odom"};
         sample.childFrame = "base_link";
         sample.baseInOdom = reckoning.pose();
-        sample.linear.x() = told / Step;
+        sample.linear.x() = reported / Step;
         samples.odometry.push_back(std::move(sample));
     }
     return samples;

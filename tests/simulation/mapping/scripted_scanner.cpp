@@ -21,9 +21,9 @@ double secondsOf(nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
-Pose trueMount(const Pose& told, const SensorErrors& errors) {
-    Pose mount =
-        told * poseFrom(errors.mountShift, errors.mountTurn.x(), errors.mountTurn.y(), errors.mountTurn.z());
+Pose trueMount(const Pose& reported, const SensorErrors& errors) {
+    Pose mount = reported * poseFrom(errors.mountShift, errors.mountTurn.x(), errors.mountTurn.y(),
+                                     errors.mountTurn.z());
     const double each = errors.axisLean / std::sqrt(2.0);
     mount.rotate(poseFrom(Eigen::Vector3d::Zero(), -each, each, 0.0).linear());
     return mount;

@@ -8,8 +8,8 @@ TouredInWorld::TouredInWorld(OperatedRobot& robot) : m_robot(robot) {
     m_station.bytes[0] = 1;
 }
 
-void TouredInWorld::hear(const std::vector<HardwareSample>& said) {
-    for (const HardwareSample& sample : said) {
+void TouredInWorld::receive(const std::vector<HardwareSample>& reported) {
+    for (const HardwareSample& sample : reported) {
         if (const auto* mode = std::get_if<ModeSample>(&sample.sample)) m_mode = *mode;
         if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample))
             m_baseInOdom = odometry->baseInOdom;
@@ -17,18 +17,18 @@ void TouredInWorld::hear(const std::vector<HardwareSample>& said) {
 }
 
 void TouredInWorld::ask(const std::string& mode) {
-    m_robot.agent().hear(StreamRole::ModeCommand, ModeCommandSample{{}, "station 1", mode}, m_station);
+    m_robot.agent().receive(StreamRole::ModeCommand, ModeCommandSample{{}, "station 1", mode}, m_station);
 }
 
 void TouredInWorld::send(const Eigen::Vector3d& inBase) {
     PoseSample goal;
     goal.header.frame = m_robot.description().odomFrame;
     goal.poseInFrame.translation() = m_baseInOdom * inBase;
-    m_robot.agent().hear(StreamRole::GoalPose, goal, m_station);
+    m_robot.agent().receive(StreamRole::GoalPose, goal, m_station);
 }
 
 bool TouredInWorld::take() {
-    m_robot.wish(0.0);
+    m_robot.request(0.0);
     return true;
 }
 

@@ -12,7 +12,7 @@ namespace leitstand::simulation::test {
 class TouredInWorld : public TouredRobot {
 public:
     explicit TouredInWorld(OperatedRobot& robot);
-    void hear(const std::vector<HardwareSample>& said);  ///< what the robot said since
+    void receive(const std::vector<HardwareSample>& reported);  ///< what the robot said since
 
     [[nodiscard]] double seconds() const override { return m_robot.world().seconds(); }
     [[nodiscard]] Pose baseInArena() const override { return m_robot.state().baseInArena; }
@@ -20,8 +20,8 @@ public:
     void ask(const std::string& mode) override;
     void send(const Eigen::Vector3d& inBase) override;
     bool take() override;
-    void drive(double forward, double turn) override { m_robot.wish(forward, turn); }
-    void release() override { m_robot.wish(0.0); }
+    void drive(double forward, double turn) override { m_robot.request(forward, turn); }
+    void release() override { m_robot.request(0.0); }
 
 private:
     OperatedRobot& m_robot;

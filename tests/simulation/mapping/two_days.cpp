@@ -66,7 +66,7 @@ TwoDays twoDays(std::uint64_t seed) {
 }
 
 ToldChanges judged(const std::vector<ChangedThing>& things, const TwoDays& days, const Pose& arenaInMap) {
-    ToldChanges told;
+    ToldChanges reported;
     std::vector<bool> known(things.size(), false);
     for (const auto* boxes : {&days.came, &days.went}) {
         for (const Element& box : *boxes) {
@@ -79,18 +79,18 @@ ToldChanges judged(const std::vector<ChangedThing>& things, const TwoDays& days,
                 if (!near || things[i].isNew != (boxes == &days.came)) continue;
                 known[i] = found = true;
             }
-            ++(found ? told.right : told.missed);
+            ++(found ? reported.right : reported.missed);
         }
     }
     for (std::size_t i = 0; i < things.size(); ++i) {
         if (known[i]) continue;
-        ++told.wrong;
+        ++reported.wrong;
         const Eigen::Vector3d middle = arenaInMap.inverse() * things[i].box.center();
         std::printf("  wrong: %s, %zu cells, %.1f x %.1f x %.1f m at %.1f %.1f %.1f\n",
                     things[i].isNew ? "new" : "gone", things[i].cells.size(), things[i].box.sizes().x(),
                     things[i].box.sizes().y(), things[i].box.sizes().z(), middle.x(), middle.y(), middle.z());
     }
-    return told;
+    return reported;
 }
 
 }  // namespace leitstand::simulation::test

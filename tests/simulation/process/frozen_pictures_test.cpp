@@ -22,7 +22,7 @@ HardwareSample pictureOf(const std::string& sensor, int content, StreamRole role
 }
 
 /// What is said in place of @p sample: its content and its stamp in seconds.
-std::pair<int, int> said(FrozenPictures& cameras, HardwareSample sample, bool frozen) {
+std::pair<int, int> reported(FrozenPictures& cameras, HardwareSample sample, bool frozen) {
     cameras.pass(sample, frozen);
     const auto& picture = std::get<PictureSample>(sample.sample);
     return {static_cast<int>(picture.content.bytes.front()),
@@ -31,25 +31,25 @@ std::pair<int, int> said(FrozenPictures& cameras, HardwareSample sample, bool fr
 
 TEST(FrozenPictures, AreTheLastOfEachCameraUnderNewStamps) {
     FrozenPictures cameras;
-    EXPECT_EQ(said(cameras, pictureOf("left", 1), false), std::pair(1, 1));
-    EXPECT_EQ(said(cameras, pictureOf("right", 2), false), std::pair(2, 2));
-    EXPECT_EQ(said(cameras, pictureOf("left", 3), false), std::pair(3, 3));
-    EXPECT_EQ(said(cameras, pictureOf("left", 4), true), std::pair(3, 4));
-    EXPECT_EQ(said(cameras, pictureOf("right", 5), true), std::pair(2, 5));
-    EXPECT_EQ(said(cameras, pictureOf("left", 6), true), std::pair(3, 6));
-    EXPECT_EQ(said(cameras, pictureOf("left", 7), false), std::pair(7, 7)) << "they go on";
+    EXPECT_EQ(reported(cameras, pictureOf("left", 1), false), std::pair(1, 1));
+    EXPECT_EQ(reported(cameras, pictureOf("right", 2), false), std::pair(2, 2));
+    EXPECT_EQ(reported(cameras, pictureOf("left", 3), false), std::pair(3, 3));
+    EXPECT_EQ(reported(cameras, pictureOf("left", 4), true), std::pair(3, 4));
+    EXPECT_EQ(reported(cameras, pictureOf("right", 5), true), std::pair(2, 5));
+    EXPECT_EQ(reported(cameras, pictureOf("left", 6), true), std::pair(3, 6));
+    EXPECT_EQ(reported(cameras, pictureOf("left", 7), false), std::pair(7, 7)) << "they go on";
 }
 
 TEST(FrozenPictures, ACameraThatSaidNothingYetSaysItsFirst) {
     FrozenPictures cameras;
-    EXPECT_EQ(said(cameras, pictureOf("left", 1), true), std::pair(1, 1));
-    EXPECT_EQ(said(cameras, pictureOf("left", 2), true), std::pair(1, 2));
+    EXPECT_EQ(reported(cameras, pictureOf("left", 1), true), std::pair(1, 1));
+    EXPECT_EQ(reported(cameras, pictureOf("left", 2), true), std::pair(1, 2));
 }
 
 TEST(FrozenPictures, InfraredGoesOn) {
     FrozenPictures cameras;
-    EXPECT_EQ(said(cameras, pictureOf("ir", 1, StreamRole::Thermal), true), std::pair(1, 1));
-    EXPECT_EQ(said(cameras, pictureOf("ir", 2, StreamRole::Thermal), true), std::pair(2, 2));
+    EXPECT_EQ(reported(cameras, pictureOf("ir", 1, StreamRole::Thermal), true), std::pair(1, 1));
+    EXPECT_EQ(reported(cameras, pictureOf("ir", 2, StreamRole::Thermal), true), std::pair(2, 2));
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ TEST(Hardware, SendsSamplesThatTheWireTakes) {
 }
 
 TEST(Hardware, KeepsWithinTheBudgetOfTheLink) {
-    // design, section 4: bits a second of each stream on a link of 10 Mbit/s
+    // docs/design.md, "The wire": bits a second of each stream on a link of 10 Mbit/s
     const std::map<std::string, double> budget = {
         {"scanner", 2.25e6}, {"left", 0.7e6}, {"right", 0.7e6}, {"ir", 1.2e6}, {"omni", 0.6e6}};
     for (const bool first : {true, false}) {

@@ -74,9 +74,9 @@ SearchDrive::SearchDrive(const Arena& arena, const DriveSetup& setup)
         on.topic = stream.topic;
         on.enabled = true;
         on.rate = 6.0;
-        driven.station->say(StreamRole::StreamCommand, on);
+        driven.station->publish(StreamRole::StreamCommand, on);
     }
-    driven.onSample = [this](const HardwareSample& sample) { hear(sample); };
+    driven.onSample = [this](const HardwareSample& sample) { receive(sample); };
 }
 
 Event SearchDrive::eventOf(const HardwareSample& sample) {
@@ -107,7 +107,7 @@ void SearchDrive::give(const Event& event) {
     worked += threadTime() - begin;
 }
 
-void SearchDrive::hear(const HardwareSample& sample) {
+void SearchDrive::receive(const HardwareSample& sample) {
     const Event event = eventOf(sample);
     m_frames.add(event);
     give(event);
@@ -130,8 +130,8 @@ void SearchDrive::map(const Event& event) {
         const Localisation& here = update.localisation;
         search->correct(m_robot.name,
                         {here.stamp, here.baseInMap, 1.0, here.trust == ScanTrust::Certain, ""});
-        Event told;
-        told.received = now;
+        Event reported;
+        reported.received = now;
         if (update.keyScan) {
             if (!m_mapped) {
                 const Pose truth = driven.world->baseInArena(driven.robot, update.keyScan->scan->end);
@@ -139,14 +139,14 @@ void SearchDrive::map(const Event& event) {
                     truth * (update.keyScan->scanInMap * update.keyScan->sensorInBase.inverse()).inverse();
                 m_mapped = true;
             }
-            told.sequence = ++m_sequence;
-            told.sample = *update.keyScan;
-            give(told);
+            reported.sequence = ++m_sequence;
+            reported.sample = *update.keyScan;
+            give(reported);
         }
         if (update.poses) {
-            told.sequence = ++m_sequence;
-            told.sample = *update.poses;
-            give(told);
+            reported.sequence = ++m_sequence;
+            reported.sample = *update.poses;
+            give(reported);
         }
     }
 }
@@ -205,7 +205,7 @@ void SearchDrive::lookForTags(const Pose& camera) {
 }
 
 SearchResult judge(const SearchDrive& drive, const std::string& title) {
-    using Kind = VictimSample::Kind;
+    using Kind = FindSample::Kind;
     SearchResult result;
     const auto& elements = drive.driven.world->arena().elements;
     std::printf("%s: %d updates of %zu candidates, %.1f %% of a core\n", title.c_str(), drive.updates,

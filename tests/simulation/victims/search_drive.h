@@ -44,7 +44,7 @@ public:
     [[nodiscard]] const Pose& mapInArena() const { return m_mapInArena; }
 
 private:
-    void hear(const HardwareSample& sample);
+    void receive(const HardwareSample& sample);
     void map(const Event& event);
     void give(const Event& event);
     void look(const Event& event);

@@ -100,13 +100,13 @@ TEST_F(LookAtAVictim, ItIsFoundWhereItLies) {
 
     // The same from the log, on the watch's thread.
     std::mutex mutex;
-    std::map<std::uint32_t, CandidateSample> told;
+    std::map<std::uint32_t, CandidateSample> reported;
     VictimWatchSetup setup;
     setup.robots = {shippedRobot("kurt3d")};
     setup.station = "us";
     setup.onCandidate = [&](const CandidateSample& one) {
         const std::lock_guard lock(mutex);
-        told[one.id] = one;
+        reported[one.id] = one;
     };
     VictimWatch watch(std::move(setup));
     for (const Event& event : m_log) {
@@ -119,9 +119,9 @@ TEST_F(LookAtAVictim, ItIsFoundWhereItLies) {
     ASSERT_TRUE(leitstand::test::waitUntil(
         [&] {
             const std::lock_guard lock(mutex);
-            return std::any_of(told.begin(), told.end(), [&](const auto& one) {
+            return std::any_of(reported.begin(), reported.end(), [&](const auto& one) {
                 const Eigen::Vector3d place = m_drive->mapInArena() * one.second.positionInMap;
-                return one.second.kind == VictimSample::Kind::Victim && fromBody(m_victim, place) < 0.2;
+                return one.second.kind == FindSample::Kind::Victim && fromBody(m_victim, place) < 0.2;
             });
         },
         Patience));
@@ -131,17 +131,17 @@ TEST_F(LookAtAVictim, ItIsFoundWhereItLies) {
 }
 
 TEST_F(LookAtAVictim, AStationWithoutTheMapSaysNothing) {
-    int told = 0;
+    int reported = 0;
     VictimWatchSetup setup;
     setup.robots = {shippedRobot("kurt3d")};
     setup.station = "us";
     setup.maySearch = [] { return false; };
-    setup.onCandidate = [&](const CandidateSample&) { ++told; };
+    setup.onCandidate = [&](const CandidateSample&) { ++reported; };
     VictimWatch watch(std::move(setup));
     for (const Event& event : m_log) watch.onEvent(event);
     ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() == 0; }, Patience));
     watch.close();
-    EXPECT_EQ(told, 0);
+    EXPECT_EQ(reported, 0);
 }
 
 TEST_F(LookAtAVictim, WhatIsFrozenWithoutPointingIsWhereItsWarmthIs) {
@@ -151,12 +151,12 @@ TEST_F(LookAtAVictim, WhatIsFrozenWithoutPointingIsWhereItsWarmthIs) {
     placing.maySearch = [] { return false; };  // what the operator files is placed all the same
     placing.onCandidate = [](const CandidateSample&) {};
     VictimWatch watch(std::move(placing));
-    std::vector<VictimSample> filed;
+    std::vector<FindSample> filed;
     FindDeskSetup setup;
     setup.robots = {shippedRobot("kurt3d")};
     setup.station = "us";
     setup.mission = [] { return std::make_shared<const MissionState>(); };
-    setup.say = [&](const VictimSample& find) {
+    setup.record = [&](const FindSample& find) {
         filed.push_back(find);
         return Result<void>();
     };
@@ -168,7 +168,7 @@ TEST_F(LookAtAVictim, WhatIsFrozenWithoutPointingIsWhereItsWarmthIs) {
                      });
     };
     setup.robotInMap = [](const std::string&) { return std::nullopt; };
-    setup.tell = [](const std::string& text) { std::printf("  %s\n", text.c_str()); };
+    setup.notify = [](const std::string& text) { std::printf("  %s\n", text.c_str()); };
     setup.now = [this] { return m_log.back().received; };
     FindDesk desk(std::move(setup));
     for (const Event& event : m_log) {
@@ -176,7 +176,7 @@ TEST_F(LookAtAVictim, WhatIsFrozenWithoutPointingIsWhereItsWarmthIs) {
         desk.onEvent(event);
     }
     ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() == 0; }, Patience));
-    desk.freeze("kurt3d", VictimSample::Kind::Victim, "left");
+    desk.freeze("kurt3d", FindSample::Kind::Victim, "left");
     desk.finish();
     watch.close();
     ASSERT_EQ(filed.size(), 1U) << "its place was not found";

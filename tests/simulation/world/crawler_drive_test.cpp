@@ -22,7 +22,7 @@ struct Response {
 /// @p wanted. Slip, which jumps every half second by 2 % of the speed, is not the controller's.
 Response respond(OperatedRobot& robot, double forward, double turn, double wanted, double from) {
     Response response;
-    robot.wish(forward, turn);
+    robot.request(forward, turn);
     const double begin = robot.world().seconds();
     const double slips = std::abs(from) > 0.01 ? 0.02 * std::abs(wanted / (wanted - from)) : 0.0;
     pass(robot.world(), {&robot}, 1.0, [&](OperatedRobot& one) {
@@ -84,7 +84,7 @@ TEST(CrawlerDrive, HoldsItsSpeedOnARampOfThirtyDegrees) {
         EXPECT_NEAR(least, wanted, 0.007) << "slip jumps by 2 % and more";
         EXPECT_NEAR(most, wanted, 0.007);
     }
-    robot.wish(0.0);
+    robot.request(0.0);
     pass(world, {&robot}, 0.5);
     const Pose held = robot.state().baseInArena;
     pass(world, {&robot}, 5.0);
@@ -97,7 +97,7 @@ TEST(CrawlerDrive, AStallLeavesNothingBehind) {
         OperatedRobot robot(world, "crawler", Pose::Identity());
         const int other = world.addGhost(kurt3dBody());
         world.placeGhost(other, poseFrom({0.6, 0, 0}, 0, 0, degrees(90)));
-        robot.wish(0.4);
+        robot.request(0.4);
         pass(world, {&robot}, 6.0);
         EXPECT_TRUE(robot.state().blocked);
         EXPECT_NEAR(robot.state().linear.x(), 0.0, 1e-3);

@@ -19,26 +19,27 @@ TwistSample ahead(double speed) {
 }
 
 /// What its diagnostics say of @p name, in their order.
-std::vector<DiagnosticStatus> saidOf(const OperatedRobot& robot, const std::string& name) {
-    std::vector<DiagnosticStatus> said;
+std::vector<DiagnosticStatus> eventsOf(const OperatedRobot& robot, const std::string& name) {
+    std::vector<DiagnosticStatus> reported;
     for (const DiagnosticsSample& sample : robot.all<DiagnosticsSample>()) {
         for (const DiagnosticStatus& status : sample.statuses) {
-            if (status.name == name) said.push_back(status);
+            if (status.name == name) reported.push_back(status);
         }
     }
-    return said;
+    return reported;
 }
 
 bool wasSaid(const OperatedRobot& robot, const std::string& name, DiagnosticStatus::Level level) {
-    const auto said = saidOf(robot, name);
-    return std::any_of(said.begin(), said.end(), [&](const auto& status) { return status.level == level; });
+    const auto reported = eventsOf(robot, name);
+    return std::any_of(reported.begin(), reported.end(),
+                       [&](const auto& status) { return status.level == level; });
 }
 
 TEST(CrawlerLife, TheRemoteGoesBeforeTheStationAndIsSeenInTheMode) {
     World world = TestArena().world();
     OperatedRobot robot(world, "crawler", Pose::Identity());
     const auto x = [&] { return robot.state().baseInArena.translation().x(); };
-    robot.wish(0.3);
+    robot.request(0.3);
     pass(world, {&robot}, 2.0);
     EXPECT_GT(x(), 0.4);
     EXPECT_EQ(robot.all<ModeSample>().back().mode, "teleoperation");
@@ -56,9 +57,9 @@ TEST(CrawlerLife, TheRemoteGoesBeforeTheStationAndIsSeenInTheMode) {
     pass(world, {&robot}, 1.5);
     EXPECT_EQ(robot.all<ModeSample>().back().mode, "teleoperation");
     EXPECT_EQ(robot.state().linear.x(), 0.0) << "the station's sticks must be neutral first";
-    robot.wish(0.0);
+    robot.request(0.0);
     pass(world, {&robot}, 0.2);
-    robot.wish(0.3);
+    robot.request(0.3);
     pass(world, {&robot}, 0.5);
     EXPECT_NEAR(robot.state().left, 0.3, 0.01);
     robot.remote(ahead(0.3));
@@ -74,13 +75,14 @@ TEST(CrawlerLife, ItsBatteryFallsFasterWhereItClimbs) {
     const auto drawn = [&](const Pose& start, double speed) {
         World world = arena.world();
         OperatedRobot robot(world, "crawler", start);
-        robot.wish(speed);
+        robot.request(speed);
         pass(world, {&robot}, 20.0);
-        const auto said = robot.all<BatterySample>();
-        EXPECT_NEAR(static_cast<double>(said.size()), 20.0, 1.0);
-        for (std::size_t i = 1; i < said.size(); ++i) EXPECT_LT(said[i].fraction, said[i - 1].fraction);
-        EXPECT_LT(said.back().voltage, 16.4);
-        return said.front().charge - said.back().charge;
+        const auto reported = robot.all<BatterySample>();
+        EXPECT_NEAR(static_cast<double>(reported.size()), 20.0, 1.0);
+        for (std::size_t i = 1; i < reported.size(); ++i)
+            EXPECT_LT(reported[i].fraction, reported[i - 1].fraction);
+        EXPECT_LT(reported.back().voltage, 16.4);
+        return reported.front().charge - reported.back().charge;
     };
     const double standing = drawn(Pose::Identity(), 0.0);
     const double driving = drawn(poseFrom({0, 3, 0}, 0, 0, 0), 0.3);
@@ -115,9 +117,9 @@ TEST(CrawlerLife, WarnsBeforeItRollsOverAndTellsThatItDid) {
     ASSERT_GT(warned, 0.0);
     std::printf("warned %.1f s before it lay on its side\n", tipped - warned);
     EXPECT_GT(tipped - warned, 1.0) << "time to let go of the sticks";
-    const auto said = saidOf(robot, "roll-over");
-    EXPECT_EQ(said.back().level, DiagnosticStatus::Level::Error);
-    EXPECT_EQ(said.back().message, "rolled over");
+    const auto reported = eventsOf(robot, "roll-over");
+    EXPECT_EQ(reported.back().level, DiagnosticStatus::Level::Error);
+    EXPECT_EQ(reported.back().message, "rolled over");
     EXPECT_TRUE(wasSaid(robot, "attitude", DiagnosticStatus::Level::Error));
 }
 
@@ -126,10 +128,10 @@ TEST(CrawlerLife, FallsOffALedgeSideways) {
     arena.box({-3, 0, 0}, {5, 3, 0.5}, ElementKind::Floor, "upper level");
     World world = arena.world();
     OperatedRobot robot(world, "crawler", poseFrom({0, 0.3, 0.6}, 0, 0, degrees(-15)));
-    robot.wish(0.2);
+    robot.request(0.2);
     pass(world, {&robot}, 12.0);
     EXPECT_TRUE(robot.state().tipped);
-    EXPECT_EQ(saidOf(robot, "roll-over").back().message, "rolled over");
+    EXPECT_EQ(eventsOf(robot, "roll-over").back().message, "rolled over");
 }
 
 TEST(CrawlerLife, TipsOnASideSlopeThatItsWeightDoesNotHoldAndNotBefore) {

@@ -51,19 +51,20 @@ OperatedRobot::OperatedRobot(World& world, const std::string& kind, int number,
     m_station.bytes[0] = 1;
 }
 
-void OperatedRobot::wish(double forward, double turn) {
-    const DriveVelocity wish{forward, 0.0, turn};
-    m_changed = m_changed || wish.forward != m_wish.forward;
-    m_wish = wish;
+void OperatedRobot::request(double forward, double turn) {
+    const DriveVelocity request{forward, 0.0, turn};
+    m_changed = m_changed || request.forward != m_requested.forward;
+    m_requested = request;
 }
 
 void OperatedRobot::wishHeading(double speed, double heading) {
     const double off = std::remainder(heading - headingOf(state().baseInArena), 2.0 * std::numbers::pi);
-    wish(speed, std::clamp(2.0 * off, -0.8, 0.8));
+    request(speed, std::clamp(2.0 * off, -0.8, 0.8));
 }
 
 void OperatedRobot::stop() {
-    m_agent->hear(StreamRole::StopCommand, StopCommandSample{{}, "station 1", ++m_stops, true, 0}, m_station);
+    m_agent->receive(StreamRole::StopCommand, StopCommandSample{{}, "station 1", ++m_stops, true, 0},
+                     m_station);
 }
 
 void OperatedRobot::remote(const std::optional<TwistSample>& twist) {
@@ -79,16 +80,16 @@ void OperatedRobot::turn() {
         GrantSample grant;
         grant.station = "station 1";
         grant.robot = m_description.name;
-        m_agent->hear(grant, m_station);
+        m_agent->receive(grant, m_station);
     }
     if (m_changed || now - m_commanded >= 50ms) {
         m_commanded = now;
         m_changed = false;
         TwistSample twist;  // neutral before anything moves
-        if (m_neutral) twist.linear.x() = m_wish.forward;
-        if (m_neutral) twist.angular.z() = m_wish.turn;
+        if (m_neutral) twist.linear.x() = m_requested.forward;
+        if (m_neutral) twist.angular.z() = m_requested.turn;
         m_neutral = true;
-        m_agent->hear(StreamRole::DriveCommand, twist, m_station);
+        m_agent->receive(StreamRole::DriveCommand, twist, m_station);
     }
     for (HardwareSample& sample : m_agent->step()) m_said.push_back(std::move(sample));
 }

@@ -31,7 +31,7 @@ public:
                   const HardwareSettings& fitting = {.cameras = false});
 
     /// The sticks of its operator from now on; the grant and the command are renewed as a station does.
-    void wish(double forward, double turn = 0.0);
+    void request(double forward, double turn = 0.0);
     /// Puts the sticks so that it drives at @p speed and turns to @p heading (arena's frame), as somebody
     /// does who looks where it points.
     void wishHeading(double speed, double heading);
@@ -55,7 +55,7 @@ public:
         }
         return found;
     }
-    [[nodiscard]] const std::vector<HardwareSample>& said() const { return m_said; }
+    [[nodiscard]] const std::vector<HardwareSample>& reported() const { return m_said; }
     void forget() { m_said.clear(); }
     void turnEvery(std::chrono::nanoseconds period) { m_period = period; }  ///< of its agent; 5 ms
 
@@ -68,7 +68,7 @@ private:
     std::unique_ptr<RobotHardware> m_hardware;
     std::unique_ptr<RobotAgent> m_agent;
     Sender m_station;
-    DriveVelocity m_wish;
+    DriveVelocity m_requested;
     std::chrono::nanoseconds m_period = std::chrono::milliseconds(5);
     Time m_turned{}, m_held{}, m_commanded{};
     bool m_neutral = false,

@@ -34,10 +34,10 @@ inline void expectOutlivesItsListeners(Node& writer, Node& listener, int rounds,
     });
     for (int round = 0; round < rounds; ++round) {
         for (const std::string& topic : topics) {
-            std::atomic<bool> heard = false;
+            std::atomic<bool> received = false;
             const auto listening = must(listener.subscribe({topic, TestType, {}, Lane::Small},
-                                                           [&](const ReceivedSample&) { heard = true; }));
-            ASSERT_TRUE(waitUntil([&] { return heard.load(); })) << topic << ", round " << round;
+                                                           [&](const ReceivedSample&) { received = true; }));
+            ASSERT_TRUE(waitUntil([&] { return received.load(); })) << topic << ", round " << round;
         }
     }
 }

@@ -18,7 +18,7 @@
 namespace leitstand::test {
 
 /// A sample as a station decodes it.
-struct Heard {
+struct Received {
     Sample sample;
     Time received{};                   ///< this computer's clock
     std::uint64_t writerSequence = 0;  ///< as of ReceivedSample
@@ -43,26 +43,26 @@ public:
     RobotListener& operator=(const RobotListener&) = delete;
 
     /// What came on @p topic so far; of a topic that it does not listen to, nothing.
-    [[nodiscard]] std::vector<Heard> on(const std::string& topic) const {
+    [[nodiscard]] std::vector<Received> on(const std::string& topic) const {
         const std::scoped_lock lock(m_mutex);
         const One* one = find(topic);
-        return one == nullptr ? std::vector<Heard>() : one->heard;
+        return one == nullptr ? std::vector<Received>() : one->gotSample;
     }
     [[nodiscard]] std::size_t count(const std::string& topic) const {
         const std::scoped_lock lock(m_mutex);
         const One* one = find(topic);
-        return one == nullptr ? 0 : one->heard.size();
+        return one == nullptr ? 0 : one->gotSample.size();
     }
     template <class Kind>
     [[nodiscard]] std::vector<Kind> all(const std::string& topic) const {
         std::vector<Kind> found;
-        for (const Heard& heard : on(topic)) {
-            if (const auto* one = std::get_if<Kind>(&heard.sample)) found.push_back(*one);
+        for (const Received& gotSample : on(topic)) {
+            if (const auto* one = std::get_if<Kind>(&gotSample.sample)) found.push_back(*one);
         }
         return found;
     }
-    [[nodiscard]] bool hears(const std::string& topic, std::size_t atLeast = 1,
-                             std::chrono::seconds atMost = std::chrono::seconds(60)) const {
+    [[nodiscard]] bool receives(const std::string& topic, std::size_t atLeast = 1,
+                                std::chrono::seconds atMost = std::chrono::seconds(60)) const {
         return waitUntil([&] { return count(topic) >= atLeast; }, atMost);
     }
     /// What made no sense.
@@ -74,7 +74,7 @@ public:
 private:
     struct One {
         StreamDescription stream;
-        std::vector<Heard> heard;
+        std::vector<Received> gotSample;
         std::unique_ptr<Subscription> subscription;
     };
     void add(Node& node, const StreamDescription& stream) {
@@ -82,15 +82,15 @@ private:
         One& one = *m_streams.back();
         one.stream = stream;
         auto made = node.subscribe({stream.topic, stream.type, stream.qos, Lane::Small},
-                                   [this, &one](const ReceivedSample& sample) { hear(one, sample); });
+                                   [this, &one](const ReceivedSample& sample) { receive(one, sample); });
         if (!made) throw std::runtime_error(made.error().text);
         one.subscription = std::move(made).value();
     }
-    void hear(One& one, const ReceivedSample& sample) {
+    void receive(One& one, const ReceivedSample& sample) {
         auto decoded = decode(sample.event, one.stream);
         const std::scoped_lock lock(m_mutex);
         if (!decoded) return m_errors.push_back(decoded.error().text);
-        one.heard.push_back({std::move(decoded).value(), sample.event.received, sample.writerSequence});
+        one.gotSample.push_back({std::move(decoded).value(), sample.event.received, sample.writerSequence});
     }
     [[nodiscard]] const One* find(const std::string& topic) const {
         for (const auto& one : m_streams) {

@@ -49,12 +49,12 @@ TEST(Discovery, TellsEveryEndpointWithItsQos) {
     EXPECT_FALSE(mode.host.empty());
     EXPECT_EQ(mode.guid, writer->guid());
     EXPECT_EQ(mode.participant, robot->guid());
-    Qos told = offered;
-    told.depth = 1;
-    EXPECT_EQ(mode.qos.reliability, told.reliability);
-    EXPECT_EQ(mode.qos.durability, told.durability);
-    EXPECT_NEAR(mode.qos.lifespan, told.lifespan, 1e-6);
-    EXPECT_NEAR(mode.qos.deadline, told.deadline, 1e-6);
+    Qos reported = offered;
+    reported.depth = 1;
+    EXPECT_EQ(mode.qos.reliability, reported.reliability);
+    EXPECT_EQ(mode.qos.durability, reported.durability);
+    EXPECT_NEAR(mode.qos.lifespan, reported.lifespan, 1e-6);
+    EXPECT_NEAR(mode.qos.deadline, reported.deadline, 1e-6);
     EXPECT_EQ(endpoints[1].kind, RemoteEndpoint::Kind::Reader);
     EXPECT_EQ(endpoints[1].topic, "Square");
     EXPECT_EQ(endpoints[1].type, "ShapeType");
@@ -67,15 +67,15 @@ TEST(Discovery, TellsEveryEndpointWithItsQos) {
 TEST(Discovery, ChangesAreTold) {
     const TestDomain domain;
     const auto station = nodeIn(domain);
-    std::atomic<int> told = 0;
-    station->onDiscovery([&] { ++told; });
-    ASSERT_TRUE(waitUntil([&] { return told > 0; }));
+    std::atomic<int> reported = 0;
+    station->onDiscovery([&] { ++reported; });
+    ASSERT_TRUE(waitUntil([&] { return reported > 0; }));
     auto robot = nodeIn(domain);
     auto writer = must(robot->publisher({"/k/odom", TestType, reliable(1)}));
     ASSERT_TRUE(waitUntil([&] { return station->endpoints().size() == 1; }));
-    const int before = told;
+    const int before = reported;
     writer.reset();
-    ASSERT_TRUE(waitUntil([&] { return station->endpoints().empty() && told > before; }));
+    ASSERT_TRUE(waitUntil([&] { return station->endpoints().empty() && reported > before; }));
     robot.reset();
     ASSERT_TRUE(waitUntil([&] { return station->participants().empty(); }));
 }

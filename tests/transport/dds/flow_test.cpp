@@ -41,13 +41,13 @@ private:
 TEST(Flow, KeepsItsLimitThoughItsThreadGetsTheProcessorLate) {
     const TestDomain domain;
     const auto station = nodeIn(domain);
-    std::atomic<int> heard = 0;
+    std::atomic<int> received = 0;
     const auto listening =
-        must(station->subscribe({"/k/left", TestType, bestEffort(), Lane::Large}, [&](auto) { ++heard; }));
+        must(station->subscribe({"/k/left", TestType, bestEffort(), Lane::Large}, [&](auto) { ++received; }));
     const ChildProcess talker(program("dds_peer"),
                               {"talk", std::to_string(domain.number()), "/k/left", "reliable=0", "size=13000",
                                "period=60", "flow=" + std::to_string(Pictures)});
-    ASSERT_TRUE(waitUntil([&] { return heard > 5; }));
+    ASSERT_TRUE(waitUntil([&] { return received > 5; }));
     const auto before = listening->counts();
     const Hindered hindered(talker, 3ms, 9ms);
     std::this_thread::sleep_for(5s);  // is what is measured
@@ -60,30 +60,30 @@ TEST(Flow, TelemetryThatWaitsForItsThreadIsNotOverwritten) {
     const TestDomain domain;
     const auto robot = nodeIn(domain), station = nodeIn(domain);
     Inbox ear;
-    const auto heard = must(station->subscribe({"/k/tf", TestType, bestEffort(100)}, ear.callback()));
-    const auto said = must(robot->publisher({"/k/tf", TestType, bestEffort(10), Flow::Telemetry}));
+    const auto received = must(station->subscribe({"/k/tf", TestType, bestEffort(100)}, ear.callback()));
+    const auto reported = must(robot->publisher({"/k/tf", TestType, bestEffort(10), Flow::Telemetry}));
     ASSERT_TRUE(waitUntil([&] {
-        static_cast<void>(said->write(testPayload(100, 0)));
+        static_cast<void>(reported->write(testPayload(100, 0)));
         return ear.size() > 0;
     }));
     std::this_thread::sleep_for(100ms);  // nothing waits any more
     const std::size_t before = ear.size();
     // 0.6 s of a stream of 100 Hz, as a thread writes them that did not get the processor for so long.
-    for (std::uint32_t i = 1; i <= 60; ++i) ASSERT_TRUE(said->write(testPayload(500, i)));
+    for (std::uint32_t i = 1; i <= 60; ++i) ASSERT_TRUE(reported->write(testPayload(500, i)));
     EXPECT_TRUE(waitUntil([&] { return ear.size() == before + 60; })) << ear.size() - before << " of 60";
 }
 
 TEST(Flow, IsWithoutLimitOnTheLoopbackDevice) {
     const TestDomain domain;
     const auto station = nodeIn(domain, {.interfaces = {"lo"}});
-    std::atomic<int> heard = 0;
+    std::atomic<int> received = 0;
     const auto listening =
-        must(station->subscribe({"/k/left", TestType, bestEffort(), Lane::Large}, [&](auto) { ++heard; }));
+        must(station->subscribe({"/k/left", TestType, bestEffort(), Lane::Large}, [&](auto) { ++received; }));
     // 2.5 MB a second; the limit for pictures would be 0.47.
     const ChildProcess talker(program("dds_peer"),
                               {"talk", std::to_string(domain.number()), "/k/left", "reliable=0", "size=50000",
                                "period=20", "interface=lo", "flow=" + std::to_string(Pictures)});
-    ASSERT_TRUE(waitUntil([&] { return heard > 5; }));
+    ASSERT_TRUE(waitUntil([&] { return received > 5; }));
     const auto before = listening->counts();
     ASSERT_TRUE(waitUntil([&] { return listening->counts().samples > before.samples + 100; }));
     EXPECT_EQ(listening->counts().lost, before.lost);

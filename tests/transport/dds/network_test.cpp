@@ -24,7 +24,7 @@ std::vector<std::string> talk(const TestDomain& domain, const std::vector<std::s
 }
 
 /// Whether @p station hears the talker of /k/odom.
-bool hears(Node& station, std::chrono::milliseconds atMost = 20s) {
+bool receives(Node& station, std::chrono::milliseconds atMost = 20s) {
     Inbox inbox;
     const auto listening = must(station.subscribe({"/k/odom", TestType, bestEffort()}, inbox.callback()));
     return inbox.waitFor(3, atMost);
@@ -38,7 +38,7 @@ TEST(InitialPeers, FindEachOtherWithoutMulticast) {
     settings.interfaces = {"lo"};
     settings.initialPeers = {"127.0.0.1"};
     const auto station = nodeIn(domain, settings);
-    EXPECT_TRUE(hears(*station));
+    EXPECT_TRUE(receives(*station));
 }
 
 TEST(InitialPeers, WithoutThemAndMulticastNobodyIsFound) {
@@ -48,7 +48,7 @@ TEST(InitialPeers, WithoutThemAndMulticastNobodyIsFound) {
     NodeSettings settings;
     settings.multicast = false;
     const auto station = nodeIn(domain, settings);
-    EXPECT_FALSE(hears(*station, 1s));
+    EXPECT_FALSE(receives(*station, 1s));
 }
 
 TEST(InitialPeers, AreBesideMulticast) {
@@ -57,7 +57,7 @@ TEST(InitialPeers, AreBesideMulticast) {
     NodeSettings settings;
     settings.initialPeers = {"192.0.2.77:7410"};  // nobody there
     const auto station = nodeIn(domain, settings);
-    EXPECT_TRUE(hears(*station));
+    EXPECT_TRUE(receives(*station));
 }
 
 /// A discovery server in this process.
@@ -100,7 +100,7 @@ TEST(DiscoveryServer, TellsOfRobotsAndAllTheirTopics) {
         return endpoints.size() == 1 && endpoints[0].topic == "/k/odom" &&
                endpoints[0].participantName == "kurt3d";
     }));
-    EXPECT_TRUE(hears(*station));
+    EXPECT_TRUE(receives(*station));
 }
 
 TEST(Interfaces, TheChosenOneIsEnoughAndUnknownOnesAreNamed) {
@@ -109,7 +109,7 @@ TEST(Interfaces, TheChosenOneIsEnoughAndUnknownOnesAreNamed) {
     settings.interfaces = {"lo"};
     const auto station = nodeIn(domain, settings);
     const ChildProcess robot(program("dds_peer"), talk(domain, {"interface=lo"}));
-    EXPECT_TRUE(hears(*station));
+    EXPECT_TRUE(receives(*station));
     ASSERT_EQ(station->endpoints().size(), 1U);
     settings.interfaces = {"wlan77"};
     const auto none = Node::create(settings);
@@ -158,7 +158,7 @@ TEST_F(XmlProfiles, TheParticipantIsTheUsers) {
                                  <name>from the file</name></rtps></participant>)"));
     ASSERT_TRUE(waitUntil([&] { return station->endpoints().size() == 1; }));
     EXPECT_EQ(station->endpoints()[0].participantName, "from the file");
-    EXPECT_TRUE(hears(*station));
+    EXPECT_TRUE(receives(*station));
 }
 
 TEST_F(XmlProfiles, ATopicsQosIsTheUsersByItsRosName) {
@@ -172,7 +172,7 @@ TEST_F(XmlProfiles, ATopicsQosIsTheUsersByItsRosName) {
     EXPECT_EQ(endpoint.participantName, "ours");
     EXPECT_EQ(endpoint.qos.reliability, Qos::Reliability::Reliable);
     EXPECT_EQ(endpoint.qos.durability, Qos::Durability::TransientLocal);
-    EXPECT_TRUE(hears(*station));
+    EXPECT_TRUE(receives(*station));
 }
 
 TEST_F(XmlProfiles, AFileThatIsMissingIsAnError) {

@@ -25,14 +25,14 @@ TEST(Rejoin, SubscriptionsAndPublishersGoOnAsAnotherParticipant) {
     const TestDomain domain;
     const auto robot = nodeIn(domain, {.name = "kurt3d"}), station = nodeIn(domain);
     Inbox odometry, commands;
-    const auto heard = must(station->subscribe({"/k/odom", TestType, bestEffort()}, odometry.callback()));
+    const auto received = must(station->subscribe({"/k/odom", TestType, bestEffort()}, odometry.callback()));
     const auto obeyed = must(robot->subscribe({"/k/cmd_vel", TestType, reliable(1)}, commands.callback()));
-    const auto said = must(robot->publisher({"/k/odom", TestType, bestEffort()}));
+    const auto reported = must(robot->publisher({"/k/odom", TestType, bestEffort()}));
     const auto driven = must(station->publisher({"/k/cmd_vel", TestType, reliable(1), Flow::Immediate}));
     const auto bothHear = [&] {
         const std::size_t before = odometry.size(), obeyedBefore = commands.size();
         return waitUntil([&] {
-            static_cast<void>(said->write(testPayload(100, 1)));
+            static_cast<void>(reported->write(testPayload(100, 1)));
             static_cast<void>(driven->write(testPayload(100, 1)));
             return odometry.size() > before && commands.size() > obeyedBefore;
         });
@@ -67,8 +67,8 @@ TEST(Rejoin, LeavesNoThreadsOfTheParticipantBefore) {
     const TestDomain domain;
     const auto robot = nodeIn(domain, {.name = "kurt3d"}), station = nodeIn(domain);
     Inbox odometry;
-    const auto heard = must(station->subscribe({"/k/odom", TestType, reliable(5)}, odometry.callback()));
-    const auto said = must(robot->publisher({"/k/odom", TestType, reliable(5)}));
+    const auto received = must(station->subscribe({"/k/odom", TestType, reliable(5)}, odometry.callback()));
+    const auto reported = must(robot->publisher({"/k/odom", TestType, reliable(5)}));
     const auto driven = must(station->publisher({"/k/cmd_vel", TestType, reliable(1), Flow::Immediate}));
     ASSERT_TRUE(station->rejoin());  // what the library starts once is there
     const std::size_t before = restingThreads();
@@ -84,21 +84,22 @@ TEST(Rejoin, WhatIsTransientLocalIsWrittenAgainForThoseWhoJoinLater) {
     ASSERT_TRUE(station->rejoin());
     const auto robot = nodeIn(domain);
     Inbox ear;
-    const auto heard = must(robot->subscribe({"/k/stop_cmd", TestType, transientLocal(10)}, ear.callback()));
+    const auto received =
+        must(robot->subscribe({"/k/stop_cmd", TestType, transientLocal(10)}, ear.callback()));
     EXPECT_TRUE(waitUntil([&] { return ear.size() == 2U; })) << "as many as the history keeps";
 }
 
 TEST(Rejoin, AHistoryThatIsToKeepAllIsBoundedAndWrittenAgain) {
     const TestDomain domain;
     const auto station = nodeIn(domain);
-    const auto said = must(station->publisher({"/k/all", TestType, transientLocal(0), Flow::Immediate}));
+    const auto reported = must(station->publisher({"/k/all", TestType, transientLocal(0), Flow::Immediate}));
     constexpr std::uint32_t Most = 5000;  // what the library keeps
-    for (std::uint32_t i = 1; i <= Most + 3; ++i) static_cast<void>(said->write(testPayload(100, i)));
+    for (std::uint32_t i = 1; i <= Most + 3; ++i) static_cast<void>(reported->write(testPayload(100, i)));
     const auto joined = station->rejoin();
     ASSERT_TRUE(joined) << joined.error().text;
     const auto robot = nodeIn(domain);
     Inbox ear;
-    const auto heard = must(robot->subscribe({"/k/all", TestType, transientLocal(0)}, ear.callback()));
+    const auto received = must(robot->subscribe({"/k/all", TestType, transientLocal(0)}, ear.callback()));
     EXPECT_TRUE(waitUntil([&] { return ear.size() >= Most; }));
     EXPECT_EQ(ear.size(), Most);
 }
@@ -106,7 +107,7 @@ TEST(Rejoin, AHistoryThatIsToKeepAllIsBoundedAndWrittenAgain) {
 TEST(Rejoin, SubscriptionsThatComeAndGoMeanwhileHearAllTheSame) {
     const TestDomain domain;
     const auto robot = nodeIn(domain), station = nodeIn(domain);
-    const auto said = must(robot->publisher({"/k/odom", TestType, bestEffort()}));
+    const auto reported = must(robot->publisher({"/k/odom", TestType, bestEffort()}));
     std::atomic<bool> done = false;
     std::jthread rejoining([&] {
         for (int i = 0; i < 8; ++i) EXPECT_TRUE(station->rejoin());
@@ -126,42 +127,42 @@ TEST(Rejoin, SubscriptionsThatComeAndGoMeanwhileHearAllTheSame) {
     for (std::size_t i = inboxes.size() - 2; i > inboxes.size() - 12; --i) {
         if (i % 2 == 0) continue;  // gone at once
         EXPECT_TRUE(waitUntil([&] {
-            static_cast<void>(said->write(testPayload(100, 1)));
+            static_cast<void>(reported->write(testPayload(100, 1)));
             return inboxes[i].size() > 0;
         }));
     }
 }
 
-TEST(Hearing, AWriterIsOfferedUntilASampleOfItCame) {
+TEST(Reception, AWriterIsOfferedUntilASampleOfItCame) {
     const TestDomain domain;
     const auto robot = nodeIn(domain, {.name = "kurt3d"}), station = nodeIn(domain);
     Inbox ear;
-    const auto heard = must(station->subscribe({"/k/odom", TestType, bestEffort()}, ear.callback()));
+    const auto received = must(station->subscribe({"/k/odom", TestType, bestEffort()}, ear.callback()));
     const auto silent = must(robot->publisher({"/k/odom", TestType, bestEffort()}));
     const auto unlistened = must(robot->publisher({"/k/imu", TestType, bestEffort()}));
     ASSERT_TRUE(waitUntil([&] {
-        const DomainHearing now = station->hearing();
+        const DomainReception now = station->reception();
         return now.writers.size() == 1 && now.writers[0].matched;
     }));
-    const OfferedWriter offered = station->hearing().writers[0];
+    const OfferedWriter offered = station->reception().writers[0];
     EXPECT_EQ(offered.topic, "/k/odom");
     EXPECT_EQ(offered.guid, silent->guid());
     EXPECT_EQ(offered.participant, robot->guid());
-    EXPECT_FALSE(offered.heard);
+    EXPECT_FALSE(offered.received);
     ASSERT_TRUE(waitUntil([&] {
         static_cast<void>(silent->write(testPayload(100, 1)));
-        return station->hearing().writers[0].heard;
+        return station->reception().writers[0].received;
     }));
-    EXPECT_GE(station->hearing().writers[0].seconds, offered.seconds);
+    EXPECT_GE(station->reception().writers[0].seconds, offered.seconds);
 }
 
-TEST(Hearing, AParticipantWithoutEndpointsIsMute) {
+TEST(Reception, AParticipantWithoutEndpointsIsMute) {
     const TestDomain domain;
     const auto station = nodeIn(domain), other = nodeIn(domain, {.name = "kurt3d"});
-    ASSERT_TRUE(waitUntil([&] { return station->hearing().mute.size() == 1; }));
-    EXPECT_EQ(station->hearing().mute[0].participant.name, "kurt3d");
+    ASSERT_TRUE(waitUntil([&] { return station->reception().mute.size() == 1; }));
+    EXPECT_EQ(station->reception().mute[0].participant.name, "kurt3d");
     const auto speaks = must(other->publisher({"/k/odom", TestType, bestEffort()}));
-    EXPECT_TRUE(waitUntil([&] { return station->hearing().mute.empty(); }));
+    EXPECT_TRUE(waitUntil([&] { return station->reception().mute.empty(); }));
 }
 
 }  // namespace

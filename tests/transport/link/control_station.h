@@ -40,7 +40,7 @@ public:
             }
         });
     }
-    void ask() { m_keeper->ask(driveGrant(m_robot)); }
+    void ask() { m_keeper->requestGrant(driveGrant(m_robot)); }
     void push(double speed) { m_stick = speed; }  ///< the stick
     void letGo() { m_holding = false; }           ///< the window hangs: nothing is told any more
     void focus(bool on = true) { m_streamer->setFocus(on); }

@@ -59,8 +59,8 @@ protected:
             last = now;
             if (moments.size() > 8) moments.pop_front();
         };
-        const auto told = [](const char* what, const std::deque<Clock::time_point>& moments,
-                             Clock::time_point now) {
+        const auto reported = [](const char* what, const std::deque<Clock::time_point>& moments,
+                                 Clock::time_point now) {
             std::printf("  %s", what);
             for (const auto one : moments)
                 std::printf(" %.0f", std::chrono::duration<double, std::milli>(now - one).count());
@@ -78,8 +78,8 @@ protected:
                 const DriveStatus status = m_station->streamer().status();
                 std::printf("stutter %d, %d late: the station says %.1f m/s, needs neutral %d\n", count, late,
                             status.velocity.forward, status.needsNeutral ? 1 : 0);
-                told("sent", sent, now);
-                told("came", came, now);
+                reported("sent", sent, now);
+                reported("came", came, now);
             }
             moved = moves;
         }

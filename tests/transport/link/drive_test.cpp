@@ -118,10 +118,10 @@ TEST_F(DriveLatency, CommandsComeAtFortyHertzAndChangesAtOnce) {
     std::vector<double> delays;
     for (int i = 1; i <= 40; ++i) {
         const double speed = 0.01 * i;
-        const auto told = Clock::now();
+        const auto reported = Clock::now();
         m_streamer->set({speed, 0.0, 0.0});
         ASSERT_TRUE(waitUntil([&] { return m_wire->last()->speed() == speed; }));
-        delays.push_back(Milliseconds(m_wire->last()->at - told).count());
+        delays.push_back(Milliseconds(m_wire->last()->at - reported).count());
     }
     std::sort(delays.begin(), delays.end());
     std::printf("changes: on the wire's other end after p50 %.1f ms, worst %.1f ms\n",

@@ -73,13 +73,13 @@ TEST_F(Grants, OrUntilTheHolderConsents) {
     second.ask();
     ASSERT_TRUE(waitUntil([&] { return first.view().requestedBy == "b"; }));
     EXPECT_EQ(first.view().requestedByTitle, "Right desk");
-    first.keeper().answer(driveGrant("kurt3d"), false);
+    first.keeper().answerRequest(driveGrant("kurt3d"), false);
     ASSERT_TRUE(waitUntil([&] { return second.view().refusedBy == "a"; }));
     ASSERT_TRUE(first.driveUntil(0.3, [&] { return m_robot.speed() > 0.0; }));
     second.ask();
     ASSERT_TRUE(waitUntil([&] { return first.view().requestedBy == "b"; }));
     const auto consented = now();
-    first.keeper().answer(driveGrant("kurt3d"), true);
+    first.keeper().answerRequest(driveGrant("kurt3d"), true);
     ASSERT_TRUE(waitUntil([&] { return second.mayDrive() && m_robot.commands().holder() == "b"; }));
     const Seconds took = now() - consented;
     std::printf("consent: the robot obeys the second station after %.3f s\n", took.count());
@@ -95,7 +95,7 @@ TEST_F(Grants, ARestartedStationHasItsGrantBackAtOnce) {
     auto before = stationProcess("b", "5");
     ASSERT_TRUE(waitUntil([&] { return m_robot.speed() > 0.0; })) << before->out();
     ASSERT_TRUE(waitUntil([&] { return waiting->view(driveGrant("kurt3d")).holder == "b"; }));
-    waiting->ask(driveGrant("kurt3d"));
+    waiting->requestGrant(driveGrant("kurt3d"));
     before->signal(SIGKILL);
     before->wait();
     const auto restarted = now();
@@ -134,7 +134,7 @@ TEST_F(Grants, WhoEndsInOrderLeavesItToOthersAndRemembersIt) {
             const std::scoped_lock lock(mutex);
             remembered = std::move(held);
         }}));
-    keeper->ask(driveGrant("kurt3d"));
+    keeper->requestGrant(driveGrant("kurt3d"));
     ASSERT_TRUE(waitUntil([&] { return m_robot.commands().holder() == "a"; }));
     keeper.reset();
     ASSERT_TRUE(waitUntil([&] { return m_robot.commands().holder().empty(); }));

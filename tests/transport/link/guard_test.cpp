@@ -120,8 +120,8 @@ protected:
         m_serving.join();
         close(m_ends[1]);
     }
-    void tell(const std::string& text) const {
-        EXPECT_GT(send(m_ends[0], text.data(), text.size(), MSG_NOSIGNAL), 0);
+    void send(const std::string& text) const {
+        EXPECT_GT(::send(m_ends[0], text.data(), text.size(), MSG_NOSIGNAL), 0);
     }
     void hangUp() {
         if (m_ends[0] >= 0) close(std::exchange(m_ends[0], -1));
@@ -156,7 +156,7 @@ TEST_F(DriveGuardTest, IsReadyOnceTheRobotHearsItAndSendsZerosForTwoSecondsAfter
     ASSERT_TRUE(isReady());
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - begin < 1s) {
-        tell("drive 0");
+        send("drive 0");
         std::this_thread::sleep_for(50ms);
     }
     EXPECT_EQ(m_zeros, 0);
@@ -185,11 +185,11 @@ TEST_F(DriveGuardTest, AClosedPipeEndsIt) {
 
 TEST_F(DriveGuardTest, WhatIsNoPulseIsSilence) {
     ASSERT_TRUE(isReady());
-    tell("drive 0");
+    send("drive 0");
     const auto begin = std::chrono::steady_clock::now();
     while (m_zeros == 0 && std::chrono::steady_clock::now() - begin < 5s) {
-        tell(std::string(40, '\xff'));
-        tell("drive ");
+        send(std::string(40, '\xff'));
+        send("drive ");
         std::this_thread::sleep_for(20ms);
     }
     EXPECT_GT(m_zeros, 0);
@@ -203,7 +203,7 @@ TEST_F(DriveGuardTest, ItsStationIsKnownByItsGrantsWhenItJoinedTheDomainAnew) {
     const auto keeper = must(GrantKeeper::create(*again, {"a", "Left desk", {{driveGrant("kurt3d"), 5}}}));
     const Payload command = must(must(driveMessageFor(m_robot)).encoded({0.2, 0.0, 0.0}, {}));
     EXPECT_TRUE(waitUntil([&] {
-        tell("drive 0");
+        send("drive 0");
         for (int i = 0; i < 12 && m_zeros == 0; ++i) {
             EXPECT_TRUE(driver->write(command));
             std::this_thread::sleep_for(50ms);
@@ -221,7 +221,7 @@ TEST_F(DriveGuardTest, ItIsSilentBesideSomebodyElsesCommands) {
     const Payload command = must(must(driveMessageFor(m_robot)).encoded({0.2, 0.0, 0.0}, {}));
     ASSERT_TRUE(driver->write(command));
     ASSERT_TRUE(driver->waitForAcknowledgments(5s));
-    tell("drive 0");
+    send("drive 0");
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - begin < 3s) {
         ASSERT_TRUE(driver->write(command));

@@ -24,7 +24,7 @@ public:
         };
         listener.onStatus = [this](const LinkStatus& link) {
             const std::scoped_lock lock(m_mutex);
-            m_told = link;
+            m_reported = link;
         };
         listener.onClockOffset = [this](const ClockOffsetSample& sample) {
             const std::scoped_lock lock(m_mutex);
@@ -55,14 +55,14 @@ public:
     /// Waits until the client says so.
     [[nodiscard]] bool becomes(LinkState state,
                                std::chrono::seconds atMost = std::chrono::seconds(30)) const {
-        return waitUntil([&] { return told().state == state; }, atMost);
+        return waitUntil([&] { return reported().state == state; }, atMost);
     }
     /// Waits until the robot is connected and has answered pings.
     [[nodiscard]] bool hearsPongs(std::size_t atLeast) const {
         return becomes(LinkState::Connected) && waitUntil([&] { return pongs().size() >= atLeast; });
     }
     [[nodiscard]] std::vector<LinkState> states() const { return copyOf(m_states); }
-    [[nodiscard]] LinkStatus told() const { return copyOf(m_told); }
+    [[nodiscard]] LinkStatus reported() const { return copyOf(m_reported); }
     [[nodiscard]] std::vector<ClockOffsetSample> offsets() const { return copyOf(m_offsets); }
     [[nodiscard]] std::vector<RawEvent> pings() const { return copyOf(m_pings); }
     [[nodiscard]] std::vector<RawEvent> pongs() const { return copyOf(m_pongs); }
@@ -75,7 +75,7 @@ private:
     }
     mutable std::mutex m_mutex;
     std::vector<LinkState> m_states;
-    LinkStatus m_told;
+    LinkStatus m_reported;
     std::vector<ClockOffsetSample> m_offsets;
     std::vector<RawEvent> m_pings, m_pongs;
     std::unique_ptr<LinkClient> m_client;

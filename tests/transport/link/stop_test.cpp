@@ -30,7 +30,7 @@ public:
     explicit RawStops(Node& node, const StreamDescription& stream)
         : m_stream(stream),
           m_publisher(must(node.publisher({stream.topic, stream.type, stream.qos, Flow::Immediate}))) {}
-    void say(const StopCommandSample& command) {
+    void publish(const StopCommandSample& command) {
         ASSERT_TRUE(m_publisher->write(must(encode(command, m_stream.type))).ok());
     }
     [[nodiscard]] bool matched() const { return m_publisher->matched() > 0; }
@@ -100,7 +100,7 @@ TEST_F(StopHere, AnybodyMayStopOnlyTheHolderReleases) {
     // One that does not ask its own side first, and says that it is the holder.
     RawStops forged(*otherNode, m_stopStream);
     ASSERT_TRUE(waitUntil([&] { return forged.matched(); }));
-    forged.say({{}, "a", ~std::uint64_t{0}, false, 0});
+    forged.publish({{}, "a", ~std::uint64_t{0}, false, 0});
     ASSERT_TRUE(waitUntil([&] { return m_robot.commands().counts().stops >= 2; }));
     EXPECT_TRUE(m_robot.commands().isStopped());
     ASSERT_TRUE(m_station.stops().release("kurt3d").ok());
@@ -117,7 +117,7 @@ TEST_F(StopHere, AStationThatStartedAnewWithSmallerNumbersStops) {
     const auto again = nodeIn(m_domain);
     RawStops restarted(*again, m_stopStream);
     ASSERT_TRUE(waitUntil([&] { return restarted.matched(); }));
-    restarted.say({{}, "a", 1, true, 0});
+    restarted.publish({{}, "a", 1, true, 0});
     EXPECT_TRUE(waitUntil([&] { return m_robot.commands().isStopped(); }));
 }
 
@@ -131,7 +131,7 @@ TEST_F(StopHere, AReplayedReleaseReleasesNothing) {
     m_station.stops().stop("kurt3d");
     ASSERT_TRUE(waitUntil([&] { return m_station.stopStatus().acknowledged; }));
     const auto before = m_robot.commands().counts().stops;
-    for (std::uint64_t number = 1; number <= 100; ++number) raw.say({{}, "a", number, false, number});
+    for (std::uint64_t number = 1; number <= 100; ++number) raw.publish({{}, "a", number, false, number});
     ASSERT_TRUE(waitUntil([&] { return m_robot.commands().counts().stops > before; }));
     EXPECT_TRUE(m_robot.commands().isStopped());
 }
@@ -189,7 +189,7 @@ TEST_P(StopWithWrongClock, DrivesStopsAndReleasesAllTheSame) {
 #endif
     const ChildProcess robot(program("control_peer"), {"robot", std::to_string(m_domain.number())},
                              {"CLOCK_AHEAD=" + std::to_string(GetParam())});
-    const auto said = [&](const std::string& word) { return robot.out().find(word) != std::string::npos; };
+    const auto decoded = [&](const std::string& word) { return robot.out().find(word) != std::string::npos; };
     const auto node = nodeIn(m_domain);
     std::atomic<std::int64_t> stamped = 0;
     const StreamDescription& odometry = *m_description.stream(StreamRole::Odometry);
@@ -199,7 +199,7 @@ TEST_P(StopWithWrongClock, DrivesStopsAndReleasesAllTheSame) {
                 std::chrono::round<std::chrono::seconds>(sample.sourceTime - sample.event.received).count();
         }));
     ControlStation station(*node, m_description, Holder);
-    ASSERT_TRUE(station.driveUntil(0.3, [&] { return said("moves"); })) << robot.out();
+    ASSERT_TRUE(station.driveUntil(0.3, [&] { return decoded("moves"); })) << robot.out();
     EXPECT_TRUE(waitUntil([&] { return stamped == GetParam(); }))
         << stamped << ": the test means nothing with a right clock";
     const auto pressed = Clock::now();
@@ -207,9 +207,10 @@ TEST_P(StopWithWrongClock, DrivesStopsAndReleasesAllTheSame) {
     ASSERT_TRUE(waitUntil([&] { return station.stopStatus().acknowledged; }));
     std::printf("clock %+d s off: stop acknowledged after %.1f ms\n", GetParam(),
                 Milliseconds(Clock::now() - pressed).count());
-    ASSERT_TRUE(waitUntil([&] { return said("stopped") && said("rests") && station.stopStatus().standing; }));
+    ASSERT_TRUE(
+        waitUntil([&] { return decoded("stopped") && decoded("rests") && station.stopStatus().standing; }));
     ASSERT_TRUE(station.stops().release("kurt3d").ok());
-    ASSERT_TRUE(waitUntil([&] { return said("free"); })) << robot.out();
+    ASSERT_TRUE(waitUntil([&] { return decoded("free"); })) << robot.out();
     station.push(0.0);
     ASSERT_TRUE(
         station.driveUntil(0.2, [&] { return robot.out().rfind("moves") > robot.out().rfind("free"); }));
@@ -234,7 +235,7 @@ protected:
         m_node = nodeIn(m_domain);
         m_station = std::make_unique<ControlStation>(*m_node, m_description, Holder);
     }
-    [[nodiscard]] bool said(const std::string& word) const {
+    [[nodiscard]] bool decoded(const std::string& word) const {
         return m_robot->out().find(word) != std::string::npos;
     }
     std::optional<RadioLink> m_radio;
@@ -245,19 +246,19 @@ protected:
 };
 
 TEST_F(StopOverRadio, SurvivesTwoSecondsOfTotalLoss) {
-    ASSERT_TRUE(m_station->driveUntil(0.3, [&] { return said("moves"); })) << m_robot->out();
+    ASSERT_TRUE(m_station->driveUntil(0.3, [&] { return decoded("moves"); })) << m_robot->out();
     m_radio->setOutage(true);
     const auto lost = Clock::now();
     m_station->stops().stopAll();
-    ASSERT_TRUE(waitUntil([&] { return said("rests"); }));
+    ASSERT_TRUE(waitUntil([&] { return decoded("rests"); }));
     const double stood = Milliseconds(Clock::now() - lost).count();
-    EXPECT_FALSE(waitUntil([&] { return Clock::now() - lost >= 2s && said("stopped"); }, 2s));
-    EXPECT_FALSE(said("stopped")) << "nothing gets through";
+    EXPECT_FALSE(waitUntil([&] { return Clock::now() - lost >= 2s && decoded("stopped"); }, 2s));
+    EXPECT_FALSE(decoded("stopped")) << "nothing gets through";
     EXPECT_FALSE(m_station->stopStatus().acknowledged);
     EXPECT_GE(m_station->stopStatus().unanswered, 1s);
     m_radio->setOutage(false);
     const auto back = Clock::now();
-    ASSERT_TRUE(waitUntil([&] { return said("stopped"); }));
+    ASSERT_TRUE(waitUntil([&] { return decoded("stopped"); }));
     const double stopped = Milliseconds(Clock::now() - back).count();
     ASSERT_TRUE(waitUntil([&] { return m_station->stopStatus().acknowledged; }));
     const double acknowledged = Milliseconds(Clock::now() - back).count();
@@ -271,14 +272,14 @@ TEST_F(StopOverRadio, SurvivesTwoSecondsOfTotalLoss) {
     // Its stick has been pushed all the time.
     EXPECT_TRUE(m_robot->out().rfind("moves") < m_robot->out().rfind("rests"));
     ASSERT_TRUE(m_station->stops().release("kurt3d").ok());
-    ASSERT_TRUE(waitUntil([&] { return said("free"); }));
+    ASSERT_TRUE(waitUntil([&] { return decoded("free"); }));
     m_station->push(0.0);
     EXPECT_TRUE(m_station->driveUntil(
         0.2, [&] { return m_robot->out().rfind("moves") > m_robot->out().rfind("free"); }));
 }
 
 TEST_F(StopOverRadio, AReleaseThatDoesNotGetThroughIsTakenBack) {
-    ASSERT_TRUE(m_station->driveUntil(0.3, [&] { return said("moves"); })) << m_robot->out();
+    ASSERT_TRUE(m_station->driveUntil(0.3, [&] { return decoded("moves"); })) << m_robot->out();
     m_station->stops().stopAll();
     ASSERT_TRUE(waitUntil([&] { return m_station->stopStatus().acknowledged; }));
     m_radio->setOutage(true);
@@ -288,7 +289,7 @@ TEST_F(StopOverRadio, AReleaseThatDoesNotGetThroughIsTakenBack) {
     EXPECT_FALSE(m_station->stopStatus().refused.empty());
     m_radio->setOutage(false);
     ASSERT_TRUE(waitUntil([&] { return m_station->stopStatus().acknowledged; }));
-    EXPECT_FALSE(said("free"));
+    EXPECT_FALSE(decoded("free"));
 }
 
 /// A domain with keys for a station, a robot and a viewer.

@@ -23,12 +23,13 @@ struct Side {
     std::vector<std::unique_ptr<Publisher>> publishers;
     std::vector<std::unique_ptr<Subscription>> subscriptions;
 
-    Side(const TestDomain& domain, const std::string& says, const std::string& hears) : node(nodeIn(domain)) {
+    Side(const TestDomain& domain, const std::string& says, const std::string& receives)
+        : node(nodeIn(domain)) {
         for (int i = 0; i < Streams; ++i) {
             const std::string number = "/" + std::to_string(i);
             publishers.push_back(must(node->publisher({says + number, TestType, bestEffort()})));
             subscriptions.push_back(
-                must(node->subscribe({hears + number, TestType, bestEffort()}, [](ReceivedSample) {})));
+                must(node->subscribe({receives + number, TestType, bestEffort()}, [](ReceivedSample) {})));
         }
     }
     [[nodiscard]] bool matched() const {

@@ -61,7 +61,7 @@ public:
         m_process = std::make_unique<ChildProcess>(program("radio_robot"), words);
     }
 
-    [[nodiscard]] bool said(const std::string& word) const {
+    [[nodiscard]] bool reported(const std::string& word) const {
         return m_process->out().find(word) != std::string::npos;
     }
     void command() { static_cast<void>(m_commands->write(testPayload(60, ++m_commandsSent))); }
@@ -70,13 +70,14 @@ public:
         return m_points.size();
     }
     [[nodiscard]] RobotReport report() const {
-        RobotReport told;
+        RobotReport reported;
         const std::string out = m_process->out();
         const auto begin = out.find("points ");
-        if (begin == std::string::npos) return told;
+        if (begin == std::string::npos) return reported;
         std::sscanf(out.c_str() + begin, "points %u odom %u commands %zu p50 %lf p99 %lf worst %lf",
-                    &told.points, &told.odom, &told.commands, &told.p50, &told.p99, &told.worst);
-        return told;
+                    &reported.points, &reported.odom, &reported.commands, &reported.p50, &reported.p99,
+                    &reported.worst);
+        return reported;
     }
     [[nodiscard]] double odometryP99() const {
         const std::scoped_lock lock(m_mutex);
@@ -84,15 +85,15 @@ public:
     }
     void print() const {
         const std::scoped_lock lock(m_mutex);
-        const RobotReport told = report();
+        const RobotReport reported = report();
         std::printf(
             "%s: points %zu of %u (%zu twice): p50 %.2f s, p99 %.2f s, odometry %zu of %u: p50 %.1f ms, p99 "
             "%.1f ms, commands %zu of "
             "%u: p50 %.1f ms, p99 %.1f ms, worst %.1f ms, pictures %d\n",
-            m_name.c_str(), m_points.size(), told.points, m_pointDelays.size() - m_points.size(),
-            quantile(m_pointDelays, 0.5), quantile(m_pointDelays, 0.99), m_odometryDelays.size(), told.odom,
-            quantile(m_odometryDelays, 0.5), quantile(m_odometryDelays, 0.99), told.commands, m_commandsSent,
-            told.p50, told.p99, told.worst, m_pictures.load());
+            m_name.c_str(), m_points.size(), reported.points, m_pointDelays.size() - m_points.size(),
+            quantile(m_pointDelays, 0.5), quantile(m_pointDelays, 0.99), m_odometryDelays.size(),
+            reported.odom, quantile(m_odometryDelays, 0.5), quantile(m_odometryDelays, 0.99),
+            reported.commands, m_commandsSent, reported.p50, reported.p99, reported.worst, m_pictures.load());
     }
 
 private:
@@ -130,7 +131,7 @@ protected:
     }
     [[nodiscard]] bool all(const std::string& word) const {
         return std::all_of(m_robots.begin(), m_robots.end(),
-                           [&](const auto& robot) { return robot->said(word); });
+                           [&](const auto& robot) { return robot->reported(word); });
     }
     /// Sends commands at 20 Hz until @p condition holds.
     template <class Condition>

@@ -49,7 +49,7 @@ public:
         return m_fast->matched() > 0 && m_sure->matched() > 0 && m_large->matched() > 0;
     }
     [[nodiscard]] bool matchedMode() const { return m_sure->matched() > 0; }
-    void say(std::uint32_t i) {
+    void publish(std::uint32_t i) {
         static_cast<void>(m_fast->write(testPayload(700, i)));
         if (i % 4 == 0) static_cast<void>(m_sure->write(testPayload(120, i)));
         if (i % 200 == 0) static_cast<void>(m_large->write(testPayload(400'000, i)));
@@ -127,7 +127,7 @@ void expectAllPass(const NodeSettings& station, const NodeSettings& robot, std::
     std::uint32_t i = 0;
     ASSERT_TRUE(waitUntil(
         [&] {
-            for (int burst = 0; burst < 20; ++burst) speaker.say(++i);
+            for (int burst = 0; burst < 20; ++burst) speaker.publish(++i);
             return listener.arrived() >= count;
         },
         20min));
@@ -213,7 +213,7 @@ TEST_F(RealTraffic, CostsTheScreenAMicrosecondAPacketAtMost) {
     std::uint32_t i = 0;
     ASSERT_TRUE(waitUntil(
         [&] {
-            for (int burst = 0; burst < 20; ++burst) speaker.say(++i);
+            for (int burst = 0; burst < 20; ++burst) speaker.publish(++i);
             return listener.arrived() > 3'000;
         },
         60s));
@@ -242,7 +242,7 @@ TEST_F(RealTraffic, WithKeysOnlyDiscoveryAndAuthenticationArePlain) {
     std::uint32_t i = 0;
     EXPECT_TRUE(waitUntil(
         [&] {
-            speaker.say(++i);
+            speaker.publish(++i);
             return listener.arrived() > 200;
         },
         30s));

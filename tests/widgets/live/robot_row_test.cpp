@@ -68,7 +68,7 @@ TEST(RobotRows, AreScrolledNoFartherThanNeeded) {
 class HiddenRobotsTest : public testing::Test {
 protected:
     void add(const SampleRobot& robot) {
-        chips.push_back(robotChipOf(robot.face, robot.view, robot.said, at(0)));
+        chips.push_back(robotChipOf(robot.face, robot.view, robot.reported, at(0)));
         stops.push_back(stopLineOf(robot.face, robot.view));
     }
     std::vector<RobotChip> chips;
@@ -101,9 +101,9 @@ TEST_F(HiddenRobotsTest, TellTheWorstOfTheirLinksAndStops) {
     EXPECT_EQ(hidden.stop.tone, Tone::Act) << "nobody answers";
     EXPECT_EQ(hidden.stop.face.letter, "E");
     EXPECT_EQ(hidden.link, LinkState::Lost);
-    for (const char* told : {"Kurt3D (K)", "Crawler (C)", "Dozer (D)", "Eagle (E)", "STOP: standing",
-                             "STOP: acknowledged · moves", "STOP: sent · no answer for 4.2 s"})
-        EXPECT_THAT(hidden.details.toStdString(), HasSubstr(told));
+    for (const char* reported : {"Kurt3D (K)", "Crawler (C)", "Dozer (D)", "Eagle (E)", "STOP: standing",
+                                 "STOP: confirmed · moves", "STOP: sent · no answer for 4.2 s"})
+        EXPECT_THAT(hidden.details.toStdString(), HasSubstr(reported));
     EXPECT_EQ(hiddenRobotsOf({}, chips, stops), HiddenRobots{});
     EXPECT_EQ(hiddenRobotsOf({1}, chips, {}).stop.stage, StopStage::None) << "a review has no stops";
 }

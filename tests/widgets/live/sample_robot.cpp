@@ -48,7 +48,7 @@ void setMode(SampleRobot& robot, const std::string& mode, bool autonomous, const
     sample.mode = mode;
     sample.autonomous = autonomous;
     sample.reason = reason;
-    robot.said.mode = Latest<ModeSample>{3, at(-5), sample};
+    robot.reported.mode = Latest<ModeSample>{3, at(-5), sample};
 }
 
 void setStop(SampleRobot& robot, bool acknowledged, bool standing) {
@@ -86,20 +86,20 @@ SampleRobot sampleRobot(const std::string& letter, const std::string& title, int
     robot.view.around = corridor();
 
     setMode(robot, "teleoperation");
-    robot.said.odometry =
+    robot.reported.odometry =
         Latest<OdometrySample>{1, at(-0.03), odometryOf(0.42, degrees(-8), degrees(6), degrees(-3))};
     BatterySample battery;
     battery.fraction = 0.71;
     battery.capacity = 10.0;
     battery.current = -11.2;
-    robot.said.battery = Latest<BatterySample>{4, at(-0.4), battery};
+    robot.reported.battery = Latest<BatterySample>{4, at(-0.4), battery};
     GasSample gas;
     for (int i = 0; i < 110; ++i) {
         gas.ppm = 640.0 + 12.0 * std::sin(0.9 * i) + (i > 70 ? 13.2 * (i - 70) : 0.0);
         robot.gas.add(at(i - 109.5), gas.ppm);
     }
     gas.ppm = 1180;
-    robot.said.gas = Latest<GasSample>{5, at(-0.5), gas};
+    robot.reported.gas = Latest<GasSample>{5, at(-0.5), gas};
     return robot;
 }
 

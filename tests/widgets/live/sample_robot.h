@@ -21,7 +21,7 @@ struct SampleRobot {
     RobotDescription description;
     RobotFace face;
     RobotView view;
-    RobotState said;
+    RobotState reported;
     GasTrend gas;
 };
 [[nodiscard]] SampleRobot sampleRobot(const std::string& letter = "K", const std::string& title = "Kurt3D",

@@ -63,10 +63,10 @@ TEST_F(StreamTableTest, WhatNeverCameHasDashesAndWhatIsOffSaysSo) {
 }
 
 TEST_F(StreamTableTest, SettingsAreInWordsAndTellWhoseTheyAre) {
-    EXPECT_EQ(wishText({}), "");
-    EXPECT_EQ(wishText({.enabled = false, .rate = 4.0}), "off");
-    EXPECT_EQ(wishText({true, 5.0, 40, 320}), "5 Hz, quality 40, 320 px");
-    EXPECT_EQ(wishText({.rate = 2.5}), "2.5 Hz");
+    EXPECT_EQ(requestText({}), "");
+    EXPECT_EQ(requestText({.enabled = false, .rate = 4.0}), "off");
+    EXPECT_EQ(requestText({true, 5.0, 40, 320}), "5 Hz, quality 40, 320 px");
+    EXPECT_EQ(requestText({.rate = 2.5}), "2.5 Hz");
     StreamRow one = row();
     one.own = one.effective = {.rate = 12.0};
     EXPECT_EQ(settingText(one), "12 Hz");

@@ -27,10 +27,10 @@ using testing::Not;
 using Choice = GrantFigures::Choice;
 
 DriveState stateOf(const SampleRobot& robot, double now = 0.0) {
-    return driveStateOf(robot.face, robot.description, robot.view, robot.said, robot.gas, at(now));
+    return driveStateOf(robot.face, robot.description, robot.view, robot.reported, robot.gas, at(now));
 }
 ModeLabel labelOf(const SampleRobot& robot) {
-    return modeLabelOf(robot.view, robot.said.mode);
+    return modeLabelOf(robot.view, robot.reported.mode);
 }
 
 class LiveWords : public testing::Test {
@@ -40,16 +40,16 @@ protected:
 };
 
 TEST_F(LiveWords, ARobotWhoseLinkIsLostDrivesItselfAsLongAsItSaidSoAndNoStopStands) {
-    EXPECT_FALSE(drivesItself(robot.view, robot.said.mode)) << "it is driven";
+    EXPECT_FALSE(drivesItself(robot.view, robot.reported.mode)) << "it is driven";
     setMode(robot, "explore", true, "");
-    EXPECT_TRUE(drivesItself(robot.view, robot.said.mode));
+    EXPECT_TRUE(drivesItself(robot.view, robot.reported.mode));
     robot.view.link.state = LinkState::Lost;
-    EXPECT_TRUE(drivesItself(robot.view, robot.said.mode)) << "nobody can ask it, and it goes on";
+    EXPECT_TRUE(drivesItself(robot.view, robot.reported.mode)) << "nobody can ask it, and it goes on";
     robot.view.stop.stopped = true;
-    EXPECT_FALSE(drivesItself(robot.view, robot.said.mode));
+    EXPECT_FALSE(drivesItself(robot.view, robot.reported.mode));
     robot.view.stop.stopped = false;
     setMode(robot, "stopped", false, "");
-    EXPECT_FALSE(drivesItself(robot.view, robot.said.mode));
+    EXPECT_FALSE(drivesItself(robot.view, robot.reported.mode));
     EXPECT_FALSE(drivesItself(robot.view, std::nullopt)) << "it never said";
 }
 
@@ -62,7 +62,7 @@ TEST_F(LiveWords, AModeHasItsKind) {
     EXPECT_EQ(labelOf(robot).kind, ModeKind::Stopped);
     setMode(robot, "wall_following", true);
     EXPECT_EQ(labelOf(robot).text.toStdString(), "WALL FOLLOWING");
-    robot.said.mode.reset();
+    robot.reported.mode.reset();
     EXPECT_EQ(labelOf(robot).kind, ModeKind::Teleoperation);
     robot.view.drive.driving = false;
     EXPECT_EQ(labelOf(robot).kind, ModeKind::Stopped);
@@ -84,9 +84,9 @@ public:
 };
 
 TEST_F(LiveWords, WhatRobotsSayIsInTheWindowsLanguage) {
-    EXPECT_EQ(robotSaysText("heat 1.20 m ahead; not seen there yet").toStdString(),
+    EXPECT_EQ(robotReasonText("heat 1.20 m ahead; not seen there yet").toStdString(),
               "heat 1.20 m ahead; not seen there yet");
-    EXPECT_EQ(robotSaysText("victim_approach cannot be asked for").toStdString(),
+    EXPECT_EQ(robotReasonText("victim_approach cannot be asked for").toStdString(),
               "victim approach cannot be asked for");
     int arguments = 0;
     const QCoreApplication application(arguments, nullptr);
@@ -96,7 +96,7 @@ TEST_F(LiveWords, WhatRobotsSayIsInTheWindowsLanguage) {
     setMode(robot, "victim_approach", true, "heat 1.20 m ahead; läuft");
     EXPECT_EQ(labelOf(robot).reason.toStdString(), "Wärme 1,20 m voraus; läuft");
     EXPECT_EQ(labelOf(robot).text.toStdString(), "OPFERANFAHRT");
-    EXPECT_THAT(robotChipOf(robot.face, robot.view, robot.said, at(0)).modes.front().toStdString(),
+    EXPECT_THAT(robotChipOf(robot.face, robot.view, robot.reported, at(0)).modes.front().toStdString(),
                 HasSubstr("Opferanfahrt"));
     QCoreApplication::removeTranslator(&german);
 }
@@ -126,9 +126,9 @@ TEST_F(LiveWords, AStopGoesFromSentToStanding) {
     robot.view.stop.unanswered = {};
     setStop(robot, true, false);
     EXPECT_EQ(line().stage, StopStage::Acknowledged);
-    EXPECT_EQ(line().text.toStdString(), "acknowledged · moves");
+    EXPECT_EQ(line().text.toStdString(), "confirmed · moves");
     robot.view.stop.standingKnown = false;
-    EXPECT_EQ(line().text.toStdString(), "acknowledged · motion unknown");
+    EXPECT_EQ(line().text.toStdString(), "confirmed · motion unknown");
     setStop(robot, true, true);
     EXPECT_EQ(line().stage, StopStage::Standing);
     EXPECT_EQ(line().tone, Tone::Normal);
@@ -229,13 +229,13 @@ TEST_F(LiveWords, ChainsAreToldMeasuredOfCommanded) {
 
 TEST_F(LiveWords, AGrantIsAskedForGivenUpAndAnswered) {
     GrantView grant;
-    EXPECT_EQ(grantFiguresOf(grant).text.toStdString(), "nobody has the grant");
+    EXPECT_EQ(grantFiguresOf(grant).text.toStdString(), "drive control: free");
     grant.mine = true;
     EXPECT_EQ(grantFiguresOf(grant).choice, Choice::GiveUp);
     grant.requestedBy = "b";
     grant.requestedByTitle = "Van";
     EXPECT_EQ(grantFiguresOf(grant).choice, Choice::Answer);
-    EXPECT_EQ(grantFiguresOf(grant).text.toStdString(), "Van asks to drive");
+    EXPECT_EQ(grantFiguresOf(grant).text.toStdString(), "Van requests drive control");
     grant = {};
     grant.holder = "b";
     grant.holderTitle = "Van";
@@ -265,9 +265,9 @@ TEST_F(LiveWords, FiguresAreMutedOrGoneWhenTheyAreOld) {
 
 TEST_F(LiveWords, WhatIsNoNumberIsADash) {
     const QString dash(QChar(0x2013));
-    robot.said.odometry->sample = test::odometryOf(Unknown, Unknown, Unknown, Unknown);
-    robot.said.gas->sample.ppm = Unknown;
-    robot.said.battery->sample = {};
+    robot.reported.odometry->sample = test::odometryOf(Unknown, Unknown, Unknown, Unknown);
+    robot.reported.gas->sample.ppm = Unknown;
+    robot.reported.battery->sample = {};
     robot.view.around->obstacles = {{Eigen::Vector2d(Unknown, 1.0), 0.0}};
     robot.view.drive.velocity = {Unknown, 0.0, Unknown};
     const DriveState state = stateOf(robot);
@@ -281,7 +281,7 @@ TEST_F(LiveWords, WhatIsNoNumberIsADash) {
 
 TEST_F(LiveWords, AttitudeWarnsBeforeItsLimits) {
     const auto toneAt = [this](double roll, double pitch) {
-        robot.said.odometry->sample = test::odometryOf(0, 0, degrees(roll), degrees(pitch));
+        robot.reported.odometry->sample = test::odometryOf(0, 0, degrees(roll), degrees(pitch));
         return stateOf(robot).attitude.tone;
     };
     EXPECT_EQ(toneAt(6, -3), Tone::Normal);
@@ -295,7 +295,7 @@ TEST_F(LiveWords, AttitudeWarnsBeforeItsLimits) {
     ImuSample imu;
     imu.orientation = Eigen::Quaterniond(poseFrom({0, 0, 0}, degrees(10), 0, 0.3).linear() *
                                          poseFrom({0, 0, 0}, degrees(90), 0, 0).linear());
-    robot.said.imu = Latest<ImuSample>{9, at(0), imu};
+    robot.reported.imu = Latest<ImuSample>{9, at(0), imu};
     EXPECT_NEAR(stateOf(robot).attitude.roll, degrees(10), 1e-9);
     EXPECT_NEAR(stateOf(robot).attitude.pitch, 0.0, 1e-9);
 }
@@ -312,7 +312,7 @@ TEST_F(LiveWords, GasRisesFallsAndRaisesItsVoice) {
     EXPECT_LE(steady.samples(at(0)).size(), 121u);
     steady.add(at(-400), 800.0);
     EXPECT_EQ(steady.samples(at(-400)).size(), 1u) << "a clock that went back begins anew";
-    robot.said.gas->sample.ppm = 2400;
+    robot.reported.gas->sample.ppm = 2400;
     EXPECT_EQ(stateOf(robot).gas.value.tone, Tone::Attention);
 }
 
@@ -351,7 +351,7 @@ TEST_F(LiveWords, LinksSayTheWorstReason) {
 }
 
 TEST_F(LiveWords, ChipsLeaveOutWordsButNeverModeAndBatteryOfARobotThatTalks) {
-    const RobotChip chip = robotChipOf(robot.face, robot.view, robot.said, at(0));
+    const RobotChip chip = robotChipOf(robot.face, robot.view, robot.reported, at(0));
     EXPECT_EQ(chip.figures.first().toStdString(), "22 ms · 0\u202f% loss · 71\u202f%");
     EXPECT_TRUE(chip.figures.contains("22 ms · 71\u202f%")) << "that nothing is lost is no news";
     EXPECT_EQ(chip.figures.last().toStdString(), "71\u202f%");
@@ -359,11 +359,11 @@ TEST_F(LiveWords, ChipsLeaveOutWordsButNeverModeAndBatteryOfARobotThatTalks) {
         EXPECT_LT(chip.figures[i].size(), chip.figures[i - 1].size());
     EXPECT_EQ(chip.modes, QStringList({"teleoperation", "teleop"}));
     robot.view.link.streams[0].lossRatio = 0.04;
-    const RobotChip lossy = robotChipOf(robot.face, robot.view, robot.said, at(0));
+    const RobotChip lossy = robotChipOf(robot.face, robot.view, robot.reported, at(0));
     EXPECT_EQ(lossy.figures.first().toStdString(), "22 ms · 4\u202f% loss · 71\u202f%");
     robot.view.link.state = LinkState::Lost;
     robot.view.link.silence = 4.2;
-    const RobotChip lost = robotChipOf(robot.face, robot.view, robot.said, at(0));
+    const RobotChip lost = robotChipOf(robot.face, robot.view, robot.reported, at(0));
     EXPECT_EQ(lost.tone, Tone::Attention);
     EXPECT_EQ(lost.figures, QStringList({"4.2 s · 71\u202f%", "4.2 s"})) << "what it said last is old";
     EXPECT_EQ(lost.modes, QStringList({"link lost", "lost"}));

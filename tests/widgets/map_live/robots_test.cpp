@@ -103,14 +103,14 @@ TEST(RobotsOnTheMap, TellUnderThePointerAndToScreenReadersHowSureTheirPlaceIs) {
     view->setRobots({robot});
     view->setHint(QStringLiteral("Draw its place"));
     EXPECT_EQ(view->accessibleDescription(), QStringLiteral("Draw its place\nKurt3D: place certain to 83 %"));
-    const auto told = [&](const QPoint& at) {
+    const auto reported = [&](const QPoint& at) {
         QHelpEvent help(QEvent::ToolTip, at, view->mapToGlobal(at));
         QApplication::sendEvent(&*view, &help);
         return QToolTip::text();
     };
     const QPoint there = view.at({1, 0, RoomFloor}).toPoint();
-    EXPECT_EQ(told(there + QPoint(150, 0)), QString());
-    EXPECT_EQ(told(there), robot.details);
+    EXPECT_EQ(reported(there + QPoint(150, 0)), QString());
+    EXPECT_EQ(reported(there), robot.details);
     robot.details = QStringLiteral("Kurt3D: place uncertain, 12 %");
     view->setHint({});
     view->setRobots({robot});

@@ -4,7 +4,7 @@
 #include <QSignalSpy>
 
 #include "tests/widgets/models/sample_map.h"
-#include "widgets/models/map_summary.h"
+#include "widgets/models/map_text.h"
 #include "widgets/models/message_list_model.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/registration_choices.h"
@@ -113,7 +113,7 @@ TEST_F(TextsTest, MessagesAreCountedDismissedAndNotRepeated) {
 TEST_F(TextsTest, AMessageToldAgainIsTheNewest) {
     MessageListModel messages;
     for (const char* text : {"snapshot kept", "link lost", "snapshot kept"})
-        messages.tell(QString::fromLatin1(text));
+        messages.addReported(QString::fromLatin1(text));
     ASSERT_EQ(messages.rowCount(), 2);
     EXPECT_EQ(messages.index(0).data(Qt::ToolTipRole).toString().toStdString(), "link lost");
     EXPECT_EQ(messages.index(1).data(Qt::ToolTipRole).toString().toStdString(), "snapshot kept");
@@ -122,7 +122,7 @@ TEST_F(TextsTest, AMessageToldAgainIsTheNewest) {
 
 TEST_F(TextsTest, AMessageOfSeveralLinesIsOneAndTurnsNothing) {
     MessageListModel messages;
-    messages.tell(QString::fromUtf8("a.yaml:3: no rate\na.yaml:7: \u202eno topic\n"));
+    messages.addReported(QString::fromUtf8("a.yaml:3: no rate\na.yaml:7: \u202eno topic\n"));
     EXPECT_EQ(messages.index(0).data(Qt::ToolTipRole).toString().toStdString(),
               "a.yaml:3: no rate · a.yaml:7: \\u202eno topic");
 }

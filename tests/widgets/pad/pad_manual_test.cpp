@@ -42,7 +42,7 @@ std::vector<ManualRow> manualRows() {
 }
 
 /// What the manual says of @p control; empty when it does not name it.
-std::string saidOf(const PadControl& control) {
+std::string eventsOf(const PadControl& control) {
     std::string name = padControlName(control, PadLayout::Standard).toLower().toStdString();
     if (control.kind == PadControl::Kind::Axis && name.find("stick") != std::string::npos)
         name = name.substr(0, name.rfind(' '));  // both ends are one row
@@ -69,14 +69,14 @@ TEST(PadManual, TellsWhatEachControlOfANewPadDoes) {
                                                     {PadAction::TiltDown, "cameras"},
                                                     {PadAction::WithoutEyes, "without eyes"}};
     const PadBindings bindings = defaultBindings(PadLayout::Standard);
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (const PadAction action : padActions()) {
         if (bindings.at(action).kind == PadControl::Kind::None) continue;
         ASSERT_TRUE(words.contains(action)) << toString(action) << " is new: add it to the manual and here";
-        EXPECT_THAT(saidOf(bindings.at(action)), HasSubstr(words.at(action))) << toString(action);
-        ++told;
+        EXPECT_THAT(eventsOf(bindings.at(action)), HasSubstr(words.at(action))) << toString(action);
+        ++reported;
     }
-    EXPECT_EQ(told, words.size());
+    EXPECT_EQ(reported, words.size());
 }
 
 TEST(PadManual, TellsTheCommandsThatANewPadGives) {
@@ -88,7 +88,7 @@ TEST(PadManual, TellsTheCommandsThatANewPadGives) {
     const PadBindings bindings = defaultBindings(PadLayout::Standard);
     for (const PadCommand& command : bindings.commands) {
         ASSERT_TRUE(words.contains(command.id)) << command.id << " is new: add it to the manual and here";
-        EXPECT_THAT(saidOf(command.control), HasSubstr(words.at(command.id))) << command.id;
+        EXPECT_THAT(eventsOf(command.control), HasSubstr(words.at(command.id))) << command.id;
     }
     EXPECT_EQ(bindings.commands.size(), words.size());
 }

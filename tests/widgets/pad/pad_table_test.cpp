@@ -85,12 +85,12 @@ TEST_F(PadTableTest, UnpluggingEndsTheWaiting) {
 }
 
 TEST_F(PadTableTest, HowFarAControlIsPushedIsToldOfItsRowAlone) {
-    QSignalSpy told(&m_table, &PadTable::dataChanged);
+    QSignalSpy reported(&m_table, &PadTable::dataChanged);
     m_pad.axes[axis::LeftY] = -0.5;
     m_table.setState(m_pad);
-    ASSERT_EQ(told.count(), 1);
+    ASSERT_EQ(reported.count(), 1);
     const QModelIndex at = m_table.index(rowOf(m_table, "Forward"), PadTable::Control);
-    EXPECT_EQ(told[0][0].toModelIndex(), at);
+    EXPECT_EQ(reported[0][0].toModelIndex(), at);
     EXPECT_DOUBLE_EQ(at.data(PadTable::AmountRole).toDouble(), 0.5);
 }
 

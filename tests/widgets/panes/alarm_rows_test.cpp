@@ -8,7 +8,7 @@
 #include <QToolButton>
 
 #include "app/language/language.h"
-#include "core/station/alarms/log_says.h"
+#include "core/station/alarms/log_format.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/alarms/alarm_panel.h"
 
@@ -45,9 +45,10 @@ std::vector<Alarm> everyAlarm() {
     const std::string reasons[] = {"round trip 380 ms", "left pictures 2.0 s late", "odometry 1.4 s old"};
     for (const std::string& reason : reasons)
         causes.push_back({{"kurt3d", alarm_key::LinkDegraded, reason}, Severity::Attention, "", 0.0, reason});
-    for (const char* said : log_says::All) {
-        const QString note = QString::fromUtf8(said).replace(QStringLiteral("{}"), QStringLiteral("128.5"));
-        causes.push_back({{"", alarm_key::Log, said}, Severity::Act, "", 0.0, note.toStdString()});
+    for (const char* reported : log_format::All) {
+        const QString note =
+            QString::fromUtf8(reported).replace(QStringLiteral("{}"), QStringLiteral("128.5"));
+        causes.push_back({{"", alarm_key::Log, reported}, Severity::Act, "", 0.0, note.toStdString()});
     }
     std::vector<Alarm> alarms;
     for (const AlarmCause& cause : causes) {

@@ -59,7 +59,7 @@ TEST_P(Cameras, ShowWhereTheyLookFromAbove) {
     overlay.turn.tilt = degrees(10);
     overlay.turn.keys = QStringLiteral("Q E PgUp PgDn");
     overlay.turn.recentreKey = QStringLiteral("C");
-    overlay.wishedPan = degrees(-20);
+    overlay.requestedPan = degrees(-20);
     pane.setOverlay(overlay);
     const auto whiteIn = [&](const QRect& part) {
         const QImage picture = pictureOf(pane, {640, 480}, QStringLiteral("camera-turned"));
@@ -115,7 +115,7 @@ TEST_P(Cameras, TheHorizonLeansAndRisesAsTheRobotDoes) {
 TEST_P(Cameras, SayWhatWasDoneToTheirPictures) {
     EXPECT_THAT(wordsOf(pane), Not(Contains(HasSubstr("contrast"))));
     CameraOverlay overlay;
-    overlay.mode = modeLabelOf(robot.view, robot.said.mode);
+    overlay.mode = modeLabelOf(robot.view, robot.reported.mode);
     overlay.notes = {QStringLiteral("contrast raised strongly")};
     pane.setOverlay(overlay);
     (void)pictureOf(pane, {640, 480}, QStringLiteral("camera-contrast"));
@@ -128,7 +128,7 @@ TEST_P(Cameras, PanoramasHaveDirectionsAndLeaveRoomBelow) {
     pane.setPicture(plain(720, 150));
     pane.setPanorama(shape);
     CameraOverlay overlay;
-    overlay.mode = modeLabelOf(robot.view, robot.said.mode);
+    overlay.mode = modeLabelOf(robot.view, robot.reported.mode);
     overlay.ring = proximityRing(*robot.view.around, boxAround(robot.description.footprint), {0.2, 0, 0});
     pane.setOverlay(overlay);
     (void)pictureOf(pane, {780, 560}, QStringLiteral("camera-panorama"));
@@ -253,7 +253,7 @@ TEST_P(Cameras, TheModeCoversAFifthOfASmallPictureAtMost) {
 
 TEST_P(Cameras, TheRingKeepsOffWordsInEverySize) {
     CameraOverlay overlay;
-    overlay.mode = modeLabelOf(robot.view, robot.said.mode);
+    overlay.mode = modeLabelOf(robot.view, robot.reported.mode);
     overlay.ring = proximityRing(*robot.view.around, boxAround(robot.description.footprint), {0.2, 0, 0});
     for (Proximity& part : overlay.ring) part.nearness = Nearness::Near, part.distance = 0.2;
     overlay.turn.pan = 0.0;

@@ -107,7 +107,7 @@ TEST_P(DriveCells, HowMuchIsLostOnTheLinkIsToldWholeInEveryLanguage) {
 
 TEST_P(DriveCells, ABatteryWithFewMinutesIsLoudHoweverFullItIs) {
     SampleRobot robot = sampleRobot();
-    robot.said.battery->sample.current = -60.0;  // 7 minutes
+    robot.reported.battery->sample.current = -60.0;  // 7 minutes
     EnergyCell cell;
     cell.show(driveStateOf(robot));
     EXPECT_GT(countOf(pictureOf(cell, {141, 178}, "few_minutes"), colours().attention, 20), 100);
@@ -118,7 +118,8 @@ TEST_P(DriveCells, HowLongAStopIsNotAnsweredIsToldInANarrowBar) {
     setStop(robot, false, false);
     robot.view.stop.unanswered = std::chrono::milliseconds(2'900);
     RobotChipButton button({});
-    button.show(robotChipOf(robot.face, robot.view, robot.said, at(0)), stopLineOf(robot.face, robot.view));
+    button.show(robotChipOf(robot.face, robot.view, robot.reported, at(0)),
+                stopLineOf(robot.face, robot.view));
     static_cast<void>(pictureOf(button, {250, robot_bar::Height}, {}));
     EXPECT_THAT(textsOf(button), Contains("sent · no answer for 2.9 s"));
     static_cast<void>(pictureOf(button, {160, robot_bar::Height}, "stop_narrow"));

@@ -47,7 +47,7 @@ std::shared_ptr<const ThermalPicture> thermalPicture() {
 
 CameraOverlay overlayOf(const SampleRobot& robot) {
     CameraOverlay overlay;
-    overlay.mode = modeLabelOf(robot.view, robot.said.mode);
+    overlay.mode = modeLabelOf(robot.view, robot.reported.mode);
     overlay.roll = degrees(6);
     overlay.pitch = degrees(-3);
     overlay.turn.pan = degrees(-14);
@@ -86,8 +86,8 @@ public:
         bottom->addStretch(1);
         all->addLayout(bottom);
 
-        bar.show({robotChipOf(kurt.face, kurt.view, kurt.said, at(0)),
-                  robotChipOf(crawler.face, crawler.view, crawler.said, at(0))},
+        bar.show({robotChipOf(kurt.face, kurt.view, kurt.reported, at(0)),
+                  robotChipOf(crawler.face, crawler.view, crawler.reported, at(0))},
                  {stopLineOf(kurt.face, kurt.view), stopLineOf(crawler.face, crawler.view)}, kurt.face.name);
         camera.setCamera(kurt.face, QStringLiteral("Left camera"));
         camera.setPicture(cameraPicture());

@@ -56,17 +56,17 @@ TEST_P(LinkPanes, ShowsStreamsAndEditsTheChosenOne) {
     pane.resize(620, 300);
     pane.show(rows(), 2.4, true, 2.0);
     auto* table = pane.findChild<QTableView*>("streams");
-    QSignalSpy wished(&pane, &LinkPane::wished), budget(&pane, &LinkPane::budgetChosen);
+    QSignalSpy requested(&pane, &LinkPane::requested), budget(&pane, &LinkPane::budgetChosen);
     table->selectRow(1);
     auto* rate = pane.findChild<NumberBox*>("rate");
     ASSERT_TRUE(rate->isEnabled());
-    EXPECT_EQ(wished.count(), 0) << "choosing a row wishes nothing";
+    EXPECT_EQ(requested.count(), 0) << "choosing a row wishes nothing";
     rate->setValue(5.0);
-    ASSERT_EQ(wished.count(), 1);
-    EXPECT_EQ(wished[0][1].toString(), "/kurt3d/left");
-    EXPECT_EQ(wished[0][2].value<StreamWish>().rate, 5.0);
+    ASSERT_EQ(requested.count(), 1);
+    EXPECT_EQ(requested[0][1].toString(), "/kurt3d/left");
+    EXPECT_EQ(requested[0][2].value<StreamRequest>().rate, 5.0);
     pane.findChild<QCheckBox*>("enabled")->setChecked(false);
-    EXPECT_FALSE(wished.back()[2].value<StreamWish>().enabled);
+    EXPECT_FALSE(requested.back()[2].value<StreamRequest>().enabled);
     (void)pictureOf(pane, {620, 300}, GetParam() == Theme::Dark ? "link_dark" : "link_light", 2.0);
     table->selectRow(0);
     EXPECT_FALSE(pane.findChild<NumberBox*>("quality")->isEnabled()) << "scans have no quality";
@@ -74,7 +74,7 @@ TEST_P(LinkPanes, ShowsStreamsAndEditsTheChosenOne) {
     EXPECT_FALSE(rate->isEnabled());
     pane.findChild<NumberBox*>("budget")->setValue(3.0);
     EXPECT_EQ(budget.back()[0].toDouble(), 3.0);
-    EXPECT_EQ(wished.count(), 2);
+    EXPECT_EQ(requested.count(), 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Themes, LinkPanes, testing::Values(Theme::Dark, Theme::Light),

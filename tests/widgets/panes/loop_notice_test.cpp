@@ -36,37 +36,37 @@ struct NoticeOverAMap {
 };
 
 TEST(LoopNotice, ALoopThatClosedByItselfIsToldWithTheButtonThatOpensItAgain) {
-    NoticeOverAMap told;
-    EXPECT_FALSE(told.shown().isVisible());
+    NoticeOverAMap reported;
+    EXPECT_FALSE(reported.shown().isVisible());
     int opened = 0;
-    QObject::connect(&told.open, &QAction::triggered, [&opened] { ++opened; });
-    told.follow(1, 0.34, 1);
-    EXPECT_TRUE(told.shown().isVisible());
-    EXPECT_TRUE(told.shown().accessibleName().contains("0.34 m"));
-    told.button("button_loop.undo").click();
+    QObject::connect(&reported.open, &QAction::triggered, [&opened] { ++opened; });
+    reported.follow(1, 0.34, 1);
+    EXPECT_TRUE(reported.shown().isVisible());
+    EXPECT_TRUE(reported.shown().accessibleName().contains("0.34 m"));
+    reported.button("button_loop.undo").click();
     EXPECT_EQ(opened, 1);
-    EXPECT_FALSE(told.shown().isVisible());
-    told.follow(1, 0.34, 2);
-    EXPECT_FALSE(told.shown().isVisible()) << "it was answered";
+    EXPECT_FALSE(reported.shown().isVisible());
+    reported.follow(1, 0.34, 2);
+    EXPECT_FALSE(reported.shown().isVisible()) << "it was answered";
 }
 
 TEST(LoopNotice, GoesByItselfAndInterruptsNobodyForLittle) {
-    NoticeOverAMap told;
-    told.follow(1, 0.01, 1);
-    EXPECT_FALSE(told.shown().isVisible()) << "a centimetre";
-    told.follow(2, 0.2, 2);
-    told.follow(2, 0.2, 20);
-    EXPECT_TRUE(told.shown().isVisible());
-    told.follow(3, 0.01, 21);
-    EXPECT_FALSE(told.shown().isVisible()) << "the button would open the newest one";
-    told.follow(4, 0.2, 22);
-    told.follow(4, 0.2, 43);
-    EXPECT_FALSE(told.shown().isVisible());
-    told.follow(5, 0.2, 44);
-    told.button("button_loop.keep").click();
-    EXPECT_FALSE(told.shown().isVisible());
-    told.follow(6, 0.2, 45, true);
-    EXPECT_FALSE(told.shown().isVisible()) << "what the map asks goes before";
+    NoticeOverAMap reported;
+    reported.follow(1, 0.01, 1);
+    EXPECT_FALSE(reported.shown().isVisible()) << "a centimetre";
+    reported.follow(2, 0.2, 2);
+    reported.follow(2, 0.2, 20);
+    EXPECT_TRUE(reported.shown().isVisible());
+    reported.follow(3, 0.01, 21);
+    EXPECT_FALSE(reported.shown().isVisible()) << "the button would open the newest one";
+    reported.follow(4, 0.2, 22);
+    reported.follow(4, 0.2, 43);
+    EXPECT_FALSE(reported.shown().isVisible());
+    reported.follow(5, 0.2, 44);
+    reported.button("button_loop.keep").click();
+    EXPECT_FALSE(reported.shown().isVisible());
+    reported.follow(6, 0.2, 45, true);
+    EXPECT_FALSE(reported.shown().isVisible()) << "what the map asks goes before";
 }
 
 }  // namespace

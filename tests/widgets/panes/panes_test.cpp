@@ -216,13 +216,14 @@ TEST_P(Panes, EveryModeHasItsBackgroundAndIsTheLargestText) {
     DriveStrip strip;
     const auto surface = [&] {
         strip.show(driveStateOf(robot));
-        return countOf(
-            pictureOf(strip, {760, 190}, {}).copy(4, 0, 230, 190),
-            modeLabelOf(robot.view, robot.said.mode).kind == ModeKind::Stop         ? colours().stop
-            : modeLabelOf(robot.view, robot.said.mode).kind == ModeKind::Autonomous ? colours().autonomous
-            : modeLabelOf(robot.view, robot.said.mode).kind == ModeKind::Stopped    ? colours().stopped
-                                                                                    : colours().teleoperation,
-            2);
+        return countOf(pictureOf(strip, {760, 190}, {}).copy(4, 0, 230, 190),
+                       modeLabelOf(robot.view, robot.reported.mode).kind == ModeKind::Stop ? colours().stop
+                       : modeLabelOf(robot.view, robot.reported.mode).kind == ModeKind::Autonomous
+                           ? colours().autonomous
+                       : modeLabelOf(robot.view, robot.reported.mode).kind == ModeKind::Stopped
+                           ? colours().stopped
+                           : colours().teleoperation,
+                       2);
     };
     constexpr int Most = 230 * 190 / 2;
     EXPECT_GT(surface(), Most);
@@ -287,7 +288,7 @@ TEST_P(Panes, TheGrantIsAskedForAnsweredAndGivenUp) {
     strip.show(driveStateOf(robot));
     first->click();
     EXPECT_EQ(asked.size(), 1);
-    EXPECT_EQ(first->text(), "Ask");
+    EXPECT_EQ(first->text(), "Request");
 }
 
 TEST_P(Panes, StopActsOnPressAndKeepsItsPlace) {
@@ -309,7 +310,7 @@ TEST(ReleaseHandles, TakeAFullSecond) {
     RobotBar bar;
     bar.QWidget::show();
     const auto show = [&] {
-        bar.show({robotChipOf(robot.face, robot.view, robot.said, at(0))},
+        bar.show({robotChipOf(robot.face, robot.view, robot.reported, at(0))},
                  {stopLineOf(robot.face, robot.view)}, robot.face.name);
     };
     setStop(robot, true, true);
@@ -349,8 +350,8 @@ TEST(ReleaseHandles, TakeAFullSecond) {
 TEST_P(Panes, ARobotIsChosenByClickAndByKey) {
     RobotBar bar;
     const SampleRobot other = sampleRobot("C", "Crawler", 1);
-    const std::vector<RobotChip> chips = {robotChipOf(robot.face, robot.view, robot.said, at(0)),
-                                          robotChipOf(other.face, other.view, other.said, at(0))};
+    const std::vector<RobotChip> chips = {robotChipOf(robot.face, robot.view, robot.reported, at(0)),
+                                          robotChipOf(other.face, other.view, other.reported, at(0))};
     bar.show(chips, {}, robot.face.name);
     bar.QWidget::show();
     QSignalSpy selected(&bar, &RobotBar::robotSelected);
@@ -379,8 +380,8 @@ TEST_P(Panes, EverythingHasANameForScreenReaders) {
     strip.show(driveStateOf(robot));
     RobotBar bar;
     setStop(robot, true, true);
-    bar.show({robotChipOf(robot.face, robot.view, robot.said, at(0))}, {stopLineOf(robot.face, robot.view)},
-             robot.face.name);
+    bar.show({robotChipOf(robot.face, robot.view, robot.reported, at(0))},
+             {stopLineOf(robot.face, robot.view)}, robot.face.name);
     const StopButton stop;
     EXPECT_FALSE(stop.accessibleName().isEmpty() || stop.toolTip().isEmpty());
     for (QWidget* top : {static_cast<QWidget*>(&strip), static_cast<QWidget*>(&bar)}) {

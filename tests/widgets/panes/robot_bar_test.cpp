@@ -52,7 +52,7 @@ protected:
         std::vector<RobotChip> chips;
         std::vector<StopLine> stops;
         for (const SampleRobot& robot : m_robots) {
-            chips.push_back(robotChipOf(robot.face, robot.view, robot.said, at(0)));
+            chips.push_back(robotChipOf(robot.face, robot.view, robot.reported, at(0)));
             stops.push_back(stopLineOf(robot.face, robot.view));
         }
         m_bar.show(chips, stops, m_robots[m_selected].face.name);
@@ -132,16 +132,16 @@ TEST_F(RobotBars, TellTheWholeNameAndStateOfAFoldedRobotInTooltipsAndToScreenRea
     refresh();
     ASSERT_NO_FATAL_FAILURE(show(folded(8)));
     EXPECT_THAT(words().join(' ').toStdString(), Not(HasSubstr("Crawler"))) << "it is folded";
-    for (const QString& told : {button(1).toolTip(), button(1).accessibleDescription()}) {
+    for (const QString& reported : {button(1).toolTip(), button(1).accessibleDescription()}) {
         for (const char* part :
-             {"Crawler (C)", "battery 71", "connected", "22 ms", "STOP: acknowledged · moves"})
-            EXPECT_THAT(told.toStdString(), HasSubstr(part));
+             {"Crawler (C)", "battery 71", "connected", "22 ms", "STOP: confirmed · moves"})
+            EXPECT_THAT(reported.toStdString(), HasSubstr(part));
     }
     EXPECT_EQ(button(1).accessibleName(), "Robot Crawler");
     EXPECT_THAT(button(1).toolTip().toStdString(), HasSubstr("2 selects"));
     const ReleaseHandle& handle = button(1).handle();
     EXPECT_EQ(handle.accessibleName(), "Release Crawler");
-    EXPECT_THAT(handle.toolTip().toStdString(), HasSubstr("Crawler (C): acknowledged · moves"));
+    EXPECT_THAT(handle.toolTip().toStdString(), HasSubstr("Crawler (C): confirmed · moves"));
     EXPECT_THAT(handle.toolTip().toStdString(), HasSubstr("Hold this button for one second"));
 }
 

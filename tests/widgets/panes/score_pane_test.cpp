@@ -34,7 +34,7 @@ TEST(ScorePane, NamesNoListThatIsEmpty) {
 TEST(ScorePane, TellsThatThereIsNothingToScoreYet) {
     ScorePane pane;
     pane.resize(500, 260);
-    const QString nothing = QStringLiteral("Nothing to score yet: what a find brings is told here");
+    const QString nothing = QStringLiteral("Nothing to score yet: what a find brings is listed here");
     EXPECT_TRUE(says(pane, nothing)) << "before the first estimate";
     ScoreText text;
     text.score = QStringLiteral("0 points");

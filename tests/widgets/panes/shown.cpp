@@ -141,7 +141,8 @@ QStringList textFaults(QWidget& widget) {
 }
 
 DriveState driveStateOf(const SampleRobot& robot) {
-    return leitstand::driveStateOf(robot.face, robot.description, robot.view, robot.said, robot.gas, at(0));
+    return leitstand::driveStateOf(robot.face, robot.description, robot.view, robot.reported, robot.gas,
+                                   at(0));
 }
 
 }  // namespace leitstand::test

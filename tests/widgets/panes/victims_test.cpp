@@ -17,7 +17,7 @@
 namespace leitstand::test {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 
 std::vector<VictimRow> rows() {
     VictimRow first, second, sign, candidate;
@@ -32,8 +32,8 @@ std::vector<VictimRow> rows() {
     return {first, second, sign, candidate};
 }
 
-VictimSample victim() {
-    VictimSample victim;
+FindSample victim() {
+    FindSample victim;
     victim.number = 2;
     victim.heat = {VictimSign::State::Present, "face", 33.4};
     victim.sound.state = VictimSign::State::Absent;
@@ -130,10 +130,10 @@ TEST(VictimForm, ToldAtOnceWhatIsChangedAndNothingElse) {
         if (box->accessibleName() == QStringLiteral("Sound")) box->setCurrentIndex(2);
     }
     ASSERT_EQ(edited.count(), before + 1);
-    const auto told = edited.back().at(0).value<VictimSample>();
-    EXPECT_EQ(told.sound.state, VictimSign::State::Present);
-    EXPECT_EQ(told.heat.value, 33.4) << "a value that was not touched is not rounded";
-    EXPECT_EQ(told.tag, "R-17");
+    const auto reported = edited.back().at(0).value<FindSample>();
+    EXPECT_EQ(reported.sound.state, VictimSign::State::Present);
+    EXPECT_EQ(reported.heat.value, 33.4) << "a value that was not touched is not rounded";
+    EXPECT_EQ(reported.tag, "R-17");
 }
 
 TEST(VictimForm, AnEditIsNotTakenBackByTheMissionFromBeforeIt) {
@@ -150,8 +150,8 @@ TEST(VictimForm, AnEditIsNotTakenBackByTheMissionFromBeforeIt) {
     form.show(victim());  // the mission does not know of it yet
     box("Sound")->setCurrentIndex(2);
     ASSERT_EQ(edited.count(), 2);
-    EXPECT_EQ(edited[1].at(0).value<VictimSample>().situation, "surface");
-    VictimSample newer = victim();
+    EXPECT_EQ(edited[1].at(0).value<FindSample>().situation, "surface");
+    FindSample newer = victim();
     newer.stamp += std::chrono::seconds(1);
     form.show(newer);
     EXPECT_EQ(box("Situation")->currentIndex(), 3) << "as the mission has it now";
@@ -172,7 +172,7 @@ TEST(VictimForm, WhatIsBeingTypedStaysWhenTheMissionGoesOn) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return tag->hasFocus(); }));
     tag->clear();
     QTest::keyClicks(tag, QStringLiteral("K-4"));
-    VictimSample newer = victim();
+    FindSample newer = victim();
     newer.text = "said elsewhere";
     newer.stamp += std::chrono::seconds(1);
     form.show(newer);
@@ -180,8 +180,8 @@ TEST(VictimForm, WhatIsBeingTypedStaysWhenTheMissionGoesOn) {
     QSignalSpy edited(&form, &VictimForm::edited);
     QTest::keyClick(tag, Qt::Key_Return);
     ASSERT_EQ(edited.count(), 1);
-    EXPECT_EQ(edited[0].at(0).value<VictimSample>().tag, "K-4");
-    EXPECT_EQ(edited[0].at(0).value<VictimSample>().text, "said elsewhere");
+    EXPECT_EQ(edited[0].at(0).value<FindSample>().tag, "K-4");
+    EXPECT_EQ(edited[0].at(0).value<FindSample>().text, "said elsewhere");
 }
 
 TEST(VictimForm, IsFilledInWithoutAMouse) {
@@ -196,8 +196,8 @@ TEST(VictimForm, IsFilledInWithoutAMouse) {
     form.change(1);
     form.change(1);
     ASSERT_EQ(edited.count(), 2);
-    EXPECT_EQ(edited[1].at(0).value<VictimSample>().form.state, VictimSign::State::Present);
-    VictimSample sign;
+    EXPECT_EQ(edited[1].at(0).value<FindSample>().form.state, VictimSign::State::Present);
+    FindSample sign;
     sign.kind = Kind::Hazard;
     sign.number = 1;
     form.show(sign);
@@ -224,7 +224,7 @@ protected:
         }
         throw std::runtime_error("there is no field " + name.toStdString());
     }
-    [[nodiscard]] VictimSample said() const { return m_edited.last().at(0).value<VictimSample>(); }
+    [[nodiscard]] FindSample reported() const { return m_edited.last().at(0).value<FindSample>(); }
 
     VictimForm m_form;
     QSignalSpy m_edited{&m_form, &VictimForm::edited};
@@ -234,24 +234,24 @@ TEST_F(FormByPad, WordsAndValuesAreChosen) {
     (void)goTo(QStringLiteral("Motion, in words"));
     for (const char* word : {"waving", "breathing", "", "waving"}) {
         ASSERT_TRUE(m_form.change(1));
-        EXPECT_EQ(said().motion.text, word);
+        EXPECT_EQ(reported().motion.text, word);
     }
     QLineEdit& heat = goTo(QStringLiteral("Heat, measured"));
     heat.clear();
     ASSERT_TRUE(m_form.change(1));
-    EXPECT_EQ(said().heat.value, 34.0) << "where skin is";
+    EXPECT_EQ(reported().heat.value, 34.0) << "where skin is";
     ASSERT_TRUE(m_form.change(1));
-    EXPECT_EQ(said().heat.value, 35.0);
+    EXPECT_EQ(reported().heat.value, 35.0);
     for (int i = 0; i < 8; ++i) ASSERT_TRUE(m_form.change(1));
-    EXPECT_EQ(said().heat.value, 25.0) << "round and round";
+    EXPECT_EQ(reported().heat.value, 25.0) << "round and round";
     QLineEdit& tag = goTo(QStringLiteral("Tag"));
     tag.clear();
     ASSERT_TRUE(m_form.change(1));
     ASSERT_TRUE(m_form.change(1));
-    EXPECT_EQ(said().tag, "R-18") << "a code that was read";
+    EXPECT_EQ(reported().tag, "R-18") << "a code that was read";
     (void)goTo(QStringLiteral("Remarks"));
     ASSERT_TRUE(m_form.change(1));
-    EXPECT_EQ(said().text, "beside a wall");
+    EXPECT_EQ(reported().text, "beside a wall");
 }
 
 TEST_F(FormByPad, WhatWasTypedIsNotLost) {
@@ -266,20 +266,20 @@ TEST_F(FormByPad, WhatIsBeingTypedIsFiledWhenTheWindowCloses) {
     tag.selectAll();
     QTest::keyClicks(&tag, QStringLiteral("Anna"));
     m_form.close();
-    EXPECT_EQ(said().tag, "Anna");
+    EXPECT_EQ(reported().tag, "Anna");
 }
 
 TEST(TagChoices, AreCodesThatWereReadTheNearestFirst) {
     MissionState mission;
-    using Status = VictimSample::Status;
+    using Status = FindSample::Status;
     const auto code = [&](std::uint32_t number, double x, const char* tag, Status status) {
-        VictimSample one;
+        FindSample one;
         one.kind = Kind::Code;
         one.number = number;
         one.positionInMap = {x, 0, 0};
         one.tag = tag;
         one.status = status;
-        mission.victims.edit()[{Kind::Code, number}].victim = one;
+        mission.finds.edit()[{Kind::Code, number}].victim = one;
     };
     code(1, 5.0, "far", Status::Confirmed);
     code(2, 1.0, "near", Status::Hypothesis);
@@ -289,7 +289,7 @@ TEST(TagChoices, AreCodesThatWereReadTheNearestFirst) {
     candidate.positionInMap = {2.0, 0, 0};
     candidate.cues = {{.kind = "code", .text = "believed"}, {.kind = "code", .text = "near"}};
     mission.candidates.edit()[1].candidate = candidate;
-    EXPECT_EQ(tagChoices(mission, VictimSample()), QStringList({"near", "believed", "far"}));
+    EXPECT_EQ(tagChoices(mission, FindSample()), QStringList({"near", "believed", "far"}));
 }
 
 }  // namespace

@@ -22,14 +22,14 @@ ScoreProfile rules() {
 
 MissionState mission() {
     MissionState state;
-    VictimSample victim;
+    FindSample victim;
     victim.number = 1;
-    victim.status = VictimSample::Status::Confirmed;
+    victim.status = FindSample::Status::Confirmed;
     victim.area = "yellow";
-    state.victims.edit()[{victim.kind, 1U}] = {1, 1, victim};
+    state.finds.edit()[{victim.kind, 1U}] = {1, 1, victim};
     victim.number = 2;
-    victim.status = VictimSample::Status::Hypothesis;
-    state.victims.edit()[{victim.kind, 2U}] = {2, 2, victim};
+    victim.status = FindSample::Status::Hypothesis;
+    state.finds.edit()[{victim.kind, 2U}] = {2, 2, victim};
     state.robots["kurt3d"].edit().contacts = {{5, {}, "front", 2, std::nullopt}};
     state.info = Latest<MissionInfoSample>{3, {}, {.operators = 2}};
     return state;

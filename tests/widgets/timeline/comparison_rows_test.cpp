@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <QLocale>
 
-#include "widgets/models/review/compared_summary.h"
+#include "widgets/models/review/compared_text.h"
 #include "widgets/models/review/text_table_model.h"
 
 namespace leitstand {

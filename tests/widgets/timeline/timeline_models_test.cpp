@@ -7,7 +7,7 @@
 #include <QLocale>
 
 #include "widgets/models/timeline/timeline_axis.h"
-#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/timeline/timeline_text.h"
 
 namespace leitstand {
 namespace {

@@ -7,18 +7,18 @@
 
 #include "core/mission/state/fold.h"
 #include "widgets/models/times.h"
-#include "widgets/models/victims/move_words.h"
+#include "widgets/models/victims/move_text.h"
 #include "widgets/models/victims/victim_list_model.h"
 
 namespace leitstand {
 namespace {
 
-using Kind = VictimSample::Kind;
-using Status = VictimSample::Status;
+using Kind = FindSample::Kind;
+using Status = FindSample::Status;
 using testing::SizeIs;
 
 void file(MissionState& state, Kind kind, std::uint32_t number, double x, Status status) {
-    VictimSample find;
+    FindSample find;
     find.kind = kind;
     find.number = number;
     find.status = status;
@@ -26,7 +26,7 @@ void file(MissionState& state, Kind kind, std::uint32_t number, double x, Status
     find.heat = {VictimSign::State::Present, "face", 33.4};
     find.sound.state = VictimSign::State::Absent;
     find.situation = "void";
-    state.victims.edit()[{kind, number}] = {number, number, find};
+    state.finds.edit()[{kind, number}] = {number, number, find};
 }
 
 void believe(MissionState& state, std::uint32_t id, double x, double confidence) {
@@ -35,7 +35,7 @@ void believe(MissionState& state, std::uint32_t id, double x, double confidence)
     candidate.positionInMap = {x, 0.0, 0.3};
     candidate.confidence = confidence;
     candidate.cues = {{.kind = "heat", .value = 32.6}, {.kind = "motion"}};
-    state.candidates.edit()[id] = {.sequence = id, .first = id, .told = {}, .candidate = candidate};
+    state.candidates.edit()[id] = {.sequence = id, .first = id, .firstReport = {}, .candidate = candidate};
 }
 
 TEST(VictimRows, TellDistanceAndBearingFromTheRobot) {
@@ -92,7 +92,7 @@ TEST(VictimRows, ACandidateIsNotShownBesideWhatWasFiledThereAlsoWhenThatWasDisca
     const auto rows = victimRows(state, std::nullopt);
     ASSERT_THAT(rows, SizeIs(1));
     EXPECT_EQ(rows[0].name, QStringLiteral("V2"));
-    state.victims.edit().erase({Kind::Victim, 2U});  // undone
+    state.finds.edit().erase({Kind::Victim, 2U});  // undone
     const auto undone = victimRows(state, std::nullopt);
     ASSERT_THAT(undone, SizeIs(1));
     EXPECT_EQ(undone[0].candidate, 2U);
@@ -102,9 +102,9 @@ TEST(VictimRows, AReviewListsAllThatWasFiled) {
     MissionState state;
     file(state, Kind::Victim, 1, 0.0, Status::Confirmed);
     file(state, Kind::Victim, 2, 3.0, Status::Discarded);
-    state.victims.edit().at({Kind::Victim, 2}).victim.mergedInto = 1;
+    state.finds.edit().at({Kind::Victim, 2}).victim.mergedInto = 1;
     file(state, Kind::Hazard, 1, 9.0, Status::Discarded);
-    state.victims.edit().at({Kind::Hazard, 1}).victim.text = "behind the door";
+    state.finds.edit().at({Kind::Hazard, 1}).victim.text = "behind the door";
     believe(state, 1, 6.0, 0.9);
     const auto rows = filedRows(state);
     ASSERT_THAT(rows, SizeIs(3));
@@ -119,7 +119,7 @@ TEST(VictimRows, AReviewListsAllThatWasFiled) {
 TEST(VictimRows, TellWhenAndWhyAFindMovedWithItsScan) {
     MissionState state;
     std::uint64_t sequence = 0;
-    const auto say = [&](const Sample& sample) {
+    const auto publish = [&](const Sample& sample) {
         ++sequence;
         state = fold(std::move(state), {sequence, Time(std::chrono::seconds(sequence)), "", "/leitstand/x",
                                         std::nullopt, "", sample});
@@ -127,23 +127,23 @@ TEST(VictimRows, TellWhenAndWhyAFindMovedWithItsScan) {
     KeyScanSample scan;
     scan.id = 3;
     scan.scan = std::make_shared<const Scan>();
-    say(scan);
-    VictimSample victim;
+    publish(scan);
+    FindSample victim;
     victim.number = 1;
     victim.scan = 3;
-    say(victim);
+    publish(victim);
     FindMoves moves;
     moves.follow(state);
     EXPECT_TRUE(filedRows(state, &moves)[0].moved.isEmpty());
     ScanPosesSample poses;
     poses.cause = ScanPosesSample::Cause::Registration;
     poses.poses = {{.scan = 3, .scanInMap = Pose(Eigen::Translation3d(0.0, 0.32, 0.0))}};
-    say(poses);
-    const auto told = moves.follow(state);
-    EXPECT_EQ(movesText(told).toStdString(), "V1 0.32 m moved, since scans were registered anew");
+    publish(poses);
+    const auto reported = moves.follow(state);
+    EXPECT_EQ(movesText(reported).toStdString(), "V1 0.32 m moved, since scans were registered again");
     EXPECT_TRUE(movesText({}).isEmpty());
     const QString moved = filedRows(state, &moves)[0].moved;
-    EXPECT_EQ(moved, QStringLiteral("moved 0.32 m at %1, since scans were registered anew")
+    EXPECT_EQ(moved, QStringLiteral("moved 0.32 m at %1, since scans were registered again")
                          .arg(wallText(Time(std::chrono::seconds(3)))));
     VictimListModel model;
     model.setRows(victimRows(state, std::nullopt, &moves));

@@ -35,8 +35,8 @@ void checkLists(const CloudSample& from, Checks& checks) {
 
 }  // namespace
 
-/// Writes the layout of design, section 4. Times that do not fit `t` become `timestamp`, in seconds after the
-/// stamp.
+/// Writes the layout of docs/design.md, "The wire". Times that do not fit `t` become `timestamp`, in seconds
+/// after the stamp.
 void toWire(const CloudSample& from, wire::sensor_msgs::PointCloud2& to, Buffer& buffer, Checks& checks) {
     to.header = checks.wireHeader(from.header);
     checkLists(from, checks);

@@ -50,7 +50,7 @@ PingSample fromWire(const wire::leitstand_msgs::Ping& from, const Source&, Check
 GrantSample fromWire(const wire::leitstand_msgs::Grant& from, const Source&, Checks& checks);
 CandidateSample fromWire(const wire::leitstand_msgs::Candidate& from, const Source&, Checks& checks);
 MissionInfoSample fromWire(const wire::leitstand_msgs::MissionInfo& from, const Source&, Checks& checks);
-VictimSample fromWire(const wire::leitstand_msgs::Victim& from, const Source&, Checks& checks);
+FindSample fromWire(const wire::leitstand_msgs::Victim& from, const Source&, Checks& checks);
 KeyScanSample fromWire(const wire::leitstand_msgs::KeyScan& from, const Source&, Checks& checks);
 MapCropSample fromWire(const wire::leitstand_msgs::MapCrop& from, const Source&, Checks& checks);
 RobotPlaceSample fromWire(const wire::leitstand_msgs::RobotPlace& from, const Source&, Checks& checks);

@@ -47,7 +47,7 @@ void toWire(const PingSample& from, wire::leitstand_msgs::Ping& to, Buffer&, Che
 void toWire(const GrantSample& from, wire::leitstand_msgs::Grant& to, Buffer&, Checks& checks);
 void toWire(const CandidateSample& from, wire::leitstand_msgs::Candidate& to, Buffer&, Checks& checks);
 void toWire(const MissionInfoSample& from, wire::leitstand_msgs::MissionInfo& to, Buffer&, Checks& checks);
-void toWire(const VictimSample& from, wire::leitstand_msgs::Victim& to, Buffer&, Checks& checks);
+void toWire(const FindSample& from, wire::leitstand_msgs::Victim& to, Buffer&, Checks& checks);
 void toWire(const KeyScanSample& from, wire::leitstand_msgs::KeyScan& to, Buffer&, Checks& checks);
 void toWire(const MapCropSample& from, wire::leitstand_msgs::MapCrop& to, Buffer&, Checks& checks);
 void toWire(const RobotPlaceSample& from, wire::leitstand_msgs::RobotPlace& to, Buffer&, Checks& checks);

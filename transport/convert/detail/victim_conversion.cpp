@@ -23,13 +23,13 @@ double share(const char* field, double value, Checks& checks) {
 
 }  // namespace
 
-VictimSample fromWire(const wire::leitstand_msgs::Victim& from, const Source&, Checks& checks) {
+FindSample fromWire(const wire::leitstand_msgs::Victim& from, const Source&, Checks& checks) {
     checks.require(from.number > 0, "number", "expected a number from 1");
-    VictimSample to;
+    FindSample to;
     to.stamp = checks.time("stamp", from.stamp);
     to.station = from.station;
     to.number = from.number;
-    to.status = checks.enumerator<VictimSample::Status>("status", from.status, 3);
+    to.status = checks.enumerator<FindSample::Status>("status", from.status, 3);
     to.found = checks.time("found", from.found);
     to.robot = from.robot;
     to.autonomous = from.autonomous;
@@ -46,7 +46,7 @@ VictimSample fromWire(const wire::leitstand_msgs::Victim& from, const Source&, C
     to.tag = from.tag;
     to.area = from.area;
     to.text = from.text;
-    to.kind = checks.enumerator<VictimSample::Kind>("kind", from.kind, 4);
+    to.kind = checks.enumerator<FindSample::Kind>("kind", from.kind, 4);
     to.mergedInto = from.merged_into;
     for (const auto& one : from.evidence) {
         to.evidence.push_back(
@@ -55,7 +55,7 @@ VictimSample fromWire(const wire::leitstand_msgs::Victim& from, const Source&, C
     return to;
 }
 
-void toWire(const VictimSample& from, wire::leitstand_msgs::Victim& to, Buffer&, Checks& checks) {
+void toWire(const FindSample& from, wire::leitstand_msgs::Victim& to, Buffer&, Checks& checks) {
     to.stamp = checks.wireTime("stamp", from.stamp);
     to.station = from.station;
     to.number = from.number;
@@ -90,7 +90,7 @@ CandidateSample fromWire(const wire::leitstand_msgs::Candidate& from, const Sour
     to.stamp = checks.time("stamp", from.stamp);
     to.station = from.station;
     to.id = from.id;
-    to.kind = checks.enumerator<VictimSample::Kind>("kind", from.kind, 4);
+    to.kind = checks.enumerator<FindSample::Kind>("kind", from.kind, 4);
     to.scan = from.scan;
     to.positionInScan = checks.vector("position_in_scan", from.position_in_scan);
     to.positionInMap = checks.vector("position_in_map", from.position_in_map);

@@ -200,11 +200,11 @@ std::vector<RemoteEndpoint> Discovery::endpoints() const {
     return all;
 }
 
-DomainHearing Discovery::hearing() const {
+DomainReception Discovery::reception() const {
     const std::scoped_lock lock(m_mutex);
     const auto now = Clock::now();
     const auto secondsSince = [now](Clock::time_point since) { return toSeconds(now - since); };
-    DomainHearing hearing;
+    DomainReception reception;
     std::set<Guid> speaking;
     for (const auto& [guid, known] : m_endpoints) {
         const RemoteEndpoint& theirs = known.endpoint;
@@ -218,13 +218,14 @@ DomainHearing Discovery::hearing() const {
             matched = matched || ours.matched.contains(guid);
         }
         if (!listened) continue;
-        hearing.writers.push_back({guid, theirs.participant, theirs.topic, secondsSince(known.since), matched,
-                                   theirs.qos.reliability == Qos::Reliability::BestEffort, false});
+        reception.writers.push_back({guid, theirs.participant, theirs.topic, secondsSince(known.since),
+                                     matched, theirs.qos.reliability == Qos::Reliability::BestEffort, false});
     }
     for (const auto& [guid, known] : m_participants) {
-        if (!speaking.contains(guid)) hearing.mute.push_back({known.participant, secondsSince(known.since)});
+        if (!speaking.contains(guid))
+            reception.mute.push_back({known.participant, secondsSince(known.since)});
     }
-    return hearing;
+    return reception;
 }
 
 std::vector<Mismatch> Discovery::mismatches() const {

@@ -22,8 +22,8 @@ public:
     [[nodiscard]] std::vector<RemoteParticipant> participants() const;
     [[nodiscard]] std::vector<RemoteEndpoint> endpoints() const;
     [[nodiscard]] std::vector<Mismatch> mismatches() const;
-    /// Leaves OfferedWriter::heard false: only readers know whether a writer was heard.
-    [[nodiscard]] DomainHearing hearing() const;
+    /// Leaves OfferedWriter::received false: only readers know whether a writer was heard.
+    [[nodiscard]] DomainReception reception() const;
 
     /// Forgets all remote and own endpoints, after the participant has left its domain.
     void clear();

@@ -80,7 +80,7 @@ Participant::Participant(const NodeSettings& settings)
     : m_settings(settings),
       m_screen(screenFor(settings, [this] { m_small->wake(); })),
       m_discovery([this] { m_small->wake(); }, settings.security.has_value()),
-      m_small(std::make_unique<LaneThread>("dds-small", [this] { tellOfDiscovery(); })),
+      m_small(std::make_unique<LaneThread>("dds-small", [this] { notifyDiscovery(); })),
       m_large(std::make_unique<LaneThread>("dds-large")) {}
 
 Participant::~Participant() {
@@ -166,18 +166,18 @@ Guid Participant::guid() const {
     return m_guid;
 }
 
-DomainHearing Participant::hearing() const {
-    DomainHearing hearing = m_discovery.hearing();
+DomainReception Participant::reception() const {
+    DomainReception reception = m_discovery.reception();
     std::vector<std::shared_ptr<Reader>> readers;
     {
         const std::scoped_lock lock(m_mutex);
         readers = m_readers;
     }
-    for (OfferedWriter& writer : hearing.writers) {
-        writer.heard = std::any_of(readers.begin(), readers.end(),
-                                   [&](const auto& reader) { return reader->heard(writer.guid); });
+    for (OfferedWriter& writer : reception.writers) {
+        writer.received = std::any_of(readers.begin(), readers.end(),
+                                      [&](const auto& reader) { return reader->hasReceived(writer.guid); });
     }
-    return hearing;
+    return reception;
 }
 
 void Participant::leave() {
@@ -349,15 +349,15 @@ void Participant::deleteWriter(const Writer& writer, efd::DataWriter* what) {
 
 void Participant::onDiscovery(std::function<void()> changed) {
     {
-        const std::scoped_lock lock(m_tellMutex);
-        m_tell = std::move(changed);
+        const std::scoped_lock lock(m_notifyMutex);
+        m_notify = std::move(changed);
     }
     m_small->wake();
 }
 
-void Participant::tellOfDiscovery() {
-    const std::scoped_lock lock(m_tellMutex);
-    if (const auto tell = m_tell; tell) tell();
+void Participant::notifyDiscovery() {
+    const std::scoped_lock lock(m_notifyMutex);
+    if (const auto notify = m_notify; notify) notify();
 }
 
 }  // namespace leitstand::detail

@@ -41,7 +41,7 @@ public:
 
     [[nodiscard]] Discovery& discovery() { return m_discovery; }
     [[nodiscard]] Guid guid() const;
-    [[nodiscard]] DomainHearing hearing() const;
+    [[nodiscard]] DomainReception reception() const;
     [[nodiscard]] const screen::Screen& gate() const { return *m_screen; }
     [[nodiscard]] const std::vector<std::string>& unscreened() const { return m_unscreened; }
     void onDiscovery(std::function<void()> changed);
@@ -65,7 +65,7 @@ private:
                                                         const std::string& rosType);
     void releaseTopic(const std::string& ddsTopic);
     [[nodiscard]] LaneThread& laneOf(const Reader& reader);
-    void tellOfDiscovery();
+    void notifyDiscovery();
 
     const NodeSettings m_settings;
     const std::shared_ptr<screen::Screen> m_screen;
@@ -78,8 +78,8 @@ private:
     std::map<std::string, UsedTopic> m_topics;  // by DDS name
     std::vector<std::shared_ptr<Reader>> m_readers;
     std::vector<std::shared_ptr<Writer>> m_writers;
-    std::recursive_mutex m_tellMutex;  // held while m_tell runs
-    std::function<void()> m_tell;
+    std::recursive_mutex m_notifyMutex;  // held while m_notify runs
+    std::function<void()> m_notify;
     Guid m_guid;
     Discovery m_discovery;
     std::unique_ptr<LaneThread> m_small, m_large;

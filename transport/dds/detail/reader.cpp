@@ -87,7 +87,7 @@ bool Reader::deliver() {
     return true;
 }
 
-bool Reader::heard(const Guid& writer) const {
+bool Reader::hasReceived(const Guid& writer) const {
     const std::scoped_lock lock(m_countsMutex);
     return m_lastNumbers.contains(writer);
 }

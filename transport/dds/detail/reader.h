@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool deliver();
 
     [[nodiscard]] SubscriptionCounts counts() const;
-    [[nodiscard]] bool heard(const Guid& writer) const;  ///< a sample of it was received
+    [[nodiscard]] bool hasReceived(const Guid& writer) const;  ///< a sample of it was received
     [[nodiscard]] const ReaderSettings& settings() const { return m_settings; }
     /// Only while open.
     [[nodiscard]] eprosima::fastdds::dds::StatusCondition& condition() const { return *m_condition; }

@@ -141,7 +141,7 @@ std::vector<Entry> entriesFor(const SceneContent& content) {
     }
     if (content.settings.colouring == MapColouring::Intensity && !content.ramp && !content.scans.empty())
         entries.push_back({labelColour(Label::Unlabelled),
-                           QCoreApplication::translate("leitstand::MapView", "no intensities told")});
+                           QCoreApplication::translate("leitstand::MapView", "no intensities in the data")});
     if (content.settings.colouring == MapColouring::Scan) addScans(entries, content);
     return entries;
 }

@@ -14,7 +14,7 @@
 namespace leitstand {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 constexpr double Radius = 12.0, CandidateRadius = 8.0, ChosenRadius = 18.0;  // [px]
 
 /// Returns one of Okabe & Ito's colours, which everybody can distinguish. Shapes have the same meaning.

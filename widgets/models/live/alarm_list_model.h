@@ -4,7 +4,7 @@
 
 #include <QAbstractListModel>
 
-#include "widgets/models/live/texts/alarm_words.h"
+#include "widgets/models/live/texts/alarm_text.h"
 
 namespace leitstand {
 

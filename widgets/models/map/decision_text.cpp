@@ -7,7 +7,7 @@
 namespace leitstand {
 namespace {
 
-struct Say {
+struct Texts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::DecisionText)
 };
 
@@ -23,23 +23,23 @@ QString undoneText(const UndoneThing& thing) {
     const QString number = one ? QString::number(thing.scan) : countText(thing.scans);
     switch (thing.kind) {
         case Kind::Taken:
-            return (one ? Say::tr("scan %1 accepted") : Say::tr("%1 scans accepted")).arg(number);
+            return (one ? Texts::tr("scan %1 accepted") : Texts::tr("%1 scans accepted")).arg(number);
         case Kind::SetAside:
-            return (one ? Say::tr("scan %1 set aside") : Say::tr("%1 scans set aside")).arg(number);
+            return (one ? Texts::tr("scan %1 set aside") : Texts::tr("%1 scans set aside")).arg(number);
         case Kind::Tried:
-            return (one ? Say::tr("scan %1 tried again") : Say::tr("%1 scans tried again")).arg(number);
+            return (one ? Texts::tr("scan %1 tried again") : Texts::tr("%1 scans tried again")).arg(number);
         case Kind::Crop:
-            return Say::tr("what belongs into the map");
+            return Texts::tr("what belongs into the map");
         case Kind::Loop:
-            return Say::tr("a closed loop");
+            return Texts::tr("a closed loop");
         case Kind::TidiedMap:
-            return Say::tr("the tidied map");
+            return Texts::tr("the tidied map");
         case Kind::RefusedLoop:
-            return Say::tr("a place told from another");
+            return Texts::tr("two places kept apart");
         case Kind::ReviewedFind:
-            return Say::tr("%1 as corrected in a review", "V1").arg(QString::fromStdString(thing.find));
+            return Texts::tr("%1 as corrected in a review", "V1").arg(QString::fromStdString(thing.find));
         case Kind::ReviewNote:
-            return Say::tr("a note of a review");
+            return Texts::tr("a note of a review");
         case Kind::Find:
             break;
     }

@@ -45,7 +45,7 @@ constexpr std::array<DoubtWords, 8> AllDoubts = {{
          "walls are bent.")},
 }};
 
-struct Say {
+struct Texts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::ScanDoubt)
 };
 
@@ -54,7 +54,7 @@ struct Say {
 QString doubtText(std::uint8_t doubts) {
     QStringList words;
     for (const DoubtWords& one : AllDoubts) {
-        if (has(doubts, one.doubt)) words += Say::tr(one.word);
+        if (has(doubts, one.doubt)) words += Texts::tr(one.word);
     }
     return words.join(QStringLiteral(", "));
 }
@@ -62,7 +62,7 @@ QString doubtText(std::uint8_t doubts) {
 QString doubtDetails(std::uint8_t doubts) {
     QStringList lines;
     for (const DoubtWords& one : AllDoubts) {
-        if (has(doubts, one.doubt)) lines += Say::tr(one.meaning);
+        if (has(doubts, one.doubt)) lines += Texts::tr(one.meaning);
     }
     return lines.join(QLatin1Char('\n'));
 }
@@ -70,13 +70,13 @@ QString doubtDetails(std::uint8_t doubts) {
 QString trustText(ScanTrust trust) {
     switch (trust) {
         case ScanTrust::Certain:
-            return Say::tr("certain");
+            return Texts::tr("certain");
         case ScanTrust::Uncertain:
-            return Say::tr("uncertain ?");
+            return Texts::tr("uncertain ?");
         case ScanTrust::SetAside:
             break;
     }
-    return Say::tr("set aside");
+    return Texts::tr("set aside");
 }
 
 Tone toneOf(ScanTrust trust) {

@@ -124,10 +124,10 @@ QVariant KeyScanModel::data(const QModelIndex& index, int role) const {
                                        (index.column() == Overlap ? Qt::AlignRight : Qt::AlignLeft));
         case ToneRole: {
             const Tone tone = toneOf(scan->pose.trust);
-            const bool said = index.column() == Trust || index.column() == Doubts;
+            const bool reported = index.column() == Trust || index.column() == Doubts;
             // Doubts about a scan that was accepted since are history.
             if (index.column() == Doubts && tone == Tone::Normal) return static_cast<int>(Tone::Muted);
-            return static_cast<int>(tone == Tone::Attention && !said ? Tone::Normal : tone);
+            return static_cast<int>(tone == Tone::Attention && !reported ? Tone::Normal : tone);
         }
         default:
             return {};

@@ -5,7 +5,7 @@
 
 #include "core/event/map_samples.h"
 #include "core/mapping/live/scan_doubts.h"
-#include "core/mapping/placement/placement_says.h"
+#include "core/mapping/placement/placement_format.h"
 #include "widgets/models/map/doubt_text.h"
 #include "widgets/models/numbers.h"
 
@@ -28,7 +28,7 @@ QString doubtOf(const QString& word) {
 }  // namespace
 
 QString howText(const std::string& how) {
-    const std::string known = placement_says::inWindowsLanguage(how);
+    const std::string known = placement_format::inWindowsLanguage(how);
     if (known != how) return QString::fromStdString(known);
     QStringList words = QString::fromStdString(how).split(QStringLiteral(", "));
     for (QString& word : words) word = doubtOf(word);

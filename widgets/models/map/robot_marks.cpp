@@ -13,7 +13,7 @@ namespace {
 /// Radius around a drawn robot whose scan fits badly, within which it is [m]; larger when less is certain.
 constexpr double LeastDoubt = 0.3, MoreDoubt = 0.7;
 
-struct Say {
+struct Texts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::RobotMark)
 };
 
@@ -37,11 +37,11 @@ std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescripti
     mark.stale = link.state == LinkState::Lost;
     if (!place.certain) {
         mark.doubtRadius = LeastDoubt + MoreDoubt * (1.0 - std::clamp(place.certainty, 0.0, 1.0));
-        mark.note = Say::tr("place uncertain");
+        mark.note = Texts::tr("place uncertain");
         mark.tone = Tone::Attention;
     }
     if (mark.stale) {
-        mark.note = Say::tr("link lost: seen here last");
+        mark.note = Texts::tr("link lost: seen here last");
         mark.details += QStringLiteral(" · ") + mark.note;
         mark.tone = Tone::Attention;
     }
@@ -70,8 +70,8 @@ QString unplacedText(const std::vector<RobotFace>& unplaced, const QString& plac
     QStringList titles;
     for (const RobotFace& face : unplaced) titles += face.title;
     const QString names = titles.join(QStringLiteral(", "));
-    if (placeKeys.isEmpty()) return Say::tr("%1 is not in the map yet").arg(names);
-    return Say::tr("%1 is not in the map yet · %2 places it").arg(names, placeKeys);
+    if (placeKeys.isEmpty()) return Texts::tr("%1 is not in the map yet").arg(names);
+    return Texts::tr("%1 is not in the map yet · %2 places it").arg(names, placeKeys);
 }
 
 }  // namespace leitstand

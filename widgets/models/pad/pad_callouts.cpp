@@ -12,7 +12,7 @@ namespace {
 
 using ControlKind = PadControl::Kind;
 
-struct Say {
+struct Texts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::PadCallouts)
 };
 
@@ -21,18 +21,18 @@ QString shortName(PadAction action) {
     switch (action) {
         case PadAction::Forward:
         case PadAction::Back:
-            return Say::tr("drive");
+            return Texts::tr("drive");
         case PadAction::TurnLeft:
         case PadAction::TurnRight:
-            return Say::tr("turn");
+            return Texts::tr("turn");
         case PadAction::SlideLeft:
         case PadAction::SlideRight:
-            return Say::tr("sideways");
+            return Texts::tr("sideways");
         case PadAction::PanLeft:
         case PadAction::PanRight:
         case PadAction::TiltUp:
         case PadAction::TiltDown:
-            return Say::tr("cameras");
+            return Texts::tr("cameras");
         case PadAction::DeadMan:
         case PadAction::Turbo:
         case PadAction::Slow:
@@ -93,7 +93,7 @@ PadCallouts padCallouts(const PadBindings& bindings, const std::vector<PadComman
     };
     PadCallouts callouts;
     callouts.left = {trigger(axis::LeftTrigger), one(button::LeftShoulder),
-                     one(button::Back),          stick(axis::LeftX, Say::tr("Left stick")),
+                     one(button::Back),          stick(axis::LeftX, Texts::tr("Left stick")),
                      one(button::LeftStick),     one(button::Up),
                      one(button::Left),          one(button::Right),
                      one(button::Down)};
@@ -104,7 +104,7 @@ PadCallouts padCallouts(const PadBindings& bindings, const std::vector<PadComman
                       one(button::X),
                       one(button::B),
                       one(button::A),
-                      stick(axis::RightX, Say::tr("Right stick")),
+                      stick(axis::RightX, Texts::tr("Right stick")),
                       one(button::RightStick)};
     return callouts;
 }

@@ -15,14 +15,14 @@ void PadTable::setBindings(const PadBindings& bindings) {
     m_bindings = m_used = bindings;
     m_row = -1;
     m_capture.reset();
-    retell();
+    publishChange();
 }
 
 void PadTable::reset() {
     m_bindings = defaultBindings(m_bindings.layout);
     m_row = -1;
     m_capture.reset();
-    retell();
+    publishChange();
 }
 
 void PadTable::setShape(double deadZone, double expo, double press) {
@@ -37,7 +37,7 @@ QString PadTable::fault() const {
     return stops ? QString() : tr("“%1” needs a control.").arg(padActionName(PadAction::Stop));
 }
 
-void PadTable::retell() {
+void PadTable::publishChange() {
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
     emit changed();
 }
@@ -59,7 +59,7 @@ void PadTable::setState(const PadState& state) {
         emit refused(tr("%1 stops all robots, and does nothing else.")
                          .arg(padControlName(*pushed, m_bindings.layout)));
     }
-    retell();
+    publishChange();
 }
 
 void PadTable::capture(int row) {
@@ -78,7 +78,7 @@ bool PadTable::canClear(int row) const {
 
 void PadTable::clear(int row) {
     if (!canClear(row) || !bindRow(row, {})) return;
-    retell();
+    publishChange();
 }
 
 std::optional<PadAction> PadTable::actionAt(int row) const {

@@ -52,7 +52,7 @@ signals:
 private:
     [[nodiscard]] std::optional<PadAction> actionAt(int row) const;
     [[nodiscard]] bool bindRow(int row, const PadControl& control);
-    void retell();
+    void publishChange();
 
     PadBindings m_bindings, m_used;
     std::vector<PadCommandFace> m_commands;

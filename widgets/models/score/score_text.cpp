@@ -10,7 +10,7 @@
 namespace leitstand {
 namespace {
 
-struct Say {
+struct Texts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::ScoreText)
 };
 
@@ -23,23 +23,23 @@ QString points(double value) {
 QString itemText(ScoreItem item) {
     switch (item) {
         case ScoreItem::Map:
-            return Say::tr("map");
+            return Texts::tr("map");
         case ScoreItem::Location:
-            return Say::tr("place");
+            return Texts::tr("place");
         case ScoreItem::Form:
-            return Say::tr("form");
+            return Texts::tr("form");
         case ScoreItem::Motion:
-            return Say::tr("motion");
+            return Texts::tr("motion");
         case ScoreItem::Heat:
-            return Say::tr("heat");
+            return Texts::tr("heat");
         case ScoreItem::Sound:
-            return Say::tr("sound");
+            return Texts::tr("sound");
         case ScoreItem::Co2:
-            return Say::tr("CO₂");
+            return Texts::tr("CO₂");
         case ScoreItem::Situation:
-            return Say::tr("situation");
+            return Texts::tr("situation");
         case ScoreItem::Tag:
-            return Say::tr("tag");
+            return Texts::tr("tag");
     }
     return {};
 }
@@ -64,9 +64,9 @@ QString areaText(const std::string& area) {
 
 ScoreLine lineOf(const ScoredFind& find) {
     QString what = othersText(find.name);
-    if (!find.confirmed) return {Say::tr("%1, not confirmed").arg(what), QStringLiteral("0"), Tone::Muted};
-    if (find.weight != 1.0) what += Say::tr(" · area × %1").arg(numberText(find.weight, 2));
-    if (find.factor != 1.0) what += Say::tr(" · autonomy × %1").arg(numberText(find.factor, 1));
+    if (!find.confirmed) return {Texts::tr("%1, not confirmed").arg(what), QStringLiteral("0"), Tone::Muted};
+    if (find.weight != 1.0) what += Texts::tr(" · area × %1").arg(numberText(find.weight, 2));
+    if (find.factor != 1.0) what += Texts::tr(" · autonomy × %1").arg(numberText(find.factor, 1));
     return {what, points(find.total), Tone::Normal, itemsText(find.items)};
 }
 
@@ -74,17 +74,17 @@ ScoreLine lineOf(const ScoredFind& find) {
 
 ScoreText scoreText(const ScoreProfile& profile, const ScoreResult& result, const MissionClock& clock) {
     ScoreText text;
-    text.score = Say::tr("%1 points").arg(points(result.score));
-    text.rules = Say::tr("%1 · version %2").arg(othersText(profile.title), othersText(profile.version));
+    text.score = Texts::tr("%1 points").arg(points(result.score));
+    text.rules = Texts::tr("%1 · version %2").arg(othersText(profile.title), othersText(profile.version));
     if (!profile.unconfirmed.empty())
-        text.rules += Say::tr(" · %1 values unconfirmed").arg(profile.unconfirmed.size());
+        text.rules += Texts::tr(" · %1 values unconfirmed").arg(profile.unconfirmed.size());
     if (clock.left) {
         const auto minutes = std::chrono::duration_cast<std::chrono::seconds>(*clock.left).count() / 60;
-        text.left = minutes >= 0 ? Say::tr("%1 min left").arg(minutes) : Say::tr("time is over");
+        text.left = minutes >= 0 ? Texts::tr("%1 min left").arg(minutes) : Texts::tr("time is over");
     }
     for (const ScoredFind& find : result.finds) text.finds.push_back(lineOf(find));
     for (const std::string& area : result.unweighed) {
-        text.finds.push_back({Say::tr("area “%1” has no weight in these rules").arg(areaText(area)),
+        text.finds.push_back({Texts::tr("area “%1” has no weight in these rules").arg(areaText(area)),
                               QStringLiteral("× 1"), Tone::Muted});
     }
     const auto bumps = [&](std::uint64_t count, double each, const QString& what) {
@@ -92,17 +92,17 @@ ScoreText scoreText(const ScoreProfile& profile, const ScoreResult& result, cons
             text.finds.push_back(
                 {what.arg(count), points(-each * static_cast<double>(count)), Tone::Attention});
     };
-    bumps(result.areaBumps, profile.areaBump, Say::tr("%1 × touched the arena"));
-    bumps(result.victimBumps, profile.victimBump, Say::tr("%1 × touched a victim"));
+    bumps(result.areaBumps, profile.areaBump, Texts::tr("%1 × touched the arena"));
+    bumps(result.victimBumps, profile.victimBump, Texts::tr("%1 × touched a victim"));
     if (result.divisor != 1.0) {
-        text.finds.push_back({Say::tr("operators: %1").arg(result.operators),
+        text.finds.push_back({Texts::tr("operators: %1").arg(result.operators),
                               QStringLiteral("÷ ") + points(result.divisor), Tone::Muted});
     }
     for (const ScoreAdvice& one : result.advice) {
         if (text.advice.size() == MostAdvice) break;
         const QString name = othersText(one.name);
-        text.advice.push_back({one.item ? Say::tr("%1: %2", "V1: heat").arg(name, itemText(*one.item))
-                                        : Say::tr("%1: confirm").arg(name),
+        text.advice.push_back({one.item ? Texts::tr("%1: %2", "V1: heat").arg(name, itemText(*one.item))
+                                        : Texts::tr("%1: confirm").arg(name),
                                QLatin1Char('+') + points(one.gain), Tone::Normal});
     }
     return text;

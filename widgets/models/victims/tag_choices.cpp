@@ -7,15 +7,15 @@
 
 namespace leitstand {
 
-QStringList tagChoices(const MissionState& mission, const VictimSample& find) {
+QStringList tagChoices(const MissionState& mission, const FindSample& find) {
     const Eigen::Vector3d here = positionInMap(mission, find);
     std::vector<std::pair<double, std::string>> read;  // how far, what
     const auto add = [&](const Eigen::Vector3d& place, const std::string& text) {
         if (!text.empty()) read.emplace_back((place - here).norm(), text);
     };
-    for (const auto& [key, entry] : *mission.victims) {
-        const bool code = key.first == VictimSample::Kind::Code;
-        if (code && entry.victim.status != VictimSample::Status::Discarded)
+    for (const auto& [key, entry] : *mission.finds) {
+        const bool code = key.first == FindSample::Kind::Code;
+        if (code && entry.victim.status != FindSample::Status::Discarded)
             add(positionInMap(mission, entry.victim), entry.victim.tag);
     }
     for (const auto& [id, entry] : *mission.candidates) {

@@ -6,7 +6,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "core/event/victim_sample.h"
+#include "core/event/find_sample.h"
 
 namespace leitstand {
 
@@ -22,7 +22,7 @@ struct VictimChoice {
 
 /// One sign of life on the form.
 struct SignField {
-    VictimSign VictimSample::*sign;
+    VictimSign FindSample::*sign;
     QString name;       ///< "Heat"
     QString unit;       ///< of its value, "°C"; empty: it has none
     QStringList words;  ///< frequent words for it: "waving", "breathing"

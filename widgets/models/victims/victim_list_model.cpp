@@ -49,7 +49,7 @@ QString VictimListModel::cell(int row, int column) const {
         case Name:
             return shown.name;
         case State:
-            return shown.find.first == VictimSample::Kind::Victim
+            return shown.find.first == FindSample::Kind::Victim
                        ? shown.state
                        : tr("%1, %2", "hazard, confirmed").arg(shown.what, shown.state);
         case Where:

@@ -11,19 +11,19 @@
 #include "widgets/models/numbers.h"
 #include "widgets/models/others_text.h"
 #include "widgets/models/times.h"
-#include "widgets/models/victims/move_words.h"
+#include "widgets/models/victims/move_text.h"
 
 namespace leitstand {
 namespace {
 
-using Kind = VictimSample::Kind;
-using Status = VictimSample::Status;
+using Kind = FindSample::Kind;
+using Status = FindSample::Status;
 
-struct Say {
+struct Texts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::VictimRows)
 };
 
-struct SayOfFinds {
+struct FindTexts {
     Q_DECLARE_TR_FUNCTIONS(leitstand::FindRow)
 };
 
@@ -31,7 +31,7 @@ void addSign(QStringList& to, const QString& name, const VictimSign& sign, const
              int decimals) {
     if (sign.state == VictimSign::State::Unknown) return;
     if (sign.state == VictimSign::State::Absent) {
-        to += Say::tr("no %1", "a sign of life").arg(name);
+        to += Texts::tr("no %1", "a sign of life").arg(name);
         return;
     }
     QString text = name;
@@ -42,20 +42,22 @@ void addSign(QStringList& to, const QString& name, const VictimSign& sign, const
 
 QString cueText(const Cue& cue) {
     if (cue.kind == "heat") {
-        return std::isnan(cue.value) ? Say::tr("heat") : Say::tr("heat %1 °C").arg(numberText(cue.value, 0));
+        return std::isnan(cue.value) ? Texts::tr("heat")
+                                     : Texts::tr("heat %1 °C").arg(numberText(cue.value, 0));
     }
-    if (cue.kind == "motion") return Say::tr("motion");
+    if (cue.kind == "motion") return Texts::tr("motion");
     if (cue.kind == "co2") {
-        return std::isnan(cue.value) ? Say::tr("CO₂") : Say::tr("CO₂ %1 ppm").arg(numberText(cue.value, 0));
+        return std::isnan(cue.value) ? Texts::tr("CO₂")
+                                     : Texts::tr("CO₂ %1 ppm").arg(numberText(cue.value, 0));
     }
-    if (cue.kind == "sighting") return Say::tr("the robot's own");
-    if (cue.kind == "tag") return Say::tr("tag %1").arg(othersText(cue.text));
+    if (cue.kind == "sighting") return Texts::tr("the robot's own");
+    if (cue.kind == "tag") return Texts::tr("tag %1").arg(othersText(cue.text));
     return cue.text.empty() ? kindText(cue.kind == "code" ? Kind::Code : Kind::Hazard) : othersText(cue.text);
 }
 
-VictimRow rowOf(const MissionState& mission, const FindKey& key, const VictimState& entry,
+VictimRow rowOf(const MissionState& mission, const FindKey& key, const FindState& entry,
                 const std::optional<Pose>& robotInMap, const FindMoves* moves) {
-    const VictimSample whole = wholeFind(mission, key).value_or(entry.victim);
+    const FindSample whole = wholeFind(mission, key).value_or(entry.victim);
     VictimRow row;
     row.find = key;
     row.name = QString::fromStdString(nameOf(key.first, key.second));
@@ -83,7 +85,7 @@ VictimRow rowOf(const MissionState& mission, const CandidateSample& candidate,
     // In a narrow list, only the letter distinguishes a code from a body.
     row.name = QString::fromStdString(nameOf(candidate.kind, 0)).replace(u'0', u'?');
     row.what = kindText(candidate.kind);
-    row.state = Say::tr("candidate %1").arg(percentText(candidate.confidence));
+    row.state = Texts::tr("candidate %1").arg(percentText(candidate.confidence));
     row.tone = Tone::Muted;
     row.inMap = positionInMap(mission, candidate);
     row.deviation = candidate.deviation;
@@ -104,13 +106,13 @@ VictimRow rowOf(const MissionState& mission, const CandidateSample& candidate,
 QString kindText(Kind kind) {
     switch (kind) {
         case Kind::Victim:
-            return Say::tr("victim");
+            return Texts::tr("victim");
         case Kind::Hazard:
-            return Say::tr("hazard");
+            return Texts::tr("hazard");
         case Kind::Code:
-            return Say::tr("QR code");
+            return Texts::tr("QR code");
         case Kind::Object:
-            return Say::tr("object");
+            return Texts::tr("object");
     }
     return {};
 }
@@ -118,23 +120,23 @@ QString kindText(Kind kind) {
 QString whereText(const Pose& robotInMap, const Eigen::Vector3d& place) {
     const Eigen::Vector3d seen = robotInMap.inverse() * place;
     const double distance = seen.head<2>().norm();
-    const QString metres = Say::tr("%1 m").arg(numberText(distance, distance < 10.0 ? 1 : 0));
+    const QString metres = Texts::tr("%1 m").arg(numberText(distance, distance < 10.0 ? 1 : 0));
     const double bearing = std::atan2(seen.y(), seen.x()) * 180.0 / std::numbers::pi;
     const int degrees = 5 * static_cast<int>(std::lround(std::abs(bearing) / 5.0));
     if (distance < 0.3) return metres;
-    if (degrees < 10) return Say::tr("%1, ahead").arg(metres);
-    if (degrees > 170) return Say::tr("%1, behind").arg(metres);
-    return (bearing > 0.0 ? Say::tr("%1, %2° left") : Say::tr("%1, %2° right")).arg(metres).arg(degrees);
+    if (degrees < 10) return Texts::tr("%1, ahead").arg(metres);
+    if (degrees > 170) return Texts::tr("%1, behind").arg(metres);
+    return (bearing > 0.0 ? Texts::tr("%1, %2° left") : Texts::tr("%1, %2° right")).arg(metres).arg(degrees);
 }
 
-QString signsText(const VictimSample& find) {
+QString signsText(const FindSample& find) {
     QStringList signs;
     if (find.kind == Kind::Victim) {
-        addSign(signs, Say::tr("form"), find.form, {}, 0);
-        addSign(signs, Say::tr("motion"), find.motion, {}, 0);
-        addSign(signs, Say::tr("heat"), find.heat, Say::tr(" °C"), 0);
-        addSign(signs, Say::tr("sound"), find.sound, {}, 0);
-        addSign(signs, Say::tr("CO₂"), find.co2, Say::tr(" ppm"), 0);
+        addSign(signs, Texts::tr("form"), find.form, {}, 0);
+        addSign(signs, Texts::tr("motion"), find.motion, {}, 0);
+        addSign(signs, Texts::tr("heat"), find.heat, Texts::tr(" °C"), 0);
+        addSign(signs, Texts::tr("sound"), find.sound, {}, 0);
+        addSign(signs, Texts::tr("CO₂"), find.co2, Texts::tr(" ppm"), 0);
         if (!find.situation.empty()) signs += situationText(find.situation);
     }
     if (!find.tag.empty()) signs += othersText(find.tag);
@@ -145,7 +147,7 @@ QString signsText(const VictimSample& find) {
 std::vector<VictimRow> victimRows(const MissionState& mission, const std::optional<Pose>& robotInMap,
                                   const FindMoves* moves) {
     std::vector<VictimRow> rows;
-    for (const auto& [key, entry] : *mission.victims) {
+    for (const auto& [key, entry] : *mission.finds) {
         if (entry.victim.status != Status::Discarded)
             rows.push_back(rowOf(mission, key, entry, robotInMap, moves));
     }
@@ -171,29 +173,29 @@ std::vector<VictimRow> candidateRows(const MissionState& mission, const std::opt
 
 std::vector<VictimRow> filedRows(const MissionState& mission, const FindMoves* moves) {
     std::vector<VictimRow> rows;
-    for (const auto& [key, entry] : *mission.victims)
+    for (const auto& [key, entry] : *mission.finds)
         rows.push_back(rowOf(mission, key, entry, std::nullopt, moves));
     return rows;
 }
 
-QString statusText(const VictimSample& find) {
+QString statusText(const FindSample& find) {
     switch (find.status) {
         case Status::Hypothesis:
-            return Say::tr("unconfirmed");
+            return Texts::tr("unconfirmed");
         case Status::Confirmed:
-            return Say::tr("confirmed");
+            return Texts::tr("confirmed");
         case Status::Discarded:
             break;
     }
-    if (find.mergedInto == 0) return SayOfFinds::tr("discarded");
-    return SayOfFinds::tr("part of %1").arg(QString::fromStdString(nameOf(find.kind, find.mergedInto)));
+    if (find.mergedInto == 0) return FindTexts::tr("discarded");
+    return FindTexts::tr("part of %1").arg(QString::fromStdString(nameOf(find.kind, find.mergedInto)));
 }
 
 QString situationText(const std::string& situation) {
-    if (situation == "surface") return SayOfFinds::tr("surface");
-    if (situation == "trapped") return SayOfFinds::tr("trapped");
-    if (situation == "void") return SayOfFinds::tr("void");
-    if (situation == "entombed") return SayOfFinds::tr("entombed");
+    if (situation == "surface") return FindTexts::tr("surface");
+    if (situation == "trapped") return FindTexts::tr("trapped");
+    if (situation == "void") return FindTexts::tr("void");
+    if (situation == "entombed") return FindTexts::tr("entombed");
     return othersText(situation);
 }
 
@@ -211,12 +213,13 @@ QString victimsTitle(const std::vector<VictimRow>& rows) {
             ++others;
         }
     }
-    QString title = victims == 1 ? Say::tr("1 victim") : Say::tr("%1 victims").arg(victims);
-    if (open > 0) title += Say::tr(", %1 not confirmed").arg(open);
-    if (others > 0) title += others == 1 ? Say::tr(" · 1 other") : Say::tr(" · %1 others").arg(others);
+    QString title = victims == 1 ? Texts::tr("1 victim") : Texts::tr("%1 victims").arg(victims);
+    if (open > 0) title += Texts::tr(", %1 not confirmed").arg(open);
+    if (others > 0) title += others == 1 ? Texts::tr(" · 1 other") : Texts::tr(" · %1 others").arg(others);
     if (candidates > 0)
-        title += candidates == 1 ? Say::tr(" · 1 candidate") : Say::tr(" · %1 candidates").arg(candidates);
-    if (discarded > 0) title += Say::tr(" · %1 discarded").arg(discarded);
+        title +=
+            candidates == 1 ? Texts::tr(" · 1 candidate") : Texts::tr(" · %1 candidates").arg(candidates);
+    if (discarded > 0) title += Texts::tr(" · %1 discarded").arg(discarded);
     return title;
 }
 

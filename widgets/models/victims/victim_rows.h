@@ -18,13 +18,13 @@ namespace leitstand {
 
 /// A victim, another find, or a candidate, as a row of a list and as a mark.
 struct VictimRow {
-    FindKey find{VictimSample::Kind::Victim, 0};  ///< number 0: a candidate, not filed
-    std::uint32_t candidate = 0;                  ///< CandidateSample::id of one
-    QString name;                                 ///< "V1"; of candidates "V?"
-    QString what;                                 ///< "victim", "hazard", "QR code", "object"
-    QString state;                                ///< as statusText(), or "candidate 82 %"
-    QString where;                                ///< from the robot: "3.2 m, 40° left"
-    QString signs;                                ///< "heat 33 °C · motion"
+    FindKey find{FindSample::Kind::Victim, 0};  ///< number 0: a candidate, not filed
+    std::uint32_t candidate = 0;                ///< CandidateSample::id of one
+    QString name;                               ///< "V1"; of candidates "V?"
+    QString what;                               ///< "victim", "hazard", "QR code", "object"
+    QString state;                              ///< as statusText(), or "candidate 82 %"
+    QString where;                              ///< from the robot: "3.2 m, 40° left"
+    QString signs;                              ///< "heat 33 °C · motion"
     bool confirmed = false;
     Tone tone = Tone::Normal;
     Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
@@ -52,16 +52,16 @@ struct VictimRow {
 [[nodiscard]] std::vector<VictimRow> filedRows(const MissionState& mission, const FindMoves* moves = nullptr);
 
 /// "confirmed", "unconfirmed", "discarded", "part of V2".
-[[nodiscard]] QString statusText(const VictimSample& find);
+[[nodiscard]] QString statusText(const FindSample& find);
 /// Returns "surface", "trapped", "void" or "entombed" in words; any other word as the log has it.
 [[nodiscard]] QString situationText(const std::string& situation);
 
 /// Returns where @p place is as seen from a robot: "3.2 m, 40° left".
 [[nodiscard]] QString whereText(const Pose& robotInMap, const Eigen::Vector3d& place);
 /// Returns what is known of @p find in short, remarks last: "heat 33 °C · motion · trapped · R-17".
-[[nodiscard]] QString signsText(const VictimSample& find);
+[[nodiscard]] QString signsText(const FindSample& find);
 /// "victim", "hazard", "QR code", "object".
-[[nodiscard]] QString kindText(VictimSample::Kind kind);
+[[nodiscard]] QString kindText(FindSample::Kind kind);
 /// "2 victims, 1 not confirmed · 3 candidates · 1 discarded"; for the list's title.
 [[nodiscard]] QString victimsTitle(const std::vector<VictimRow>& rows);
 

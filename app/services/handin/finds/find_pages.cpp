@@ -43,11 +43,11 @@ std::string nameOf(const std::string& kind) {
 FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource& source,
                   std::vector<std::string>& warnings) {
     FindPages pages;
-    bool toldOfGas = false;  // a trace has many readings
+    bool gasListed = false;  // a trace has many readings
     for (const VictimEvidence& evidence : find.sample.evidence) {
         const auto event = source.event(evidence, find.sample);
         if (!event) {
-            if (evidence.kind == "gas" && std::exchange(toldOfGas, true)) continue;
+            if (evidence.kind == "gas" && std::exchange(gasListed, true)) continue;
             warnings.push_back(fill(translate("leitstand::ReportText", "{}: its {} is missing: {}"),
                                     find.name, nameOf(evidence.kind), event.error().text));
             continue;

@@ -3,31 +3,31 @@
 #include <optional>
 #include <string>
 
-#include "app/services/handin/report_words.h"
+#include "app/services/handin/report_text.h"
 
 namespace leitstand {
 namespace {
 
-std::string typeOf(VictimSample::Kind kind) {
+std::string typeOf(FindSample::Kind kind) {
     switch (kind) {
-        case VictimSample::Kind::Hazard:
+        case FindSample::Kind::Hazard:
             return "hazmat";
-        case VictimSample::Kind::Code:
+        case FindSample::Kind::Code:
             return "qr";
-        case VictimSample::Kind::Object:
+        case FindSample::Kind::Object:
             return "object";
-        case VictimSample::Kind::Victim:
+        case FindSample::Kind::Victim:
             break;
     }
     return "victim";
 }
 
-bool belongs(VictimSample::Kind kind, FindList::Kind list) {
+bool belongs(FindSample::Kind kind, FindList::Kind list) {
     switch (list) {
         case FindList::Kind::Victims:
-            return kind == VictimSample::Kind::Victim;
+            return kind == FindSample::Kind::Victim;
         case FindList::Kind::Codes:
-            return kind == VictimSample::Kind::Code;
+            return kind == FindSample::Kind::Code;
         case FindList::Kind::Pois:
             break;
     }
@@ -36,7 +36,7 @@ bool belongs(VictimSample::Kind kind, FindList::Kind list) {
 
 /// Returns what stands on it, else what was noted, else its name.
 std::string contentOf(const ReportFind& find) {
-    if (find.sample.kind == VictimSample::Kind::Victim) return find.name;
+    if (find.sample.kind == FindSample::Kind::Victim) return find.name;
     if (!find.sample.tag.empty()) return find.sample.tag;
     return find.sample.text.empty() ? find.name : find.sample.text;
 }
@@ -53,8 +53,8 @@ FindList listOf(const ReportModel& model, FindList::Kind kind) {
                   .mission = model.facts.mission,
                   .finds = {}};
     for (const ReportFind& find : model.finds) {
-        const VictimSample& sample = find.sample;
-        const bool counts = sample.status == VictimSample::Status::Confirmed && find.position.allFinite();
+        const FindSample& sample = find.sample;
+        const bool counts = sample.status == FindSample::Status::Confirmed && find.position.allFinite();
         if (!counts || !belongs(sample.kind, kind)) continue;
         // Numbers run per kind; a list of all kinds needs its own numbers.
         const auto id =
@@ -72,8 +72,8 @@ FindList listOf(const ReportModel& model, FindList::Kind kind) {
 
 std::vector<ListedSearch> searchListOf(const ReportModel& model) {
     std::vector<ListedSearch> rows;
-    const auto tell = [&rows](const ReportSearch& search, const ReportSearch::Sensor& one,
-                              std::optional<int> storey) {
+    const auto addRow = [&rows](const ReportSearch& search, const ReportSearch::Sensor& one,
+                                std::optional<int> storey) {
         const std::string sensor(nameOf(one.sensor));
         rows.push_back({.sensor = sensor,
                         .what = "reachable",
@@ -87,10 +87,10 @@ std::vector<ListedSearch> searchListOf(const ReportModel& model) {
                         .storey = storey});
     };
     for (const ReportSearch::Sensor& one : model.search.sensors) {
-        tell(model.search, one, {});
+        addRow(model.search, one, {});
         for (const ReportStorey& storey : model.storeys) {
             for (const ReportSearch::Sensor& here : storey.search.sensors) {
-                if (here.sensor == one.sensor) tell(storey.search, here, storey.share.number);
+                if (here.sensor == one.sensor) addRow(storey.search, here, storey.share.number);
             }
         }
         for (const MissedRegion& region : one.missed) {

@@ -31,7 +31,7 @@ bool isFolder(const fs::path& out) {
     return !out.has_filename() || fs::is_directory(out, ignored);
 }
 
-ReportFile told(const fs::path& file, std::string check) {
+ReportFile fileOf(const fs::path& file, std::string check) {
     std::error_code ignored;
     const auto bytes = fs::is_regular_file(file, ignored) ? fs::file_size(file, ignored) : 0;
     return {.name = file.string(), .bytes = bytes, .whole = true, .check = std::move(check)};
@@ -43,7 +43,7 @@ Result<ReportFile> again(const Result<void>& written, const fs::path& file,
     if (!written) return written.error();
     const auto check = checkFile(file, contents);
     if (!check) return check.error();
-    return told(file, *check);
+    return fileOf(file, *check);
 }
 
 Result<ReportFile> exportCloud(const fs::path& out, const ReportInput& input, double reduce) {
@@ -58,7 +58,7 @@ Result<ReportFile> exportCloud(const fs::path& out, const ReportInput& input, do
     if (const auto check = checkMapCloud(out, placed); !check) return check.error();
     std::size_t points = 0;
     for (const PlacedScan& scan : placed) points += scan.scan->points.size();
-    return told(out, fmt::format("{} points of {} scans", points, input.scans.size()));
+    return fileOf(out, fmt::format("{} points of {} scans", points, input.scans.size()));
 }
 
 FindList::Kind listKind(const fs::path& out) {

@@ -162,13 +162,13 @@ ReportContent contentOf(ReportModel model, ReportSource& source, const ReportOpt
     return content;
 }
 
-void tellWhatIsMissing(const ReportModel& model, bool toldOfMap, std::vector<std::string>& warnings) {
+void warnOfMissing(const ReportModel& model, bool mentionsMap, std::vector<std::string>& warnings) {
     std::string unconfirmed;
     for (const ReportFind& find : model.finds) {
-        if (find.sample.status == VictimSample::Status::Confirmed) continue;
+        if (find.sample.status == FindSample::Status::Confirmed) continue;
         unconfirmed += fmt::format("{}{}", unconfirmed.empty() ? "" : ", ", find.name);
     }
-    if (!model.hasMap() && !toldOfMap)
+    if (!model.hasMap() && !mentionsMap)
         warnings.push_back(
             translate("leitstand::ReportText", "there is no map: no scan of the mission counts"));
     if (!model.hasMap())
@@ -182,7 +182,7 @@ void tellWhatIsMissing(const ReportModel& model, bool toldOfMap, std::vector<std
     if (model.facts.team.empty() || model.facts.competition.empty())
         warnings.push_back(
             translate("leitstand::ReportText",
-                      "competition or team are not told: the files are named for what is missing"));
+                      "competition or team are not given: the files are named for what is missing"));
 }
 
 std::vector<ReportFile> checked(const Writing& writing, const Progress& progress) {
@@ -225,7 +225,7 @@ Result<ReportOutcome> writeReport(const fs::path& mission, const fs::path& out, 
 
     ReportOutcome outcome;
     outcome.warnings = source.warnings();
-    tellWhatIsMissing(model, source.toldOfMap(), outcome.warnings);
+    warnOfMissing(model, source.mentionsMap(), outcome.warnings);
     outcome.name = handInName(model.facts);
     outcome.finds = model.finds.size();
     const FindList victims = listOf(model, FindList::Kind::Victims);

@@ -39,11 +39,11 @@ struct ReportOutcome {
     [[nodiscard]] bool whole() const;
 };
 
-/// Writes the hand-in of @p mission into the folder @p out, which is created if absent: GeoTIFF at two
-/// heights, lists, OctoMap, PLY with labels, a TUM trajectory for each robot, PDF, SHA256SUMS. Replaces files
-/// of an earlier report of the same name, each whole or not at all. Removes those of earlier reports of this
-/// mission by other names once the new ones are there (EarlierReport). Then reads every file again. Error
-/// when the mission cannot be opened, or a file cannot be written.
+/// Writes the hand-in of @p mission into the folder @p out, which is created if absent. It has GeoTIFF at
+/// two heights, lists, OctoMap, PLY with labels, a TUM trajectory for each robot, PDF, SHA256SUMS. Replaces
+/// files of an earlier report of the same name, each whole or not at all. Removes those of earlier reports of
+/// this mission by other names once the new ones are there (EarlierReport). Then reads every file again.
+/// Error when the mission cannot be opened, or a file cannot be written.
 [[nodiscard]] Result<ReportOutcome> writeReport(const std::filesystem::path& mission,
                                                 const std::filesystem::path& out,
                                                 const ReportOptions& options, const Progress& progress = {});

@@ -15,7 +15,7 @@ bool isReview(const SessionSample& session) {
 }
 
 bool isWriting(const Decision& decision) {
-    return !decision.undone && (std::holds_alternative<VictimSample>(decision.content) ||
+    return !decision.undone && (std::holds_alternative<FindSample>(decision.content) ||
                                 std::holds_alternative<NoteSample>(decision.content));
 }
 

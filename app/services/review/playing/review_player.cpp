@@ -121,17 +121,17 @@ void ReviewPlayer::show(ReviewScene& scene, Time at, bool around) {
 
 ReviewIndexPtr ReviewPlayer::opened(const std::stop_token& stop) {
     double begin = 0.0, share = 1.0;
-    const auto tell = [&](double fraction) {
+    const auto report = [&](double fraction) {
         if (m_listener.onOpening) m_listener.onOpening(begin + share * fraction);
     };
     if (m_mapsOffline) {
         const std::stop_callback both(stop, [this] { m_mapping.request_stop(); });
         share = MapPart;
-        m_log->makeMap({tell, m_mapping.get_token()});
+        m_log->makeMap({report, m_mapping.get_token()});
         begin = MapPart;
         share = 1.0 - MapPart;
     }
-    return indexOf(*m_log, {tell, stop});
+    return indexOf(*m_log, {report, stop});
 }
 
 void ReviewPlayer::run(const std::stop_token& stop) {
@@ -144,7 +144,7 @@ void ReviewPlayer::run(const std::stop_token& stop) {
     if (m_listener.onIndex) m_listener.onIndex(index);
     ReviewScene scene(*m_log, *index);
     auto before = Clock::now(), around = before - TickAround;
-    std::size_t told = 0;
+    std::size_t reported = 0;
     while (!stop.stop_requested()) {
         Time at{};
         bool backwards = false, asked = false;
@@ -171,8 +171,8 @@ void ReviewPlayer::run(const std::stop_token& stop) {
         if (look) around = Clock::now();
         show(scene, at, look);
         const auto problems = m_log->problems();
-        for (; told < problems.size(); ++told) {
-            if (m_listener.onMessage) m_listener.onMessage(problems[told]);
+        for (; reported < problems.size(); ++reported) {
+            if (m_listener.onMessage) m_listener.onMessage(problems[reported]);
         }
     }
 }

@@ -48,7 +48,7 @@ void CameraTurning::onEvent(const Event& event) {
         const auto pan = angleOf(unit.second + "_pan"), tilt = angleOf(unit.second + "_tilt");
         if (!pan && !tilt) continue;
         const PanTiltAngles before = control.now().value_or(PanTiltAngles{});
-        control.said({pan.value_or(before.pan), tilt.value_or(before.tilt)});
+        control.reported({pan.value_or(before.pan), tilt.value_or(before.tilt)});
     }
 }
 
@@ -59,8 +59,8 @@ std::optional<CameraTurn> CameraTurning::view(const std::string& robot, const st
     const auto unit = m_unitOf.find({robot, sensor});
     if (unit == m_unitOf.end()) return std::nullopt;
     const PanTiltControl& control = m_units.at({robot, unit->second});
-    CameraTurn turn{control.mount(), control.now(), control.wish(), false, {}};
-    turn.waiting = control.wish().has_value() && !may;
+    CameraTurn turn{control.mount(), control.now(), control.requested(), false, {}};
+    turn.waiting = control.requested().has_value() && !may;
     if (!grant.mine && !grant.holder.empty())
         turn.heldBy = grant.holderTitle.empty() ? grant.holder : grant.holderTitle;
     return turn;

@@ -20,9 +20,10 @@ namespace leitstand {
 /// A camera that can be turned, in its present state.
 struct CameraTurn {
     PanTiltMount mount;
-    std::optional<PanTiltAngles> now, wish;  ///< now: by the robot's joints; wish: while it is on its way
-    bool waiting = false;                    ///< for the grant to turn cameras
-    std::string heldBy;                      ///< another station that has the grant, for people; empty: none
+    std::optional<PanTiltAngles> now,
+        requested;         ///< now: by the robot's joints; wish: while it is on its way
+    bool waiting = false;  ///< for the grant to turn cameras
+    std::string heldBy;    ///< another station that has the grant, for people; empty: none
 };
 
 /// Turns cameras of robots: cameras of one pan-tilt unit turn together. Requests the grant when it is first

@@ -118,9 +118,9 @@ void PictureFeed::decode(const Work& work) {
     shown->fingerprint = contentHash(sample.content.bytes);
     shown->camera = work.info;
     const auto fail = [&](const std::string& why) {
-        std::string& told = m_problems[{event.robot, event.sensor}];
-        if (told == why) return;
-        told = why;
+        std::string& reported = m_problems[{event.robot, event.sensor}];
+        if (reported == why) return;
+        reported = why;
         if (m_listener.onProblem) m_listener.onProblem(fmt::format("{}: {}", event.topic, why));
     };
     auto picture = decodePicture(sample);

@@ -36,20 +36,20 @@ std::string poseText(const Pose& pose) {
                        q.y(), q.z(), q.w());
 }
 
-PictureTexts textsOf(const SnapshotWish& wish) {
-    const ShownPicture& picture = *wish.picture;
+PictureTexts textsOf(const SnapshotRequest& request) {
+    const ShownPicture& picture = *request.picture;
     PictureTexts texts = {{"Software", "Leitstand"},
-                          {"Title", picture.robot + ": " + wish.camera},
+                          {"Title", picture.robot + ": " + request.camera},
                           {"Robot", picture.robot},
                           {"Camera", picture.sensor},
                           {"Stamp of the robot's clock [UTC]", stampText(picture.stamp)},
                           {"Received, station's clock [UTC]", stampText(picture.received)}};
-    if (wish.baseInOdom)
-        texts.emplace_back("Pose in odom [x y z qx qy qz qw, m]", poseText(*wish.baseInOdom));
-    if (wish.turned) {
+    if (request.baseInOdom)
+        texts.emplace_back("Pose in odom [x y z qx qy qz qw, m]", poseText(*request.baseInOdom));
+    if (request.turned) {
         texts.emplace_back(
             "Camera turned [degrees left, degrees down]",
-            fmt::format("{:.1f} {:.1f}", inDegrees(wish.turned->pan), inDegrees(wish.turned->tilt)));
+            fmt::format("{:.1f} {:.1f}", inDegrees(request.turned->pan), inDegrees(request.turned->tilt)));
     }
     if (std::holds_alternative<ThermalPicture>(picture.content))
         texts.emplace_back("Values", "as the camera sent them; docs/robots.md: thermal");
@@ -69,21 +69,21 @@ void Snapshots::finish() {
     written.get_future().wait();
 }
 
-void Snapshots::take(const SnapshotWish& wish) {
-    if (!wish.picture) return;
+void Snapshots::take(const SnapshotRequest& request) {
+    if (!request.picture) return;
     m_queue.submit(
-        [this, wish](const std::stop_token&) {
-            const auto file = write(wish);
+        [this, request](const std::stop_token&) {
+            const auto file = write(request);
             if (!file && m_listener.onProblem) m_listener.onProblem(file.error().text);
-            if (file && m_listener.onWritten) m_listener.onWritten(wish.picture->robot, *file);
+            if (file && m_listener.onWritten) m_listener.onWritten(request.picture->robot, *file);
         },
         false);
 }
 
-Result<fs::path> Snapshots::write(const SnapshotWish& wish) const {
-    const auto raw = decodePicture(wish.picture->sample);
+Result<fs::path> Snapshots::write(const SnapshotRequest& request) const {
+    const auto raw = decodePicture(request.picture->sample);
     if (!raw) return raw.error();
-    const auto bytes = encodePng(*raw, textsOf(wish));
+    const auto bytes = encodePng(*raw, textsOf(request));
     if (!bytes) return bytes.error();
     const fs::path folder = m_mission / "snapshots";
     std::error_code error;
@@ -91,8 +91,8 @@ Result<fs::path> Snapshots::write(const SnapshotWish& wish) const {
     if (error)
         return Error{leitstand::fill(translate("leitstand::Error", "{}: the folder could not be made: {}"),
                                      folder.string(), error.message())};
-    const std::string name =
-        fmt::format("{}_{}_{}", wish.picture->robot, wish.picture->sensor, stampText(wish.picture->received));
+    const std::string name = fmt::format("{}_{}_{}", request.picture->robot, request.picture->sensor,
+                                         stampText(request.picture->received));
     fs::path file = folder / (name + ".png");
     for (int i = 2; fs::exists(file, error); ++i) file = folder / fmt::format("{}_{}.png", name, i);
     const std::string_view content(reinterpret_cast<const char*>(bytes->data()), bytes->size());

@@ -14,7 +14,7 @@
 namespace leitstand {
 
 /// A picture to be kept, and what is known about it.
-struct SnapshotWish {
+struct SnapshotRequest {
     ShownPicturePtr picture;
     std::string camera;                   ///< its name for the operator, "Left camera"
     std::optional<Pose> baseInOdom;       ///< of the robot, by its newest odometry
@@ -37,11 +37,11 @@ public:
     Snapshots(const Snapshots&) = delete;
     Snapshots& operator=(const Snapshots&) = delete;
 
-    void take(const SnapshotWish& wish);  ///< any thread
-    void finish();                        ///< waits until all taken snapshots are written
+    void take(const SnapshotRequest& request);  ///< any thread
+    void finish();                              ///< waits until all taken snapshots are written
 
 private:
-    [[nodiscard]] Result<std::filesystem::path> write(const SnapshotWish& wish) const;
+    [[nodiscard]] Result<std::filesystem::path> write(const SnapshotRequest& request) const;
 
     const std::filesystem::path m_mission;
     const Listener m_listener;

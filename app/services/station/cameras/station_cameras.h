@@ -15,8 +15,9 @@ class StationCameras {
 public:
     using Send = std::function<Result<void>(const std::string& robot, const PanTiltCommand& command)>;
     using Note = std::function<Result<void>(const NoteSample& note)>;
-    using Tell = std::function<void(const std::string& text)>;
-    StationCameras(const LiveMissionSettings& mission, GrantKeeper& grants, Send send, Note note, Tell tell);
+    using Notify = std::function<void(const std::string& text)>;
+    StationCameras(const LiveMissionSettings& mission, GrantKeeper& grants, Send send, Note note,
+                   Notify notify);
 
     [[nodiscard]] CameraTurning& turning() { return m_turning; }
     [[nodiscard]] Snapshots& snapshots() { return m_snapshots; }

@@ -91,7 +91,7 @@ bool GuardProcess::pulse(const GuardPulse& pulse) const {
 }
 
 bool GuardProcess::isReady(SteadyTime now) const {
-    return m_ready && now - m_heard < Hangs;
+    return m_ready && now - m_received < Hangs;
 }
 
 void GuardProcess::kill() const {
@@ -105,7 +105,7 @@ bool GuardProcess::read() {
         if (size < 0 && errno == EINTR) continue;
         if (size < 0) return errno == EAGAIN || errno == EWOULDBLOCK;
         if (size == 0) return false;
-        m_heard = std::chrono::steady_clock::now();
+        m_received = std::chrono::steady_clock::now();
         m_ready = std::string_view(text.data(), static_cast<std::size_t>(size)) == guard_word::Ready;
     }
 }

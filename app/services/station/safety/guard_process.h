@@ -40,7 +40,7 @@ private:
     const pid_t m_id;
     const int m_pipe;
     bool m_ready = false;
-    SteadyTime m_heard = {};
+    SteadyTime m_received = {};
 };
 
 /// Returns the guard beside the running program: where programs are installed, and where they are built.

@@ -10,7 +10,7 @@
 
 #include "app/services/log/sequencer.h"
 #include "core/base/time.h"
-#include "core/station/alarms/alarm_says.h"
+#include "core/station/alarms/alarm_format.h"
 #include "core/station/alarms/logged_alarm.h"
 
 namespace leitstand {
@@ -90,8 +90,8 @@ void StationAlarms::addOfStation(const MissionState& mission, std::vector<AlarmC
     if (const std::size_t scans = m_setup.scans ? uncertain(*m_setup.scans()) : 0; scans > 0) {
         causes.push_back({.id = {{}, alarm_key::UncertainScan, {}},
                           .severity = AlarmSeverity::Attention,
-                          .text = scans == 1 ? fmt::format(alarm_says::UncertainScan, scans)
-                                             : fmt::format(alarm_says::UncertainScans, scans),
+                          .text = scans == 1 ? fmt::format(alarm_format::UncertainScan, scans)
+                                             : fmt::format(alarm_format::UncertainScans, scans),
                           .value = static_cast<double>(scans),
                           .count = scans});
     }
@@ -102,9 +102,9 @@ std::vector<AlarmCause> StationAlarms::causes(const MissionState& mission, Time 
     std::vector<AlarmCause> all;
     const RobotsInMapPtr places = m_setup.places ? m_setup.places() : std::make_shared<const RobotsInMap>();
     for (const RobotDescription& robot : m_setup.robots) {
-        const auto said = mission.robots.find(robot.name);
+        const auto reported = mission.robots.find(robot.name);
         const RobotView view = m_setup.view(robot.name);
-        RobotWatch watch{robot, view, said == mission.robots.end() ? nothing : *said->second};
+        RobotWatch watch{robot, view, reported == mission.robots.end() ? nothing : *reported->second};
         for (const RobotInMap& place : *places) {
             if (place.robot == robot.name) watch.spinning = place.spinning;
         }

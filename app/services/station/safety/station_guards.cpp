@@ -114,17 +114,17 @@ bool StationGuards::look(const std::string& robot, Entry& entry, bool stopping) 
     over.reset();
     const bool tryNow = entry.problem.empty() || moment() - entry.failed >= TriedAgain;
     if (wanted && !entry.process && tryNow) begin(robot, entry);
-    tellTrouble(robot, entry);
+    notifyTrouble(robot, entry);
     return entry.ready != before;
 }
 
-void StationGuards::tellTrouble(const std::string& robot, Entry& entry) {
+void StationGuards::notifyTrouble(const std::string& robot, Entry& entry) {
     {
         const std::lock_guard lock(entry.mutex);
-        if (entry.problem == entry.told) return;
-        entry.told = entry.problem;
+        if (entry.problem == entry.notified) return;
+        entry.notified = entry.problem;
     }
-    if (!entry.told.empty()) m_setup.onTrouble(robot, entry.told);
+    if (!entry.notified.empty()) m_setup.onTrouble(robot, entry.notified);
 }
 
 void StationGuards::run(const std::stop_token& stop) {

@@ -52,12 +52,12 @@ private:
         bool deaf = false;                      ///< it did not take a pulse
         std::string problem;                    ///< why there is none
         SteadyTime failed = {};
-        std::string told;  ///< the problem that was reported last; of our thread
+        std::string notified;  ///< the problem that was reported last; of our thread
     };
     void run(const std::stop_token& stop);
     void wake() const;
     bool look(const std::string& robot, Entry& entry, bool stopping);
-    void tellTrouble(const std::string& robot, Entry& entry);
+    void notifyTrouble(const std::string& robot, Entry& entry);
     void begin(const std::string& robot, Entry& entry);
 
     const Setup m_setup;

@@ -60,7 +60,7 @@ MissionFeature::MissionFeature(const LiveContext& context, const QString& folder
 void MissionFeature::addCommands() {
     CommandTable& commands = m_context.commands;
     StationClock& clock = m_context.station.clock();
-    const auto tell = [this](const Result<void>& done) {
+    const auto show = [this](const Result<void>& done) {
         if (!done) m_context.notify(QString::fromStdString(done.error().text));
     };
     m_run = &commands.add({.id = "mission.clock",
@@ -68,7 +68,7 @@ void MissionFeature::addCommands() {
                            .text = tr("&Clock runs"),
                            .hint = tr("Lets the mission's clock go, or holds it"),
                            .checkable = true});
-    connect(m_run, &QAction::triggered, this, [&clock, tell](bool on) { tell(clock.run(on)); });
+    connect(m_run, &QAction::triggered, this, [&clock, show](bool on) { show(clock.run(on)); });
     m_length = &commands.add({.id = "mission.length",
                               .menu = CommandMenu::Mission,
                               .text = tr("&Length of the mission…"),
@@ -78,7 +78,7 @@ void MissionFeature::addCommands() {
                              .menu = CommandMenu::Mission,
                              .text = tr("Clock to &zero"),
                              .hint = tr("The mission begins now")});
-    connect(m_reset, &QAction::triggered, this, [&clock, tell] { tell(clock.reset()); });
+    connect(m_reset, &QAction::triggered, this, [&clock, show] { show(clock.reset()); });
     m_earlier =
         &commands.add({.id = "mission.earlier",
                        .menu = CommandMenu::Mission,

@@ -12,7 +12,7 @@ PadInput::PadInput(PadInputSettings settings, QObject* parent)
       m_settings(std::move(settings)),
       m_sdl(std::make_unique<SdlPads>(
           PadListener{.onCame = [this](const PadInfo& info) { came(info); },
-                      .onState = [this](int id, const PadState& state) { says(id, state); },
+                      .onState = [this](int id, const PadState& state) { receive(id, state); },
                       .onGone = [this](int id) { went(id); },
                       .onTrouble =
                           [this](const std::string& text) {
@@ -31,7 +31,7 @@ void PadInput::came(const PadInfo& info) {
     });
 }
 
-void PadInput::says(int id, const PadState& state) {
+void PadInput::receive(int id, const PadState& state) {
     bool stop = false;
     {
         const std::lock_guard lock(m_mutex);
@@ -119,15 +119,16 @@ const PadInput::Pad* PadInput::chosenPad() const {
 
 void PadInput::update() {
     const Pad* const pad = chosenPad();
-    tell(m_mapping.update(pad == nullptr ? PadState{} : pad->state, m_scope));
+    publish(m_mapping.update(pad == nullptr ? PadState{} : pad->state, m_scope));
 }
 
-void PadInput::tell(const PadWishes& wishes) {
-    const PadWishes before = std::exchange(m_last, wishes);
-    if (wishes.driving || before.driving) emit sticks(wishes.drive, wishes.driving, wishes.withoutEyes);
-    if (wishes.needsNeutral != before.needsNeutral) emit needsNeutral(wishes.needsNeutral);
-    if (wishes.cameras != PanTiltRate{} || before.cameras != PanTiltRate{}) emit panTilt(wishes.cameras);
-    for (const std::string& command : wishes.commands) emit commandWanted(QString::fromStdString(command));
+void PadInput::publish(const PadRequests& requests) {
+    const PadRequests before = std::exchange(m_last, requests);
+    if (requests.driving || before.driving)
+        emit sticks(requests.drive, requests.driving, requests.withoutEyes);
+    if (requests.needsNeutral != before.needsNeutral) emit needsNeutral(requests.needsNeutral);
+    if (requests.cameras != PanTiltRate{} || before.cameras != PanTiltRate{}) emit panTilt(requests.cameras);
+    for (const std::string& command : requests.commands) emit commandWanted(QString::fromStdString(command));
 }
 
 std::vector<PadInfo> PadInput::pads() const {

@@ -74,14 +74,14 @@ private:
     };
     // On the pads' thread:
     void came(const PadInfo& info);
-    void says(int id, const PadState& state);
+    void receive(int id, const PadState& state);
     void went(int id);
     // On the GUI thread:
     void add(const PadInfo& info, const PadBindings& bindings);
     void take(int id, const PadState& state);
     void remove(int id);
     void update();
-    void tell(const PadWishes& wishes);
+    void publish(const PadRequests& requests);
     [[nodiscard]] const Pad* chosenPad() const;
     void useOwn(const PadBindings& bindings);
     void watchStop(int id, const PadBindings& bindings);
@@ -98,7 +98,7 @@ private:
     PadBindings m_own;                            ///< of the chosen one
     std::map<std::string, std::string> m_layout;  ///< commands by button
     PadMapping m_mapping;                         ///< of the chosen one
-    PadWishes m_last;
+    PadRequests m_last;
     PadScope m_scope = PadScope::Nothing;
     std::unique_ptr<SdlPads> m_sdl;  ///< last: its thread ends first
 };

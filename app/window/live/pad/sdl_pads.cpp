@@ -30,7 +30,7 @@ struct SdlPads::State {
     struct Pad {
         bool fresh = true;  ///< SDL has not read its controls yet: its state means nothing
         std::unique_ptr<SdlDevice> device;
-        PadState told;
+        PadState reported;
         Clock::time_point at{};
     };
     struct Rumble {
@@ -42,7 +42,7 @@ struct SdlPads::State {
     void run(const std::stop_token& stop);
     void lookForNew();
     void takeEvents();
-    void tell(Pad& pad);
+    void publish(Pad& pad);
     void shake();
     void pressed(PadLayout layout, int id, int button) {
         const auto found = pads.find(id);
@@ -94,20 +94,20 @@ void SdlPads::State::takeEvents() {
     }
 }
 
-void SdlPads::State::tell(Pad& pad) {
+void SdlPads::State::publish(Pad& pad) {
     PadState now = pad.device->read();
     PadState tapped = now;
     for (const int button : pad.device->takePressed()) {
         const auto i = static_cast<std::size_t>(button);
-        if (i < tapped.buttons.size() && !pad.told.button(button)) tapped.buttons[i] = true;
+        if (i < tapped.buttons.size() && !pad.reported.button(button)) tapped.buttons[i] = true;
     }
     const int id = pad.device->info().id;
     if (tapped != now && listener.onState) listener.onState(id, tapped);
     const auto at = Clock::now();
-    if (tapped == now && now == pad.told && at - pad.at < Repeat) return;
-    pad.told = std::move(now);
+    if (tapped == now && now == pad.reported && at - pad.at < Repeat) return;
+    pad.reported = std::move(now);
     pad.at = at;
-    if (listener.onState) listener.onState(id, pad.told);
+    if (listener.onState) listener.onState(id, pad.reported);
 }
 
 void SdlPads::State::shake() {
@@ -146,7 +146,7 @@ void SdlPads::State::run(const std::stop_token& stop) {
         SDL_UnlockJoysticks();
         // A trigger that is held while its pad is plugged in must not look as if it was released before.
         for (auto& [id, pad] : pads) {
-            if (!std::exchange(pad.fresh, false)) tell(pad);
+            if (!std::exchange(pad.fresh, false)) publish(pad);
         }
         shake();
         std::unique_lock lock(mutex);

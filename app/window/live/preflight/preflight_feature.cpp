@@ -141,16 +141,16 @@ void PreflightFeature::showOverrides() {
         (noWatchdog ? noneNames : lateNames) += othersText(robot.title);
     }
     QStringList texts, tips;
-    const auto tell = [&](const QString& text, const QStringList& names, const QString& tip) {
+    const auto addWarning = [&](const QString& text, const QStringList& names, const QString& tip) {
         if (names.isEmpty()) return;
         texts += text;
         tips += names.join(QStringLiteral(", ")) + QStringLiteral(": ") + tip;
     };
-    tell(tr("NO WATCHDOG: %1").arg(none.join(QLatin1Char(' '))), noneNames,
-         tr("Failed its brake test and is driven nevertheless: without radio it goes on. When this "
-            "station hangs or dies, its guard stops it"));
-    tell(tr("BRAKES LATE: %1").arg(late.join(QLatin1Char(' '))), lateNames,
-         tr("Failed its brake test and is driven nevertheless: without radio it stands late"));
+    addWarning(tr("NO WATCHDOG: %1").arg(none.join(QLatin1Char(' '))), noneNames,
+               tr("Failed its brake test and is driven nevertheless: without radio it goes on. When this "
+                  "station hangs or dies, its guard stops it"));
+    addWarning(tr("BRAKES LATE: %1").arg(late.join(QLatin1Char(' '))), lateNames,
+               tr("Failed its brake test and is driven nevertheless: without radio it stands late"));
     m_badge->setText(texts.join(QStringLiteral("  ")));
     m_badge->setToolTip(tips.join(QLatin1Char('\n')));
     m_badge->setVisible(!texts.isEmpty());

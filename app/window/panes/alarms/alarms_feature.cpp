@@ -13,7 +13,7 @@
 #include "app/window/input/selection.h"
 #include "app/window/source/moment_source.h"
 #include "widgets/alarms/alarm_panel.h"
-#include "widgets/models/live/texts/alarm_words.h"
+#include "widgets/models/live/texts/alarm_text.h"
 
 namespace leitstand {
 namespace {
@@ -32,12 +32,12 @@ AlarmsFeature::AlarmsFeature(const LiveContext& context)
             [&alarms](const AlarmId& id) { alarms.acknowledge(id); });
     connect(m_panel, &AlarmPanel::newestAcknowledged, this, [&alarms] { alarms.acknowledgeNewest(); });
     connect(m_panel, &AlarmPanel::muteToggled, this, &AlarmsFeature::toggleMute);
-    const auto tellTrouble = [this] {
+    const auto notifyTrouble = [this] {
         m_panel->setSoundTrouble(m_player.trouble());
         emit soundTroubleChanged(m_player.trouble());
     };
-    connect(&m_player, &TonePlayer::troubleChanged, this, tellTrouble);
-    tellTrouble();
+    connect(&m_player, &TonePlayer::troubleChanged, this, notifyTrouble);
+    notifyTrouble();
     m_second.setSingleShot(true);
     m_second.setInterval(BetweenTones);
     connect(&m_second, &QTimer::timeout, this, [this] { m_player.play(AlarmTone::Act); });

@@ -5,7 +5,7 @@
 #include "app/window/input/selection.h"
 #include "app/window/source/review_bridge.h"
 #include "widgets/alarms/alarm_panel.h"
-#include "widgets/models/live/texts/alarm_words.h"
+#include "widgets/models/live/texts/alarm_text.h"
 
 namespace leitstand {
 

@@ -17,7 +17,7 @@
 #include "app/window/panes/camera/camera_overlays.h"
 #include "app/window/source/moment_source.h"
 #include "widgets/camera/camera_pane.h"
-#include "widgets/models/camera/camera_words.h"
+#include "widgets/models/camera/camera_text.h"
 #include "widgets/models/live/texts/sight_text.h"
 
 namespace leitstand {
@@ -183,7 +183,7 @@ void CameraFeature::choose() {
 
 void CameraFeature::showPanes() {
     if (m_context.liveStation != nullptr)
-        m_context.liveStation->lookThrough(robotName(), m_views.sensor(CameraPlace::Large));
+        m_context.liveStation->selectCamera(robotName(), m_views.sensor(CameraPlace::Large));
     for (const CameraPlace place : {CameraPlace::Large, CameraPlace::Small}) {
         pane(place).setCamera(m_context.selection.face(), cameraTitle(m_views.stream(place)));
         pane(place).setVacant(m_views.stream(place) == nullptr);
@@ -328,18 +328,19 @@ void CameraFeature::point(CameraPlace place, const QPointF& at) {
 }
 
 void CameraFeature::keep(CameraPlace place) {
-    SnapshotWish wish;
-    wish.picture = m_views.newest(place);
-    if (!wish.picture) {
+    SnapshotRequest request;
+    request.picture = m_views.newest(place);
+    if (!request.picture) {
         m_context.notify(tr("There is no picture to keep yet"));
         return;
     }
     StationCameras& cameras = m_context.liveStation->cameras();
-    wish.camera = cameraTitle(m_views.stream(place)).toStdString();
-    const RobotState& said = m_context.source.moment().said(robotName());
-    if (said.odometry) wish.baseInOdom = said.odometry->sample.baseInOdom;
-    if (const auto turn = cameras.turning().view(robotName(), m_views.sensor(place))) wish.turned = turn->now;
-    cameras.snapshots().take(wish);
+    request.camera = cameraTitle(m_views.stream(place)).toStdString();
+    const RobotState& reported = m_context.source.moment().reported(robotName());
+    if (reported.odometry) request.baseInOdom = reported.odometry->sample.baseInOdom;
+    if (const auto turn = cameras.turning().view(robotName(), m_views.sensor(place)))
+        request.turned = turn->now;
+    cameras.snapshots().take(request);
 }
 
 QStringList CameraFeature::missing() const {

@@ -80,17 +80,17 @@ bool CameraKeys::take(const QKeyEvent& event, bool held) {
     } else {
         m_held.erase(way);
     }
-    tell();
+    publish();
     return true;
 }
 
 void CameraKeys::letGo() {
     if (m_held.empty()) return;
     m_held.clear();
-    tell();
+    publish();
 }
 
-void CameraKeys::tell() {
+void CameraKeys::publish() {
     const auto share = [this](Way plus, Way minus) {
         return static_cast<double>(m_held.count(plus)) - static_cast<double>(m_held.count(minus));
     };

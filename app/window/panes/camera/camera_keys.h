@@ -37,7 +37,7 @@ private:
     [[nodiscard]] bool isOurs(const QKeyEvent& event) const;
     bool take(const QKeyEvent& event, bool held);
     void letGo();
-    void tell();
+    void publish();
 
     QWidget& m_window;
     std::function<bool()> m_driving;

@@ -66,7 +66,7 @@ CameraOverlay cameraOverlay(const std::optional<CameraTurn>& turn, const ShownPi
     if (turn) {
         const PanTiltAngles now = turn->now.value_or(PanTiltAngles{});
         if (turn->now) overlay.turn.pan = now.pan, overlay.turn.tilt = now.tilt;
-        if (turn->wish) overlay.wishedPan = turn->wish->pan;
+        if (turn->requested) overlay.requestedPan = turn->requested->pan;
         overlay.turn.keys = keys.turn;
         overlay.turn.recentreKey = keys.recentre;
         overlay.turn.waiting = turn->waiting;
@@ -84,9 +84,9 @@ CameraOverlay cameraOverlay(const std::optional<CameraTurn>& turn, const ShownPi
 void addDriving(CameraOverlay& overlay, const RobotDescription& robot, const LiveMoment& moment,
                 const ShownPicture* picture) {
     const RobotView& view = moment.view(robot.name);
-    const RobotState& said = moment.said(robot.name);
-    overlay.mode = modeLabelOf(view, said.mode);
-    const auto attitude = rollAndPitch(robot, said, moment.now);
+    const RobotState& reported = moment.reported(robot.name);
+    overlay.mode = modeLabelOf(view, reported.mode);
+    const auto attitude = rollAndPitch(robot, reported, moment.now);
     if (attitude && !isOmni(picture)) {
         overlay.roll = attitude->first;
         overlay.pitch = attitude->second;

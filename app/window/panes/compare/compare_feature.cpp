@@ -8,8 +8,8 @@
 #include "app/window/source/moment_source.h"
 #include "app/window/source/review_bridge.h"
 #include "app/window/source/review_comparison.h"
-#include "widgets/models/map/live_summary.h"
-#include "widgets/models/review/compared_summary.h"
+#include "widgets/models/map/live_map_text.h"
+#include "widgets/models/review/compared_text.h"
 #include "widgets/review/compare_panel.h"
 
 namespace leitstand {

@@ -14,13 +14,14 @@ namespace leitstand {
 DriveFeature::DriveFeature(const LiveContext& context, DriveStrip& strip)
     : QObject(&context.window), m_context(context), m_input(context.window) {
     Station& station = context.station;
-    connect(&m_input, &DriveInput::sticks, this,
-            [this, &station](const DriveVelocity& sticks) { station.push(sticks, m_input.withoutEyes()); });
+    connect(&m_input, &DriveInput::sticks, this, [this, &station](const DriveVelocity& sticks) {
+        station.setStick(sticks, m_input.withoutEyes());
+    });
     connect(&m_input, &DriveInput::halted, this, [&station] { station.halt(); });
     connect(&m_input, &DriveInput::focusChanged, this, [this, &station](bool focus) {
         const std::string robot = m_context.selection.name().toStdString();
-        if (focus) station.ask(robot);
-        station.focus(focus ? robot : std::string());
+        if (focus) station.requestGrant(robot);
+        station.setDriveFocus(focus ? robot : std::string());
         m_drive->setChecked(m_input.keysHaveFocus());
     });
     const auto setRobot = [this] {
@@ -51,17 +52,18 @@ void DriveFeature::addCommands() {
 void DriveFeature::connectStrip(DriveStrip& strip) {
     Station& station = m_context.station;
     const auto selected = [this] { return m_context.selection.name().toStdString(); };
-    connect(&strip, &DriveStrip::grantAsked, this, [&station, selected] { station.ask(selected()); });
+    connect(&strip, &DriveStrip::grantAsked, this,
+            [&station, selected] { station.requestGrant(selected()); });
     connect(&strip, &DriveStrip::grantGivenUp, this, [this, &station, selected] {
         setDriving(false);
-        station.giveUp(selected());
+        station.releaseGrant(selected());
     });
     connect(&strip, &DriveStrip::grantAnswered, this,
-            [&station, selected](bool consent) { station.answer(selected(), consent); });
+            [&station, selected](bool consent) { station.answerRequest(selected(), consent); });
 }
 
 void DriveFeature::setDriving(bool on) {
-    if (on) m_context.station.ask(m_context.selection.name().toStdString());
+    if (on) m_context.station.requestGrant(m_context.selection.name().toStdString());
     m_input.setFocus(on);
 }
 

@@ -22,8 +22,8 @@ void StripFeature::show(const LiveMoment& moment) {
     const bool live = m_context.liveStation != nullptr;
     const AlarmLimits limits = live ? m_context.liveStation->alarms().limits() : AlarmLimits{};
     DriveState state =
-        driveStateOf(m_context.selection.face(), *robot, moment.view(robot->name), moment.said(robot->name),
-                     m_context.source.gas(robot->name), moment.now, limits);
+        driveStateOf(m_context.selection.face(), *robot, moment.view(robot->name),
+                     moment.reported(robot->name), m_context.source.gas(robot->name), moment.now, limits);
     if (!live) state.grant.choice = GrantFigures::Choice::None;
     m_strip->show(state);
 }

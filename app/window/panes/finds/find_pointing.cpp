@@ -26,15 +26,15 @@ namespace leitstand {
 FindPointing::FindPointing(const LiveContext& context, MapFeature& map, CameraFeature& cameras,
                            ScanFeature& scan)
     : QObject(&context.window), m_context(context), m_map(map), m_cameras(cameras), m_scan(scan) {
-    using Kind = VictimSample::Kind;
+    using Kind = FindSample::Kind;
     add("victim.point", Kind::Victim, tr("Victim where I &click"),
         tr("Then click on it in a picture, in the virtual scan or on the map; in pictures and the "
            "virtual scan a click with Shift does the same at any time"),
         QKeySequence(Qt::SHIFT | Qt::Key_F));
-    const QString likewise = tr("Then click on it in a picture, in the virtual scan or on the map");
-    add("victim.pointHazard", Kind::Hazard, tr("Hazard where I click"), likewise);
-    add("victim.pointCode", Kind::Code, tr("QR code where I click"), likewise);
-    add("victim.pointObject", Kind::Object, tr("Object where I click"), likewise);
+    const QString clickHint = tr("Then click on it in a picture, in the virtual scan or on the map");
+    add("victim.pointHazard", Kind::Hazard, tr("Hazard where I click"), clickHint);
+    add("victim.pointCode", Kind::Code, tr("QR code where I click"), clickHint);
+    add("victim.pointObject", Kind::Object, tr("Object where I click"), clickHint);
     const auto end = [this] {
         if (armed()) m_map.gestures().disarm();
     };
@@ -47,7 +47,7 @@ FindPointing::FindPointing(const LiveContext& context, MapFeature& map, CameraFe
     connect(&scan, &ScanFeature::pointingEnded, this, end);
 }
 
-void FindPointing::add(const char* id, VictimSample::Kind kind, const QString& text, const QString& hint,
+void FindPointing::add(const char* id, FindSample::Kind kind, const QString& text, const QString& hint,
                        const QKeySequence& keys) {
     QAction& action = m_context.commands.add({.id = QString::fromLatin1(id),
                                               .menu = CommandMenu::Mission,
@@ -68,19 +68,19 @@ bool FindPointing::armed() const {
                        [](const auto& one) { return one.second->isChecked(); });
 }
 
-VictimSample::Kind FindPointing::kind() const {
+FindSample::Kind FindPointing::kind() const {
     for (const auto& [kind, action] : m_actions) {
         if (action->isChecked()) return kind;
     }
-    return VictimSample::Kind::Victim;
+    return FindSample::Kind::Victim;
 }
 
-void FindPointing::arm(QAction& action, VictimSample::Kind kind, bool on) {
+void FindPointing::arm(QAction& action, FindSample::Kind kind, bool on) {
     if (!on) return m_map.gestures().disarm();
     RobotMark mark = m_map.robots().mark(m_context.selection.name().toStdString());
     mark.footprint = {{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}};
     mark.height = LyingHeight;
-    const bool victim = kind == VictimSample::Kind::Victim;
+    const bool victim = kind == FindSample::Kind::Victim;
     m_map.gestures().armPose(action, mark,
                              victim ? tr("Click where the victim is · right button: not at all")
                                     : tr("Click where it is · right button: not at all"),
@@ -104,7 +104,7 @@ void FindPointing::fileBeside(const Eigen::Vector2d& placeInBase) {
     fileAt(*baseInMap * Eigen::Vector3d(placeInBase.x(), placeInBase.y(), LyingHeight), kind());
 }
 
-void FindPointing::fileAt(const Eigen::Vector3d& placeInMap, VictimSample::Kind kind) {
+void FindPointing::fileAt(const Eigen::Vector3d& placeInMap, FindSample::Kind kind) {
     m_context.station.finds().freezeAt(m_context.selection.name().toStdString(), kind, placeInMap);
 }
 

@@ -27,20 +27,20 @@ public:
     FindPointing(const LiveContext& context, MapFeature& map, CameraFeature& cameras, ScanFeature& scan);
 
 private:
-    void add(const char* id, VictimSample::Kind kind, const QString& text, const QString& hint,
+    void add(const char* id, FindSample::Kind kind, const QString& text, const QString& hint,
              const QKeySequence& keys = {});
-    void arm(QAction& action, VictimSample::Kind kind, bool on);
+    void arm(QAction& action, FindSample::Kind kind, bool on);
     [[nodiscard]] bool armed() const;
-    [[nodiscard]] VictimSample::Kind kind() const;  ///< kind that the next click files
+    [[nodiscard]] FindSample::Kind kind() const;  ///< kind that the next click files
     void fileIn(const PicturePoint& at);
     void fileBeside(const Eigen::Vector2d& placeInBase);
-    void fileAt(const Eigen::Vector3d& placeInMap, VictimSample::Kind kind);
+    void fileAt(const Eigen::Vector3d& placeInMap, FindSample::Kind kind);
 
     LiveContext m_context;
     MapFeature& m_map;
     CameraFeature& m_cameras;
     ScanFeature& m_scan;
-    std::vector<std::pair<VictimSample::Kind, QAction*>> m_actions;
+    std::vector<std::pair<FindSample::Kind, QAction*>> m_actions;
 };
 
 }  // namespace leitstand

@@ -22,7 +22,7 @@
 namespace leitstand {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 
 }  // namespace
 
@@ -63,8 +63,8 @@ QAction& FindsByClick::add(const char* id, const QString& text, const QString& h
                                    .checkable = true});
 }
 
-void FindsByClick::addFiling(const char* id, VictimSample::Kind kind, const QString& text,
-                             const QString& brief, const QKeySequence& keys) {
+void FindsByClick::addFiling(const char* id, FindSample::Kind kind, const QString& text, const QString& brief,
+                             const QKeySequence& keys) {
     QAction& action =
         add(id, text,
             tr("Then click on it in a picture, in the virtual scan or on the map: filed with the pictures of "
@@ -94,14 +94,14 @@ void FindsByClick::move(QAction& by, bool on) {
         });
 }
 
-void FindsByClick::file(QAction& by, VictimSample::Kind kind, bool on) {
+void FindsByClick::file(QAction& by, FindSample::Kind kind, bool on) {
     if (!on || !m_bridge.reviewed()) return m_map.gestures().disarm();
     m_map.gestures().armPose(by, m_map.robots().placeMark(m_context.selection.name().toStdString()),
                              tr("Click where it is · right button: not at all"),
                              [this, kind](const GroundPose& pose) { fileAt(kind, aboveFloor(pose.place)); });
 }
 
-void FindsByClick::fileAt(VictimSample::Kind kind, const Eigen::Vector3d& placeInMap) {
+void FindsByClick::fileAt(FindSample::Kind kind, const Eigen::Vector3d& placeInMap) {
     const FrozenEvidence seen = evidenceAt(*m_bridge.reviewed(), m_context.selection.name().toStdString(),
                                            m_finds.state(), placeInMap);
     m_bridge.write([kind, seen](ReviewPen& pen) { return pen.file(kind, seen); },
@@ -145,7 +145,7 @@ bool FindsByClick::armed() const {
                        [](const auto& one) { return one.second->isChecked(); });
 }
 
-VictimSample::Kind FindsByClick::kind() const {
+FindSample::Kind FindsByClick::kind() const {
     for (const auto& [kind, action] : m_filing) {
         if (action->isChecked()) return kind;
     }

@@ -8,7 +8,7 @@
 
 #include "app/services/finds/freezing.h"
 #include "app/window/panes/view_context.h"
-#include "core/event/victim_sample.h"
+#include "core/event/find_sample.h"
 
 class QAction;
 
@@ -32,15 +32,15 @@ public:
 
 private:
     QAction& add(const char* id, const QString& text, const QString& hint, const QKeySequence& keys = {});
-    void addFiling(const char* id, VictimSample::Kind kind, const QString& text, const QString& brief = {},
+    void addFiling(const char* id, FindSample::Kind kind, const QString& text, const QString& brief = {},
                    const QKeySequence& keys = {});
     void move(QAction& by, bool on);
-    void file(QAction& by, VictimSample::Kind kind, bool on);
-    void fileAt(VictimSample::Kind kind, const Eigen::Vector3d& placeInMap);
+    void file(QAction& by, FindSample::Kind kind, bool on);
+    void fileAt(FindSample::Kind kind, const Eigen::Vector3d& placeInMap);
     void fileIn(const PicturePoint& at);
     void fileBeside(const Eigen::Vector2d& placeInBase);
-    void end();                                     ///< disarms what was armed
-    [[nodiscard]] VictimSample::Kind kind() const;  ///< kind that a click beside the map files
+    void end();                                   ///< disarms what was armed
+    [[nodiscard]] FindSample::Kind kind() const;  ///< kind that a click beside the map files
     [[nodiscard]] bool armed() const;
 
     ViewContext m_context;
@@ -49,7 +49,7 @@ private:
     CameraFeature& m_cameras;
     ScanFeature& m_scan;
     FindsFeature& m_finds;
-    std::vector<std::pair<VictimSample::Kind, QAction*>> m_filing;
+    std::vector<std::pair<FindSample::Kind, QAction*>> m_filing;
 };
 
 }  // namespace leitstand

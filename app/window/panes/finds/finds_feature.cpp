@@ -12,9 +12,9 @@
 #include "app/window/input/selection.h"
 #include "app/window/panes/finds/form_pictures.h"
 #include "app/window/source/review_bridge.h"
-#include "widgets/models/timeline/timeline_words.h"
+#include "widgets/models/timeline/timeline_text.h"
 #include "widgets/models/times.h"
-#include "widgets/models/victims/merge_words.h"
+#include "widgets/models/victims/merge_text.h"
 #include "widgets/models/victims/victim_rows.h"
 #include "widgets/victims/victim_form.h"
 #include "widgets/victims/victims_panel.h"
@@ -24,14 +24,14 @@ namespace {
 
 /// Returns the find of @p shown as @p pen wrote it, so that what was written since, and is not shown yet,
 /// stays. Returns @p shown when nothing was written.
-VictimSample asWritten(const ReviewPen& pen, const VictimSample& shown) {
+FindSample asWritten(const ReviewPen& pen, const FindSample& shown) {
     const MissionStatePtr written = pen.state();
     if (!written) return shown;
-    const auto found = written->victims->find({shown.kind, shown.number});
-    return found == written->victims->end() ? shown : found->second.victim;
+    const auto found = written->finds->find({shown.kind, shown.number});
+    return found == written->finds->end() ? shown : found->second.victim;
 }
 
-FindKey keyOf(const VictimSample& find) {
+FindKey keyOf(const FindSample& find) {
     return {find.kind, find.number};
 }
 
@@ -56,7 +56,7 @@ FindsFeature::FindsFeature(const ReviewContext& context)
     connect(m_panel, &VictimsPanel::activated, this, [this] {
         if (const auto row = m_panel->chosen()) m_bridge.player().seek(row->found);
     });
-    connect(&context.review, &ReviewBridge::wrote, this, &FindsFeature::tellWritten);
+    connect(&context.review, &ReviewBridge::wrote, this, &FindsFeature::notifyWritten);
     connect(&context.review, &MomentSource::ticked, this, &FindsFeature::show);
     enable();
 }
@@ -137,10 +137,10 @@ const MissionState& FindsFeature::finished() const {
     return m_written ? *m_written : *m_bridge.index()->finished;
 }
 
-const VictimSample* FindsFeature::newest(const FindKey& find) const {
+const FindSample* FindsFeature::newest(const FindKey& find) const {
     const MissionState& now = finished();
-    const auto found = now.victims->find(find);
-    return found == now.victims->end() ? nullptr : &found->second.victim;
+    const auto found = now.finds->find(find);
+    return found == now.finds->end() ? nullptr : &found->second.victim;
 }
 
 void FindsFeature::enable() {
@@ -163,24 +163,24 @@ void FindsFeature::show() {
     emit findsChanged();
 }
 
-std::optional<VictimSample> FindsFeature::inForm(const std::optional<FindKey>& find) const {
+std::optional<FindSample> FindsFeature::inForm(const std::optional<FindKey>& find) const {
     if (!find) return std::nullopt;
     if (find == m_corrected) {
-        const VictimSample* const known = newest(*find);
+        const FindSample* const known = newest(*find);
         return known == nullptr ? std::nullopt : std::optional(*known);
     }
     const MissionState& shown = state();
-    const auto known = shown.victims->find(*find);
-    return known == shown.victims->end() ? std::nullopt : std::optional(known->second.victim);
+    const auto known = shown.finds->find(*find);
+    return known == shown.finds->end() ? std::nullopt : std::optional(known->second.victim);
 }
 
-void FindsFeature::showForm(const std::optional<VictimSample>& find) {
+void FindsFeature::showForm(const std::optional<FindSample>& find) {
     m_form->show(find);  // may emit what was being typed for the find before
     m_shown = find;
     if (m_form->isVisible()) m_pictures->follow(find);
 }
 
-void FindsFeature::tellWritten(const QString& done, const QString& problem) {
+void FindsFeature::notifyWritten(const QString& done, const QString& problem) {
     const bool failed = !problem.isEmpty();
     if (failed) showForm(std::nullopt);  // shows the mission's state again, not the failed edit
     if (const auto asked = std::exchange(m_asked, std::nullopt); asked && !failed) m_corrected = asked;
@@ -196,7 +196,7 @@ void FindsFeature::undo() {
 void FindsFeature::confirm() {
     const auto row = m_panel->chosen();
     if (!row) return;
-    if (row->filed()) return judge(row->find, VictimSample::Status::Confirmed);
+    if (row->filed()) return judge(row->find, FindSample::Status::Confirmed);
     m_bridge.write([candidate = row->candidate](ReviewPen& pen) { return pen.fileCandidate(candidate); },
                    tr("The candidate is filed (as finished)"));
 }
@@ -204,21 +204,21 @@ void FindsFeature::confirm() {
 void FindsFeature::discard() {
     const auto row = m_panel->chosen();
     if (!row) return;
-    if (row->filed()) return judge(row->find, VictimSample::Status::Discarded);
+    if (row->filed()) return judge(row->find, FindSample::Status::Discarded);
     m_bridge.write([candidate = row->candidate](ReviewPen& pen) { return pen.dismiss(candidate); },
                    tr("The candidate is dismissed (as finished)"));
 }
 
-void FindsFeature::judge(const FindKey& find, VictimSample::Status status) {
-    const VictimSample* const known = newest(find);
+void FindsFeature::judge(const FindKey& find, FindSample::Status status) {
+    const FindSample* const known = newest(find);
     if (known == nullptr) return m_context.notify(tr("The mission took this find back later"));
-    VictimSample judged = *known;
+    FindSample judged = *known;
     judged.status = status;
-    if (status != VictimSample::Status::Discarded) judged.mergedInto = 0;
+    if (status != FindSample::Status::Discarded) judged.mergedInto = 0;
     const QString name = QString::fromStdString(nameOf(judged.kind, judged.number));
     m_bridge.write(
         [judged](ReviewPen& pen) {
-            VictimSample whole = asWritten(pen, judged);
+            FindSample whole = asWritten(pen, judged);
             whole.status = judged.status;
             whole.mergedInto = judged.mergedInto;
             return pen.correct(whole);
@@ -233,7 +233,7 @@ void FindsFeature::merge(const FindKey& find) {
 }
 
 void FindsFeature::openForm(const FindKey& find) {
-    const VictimSample* const known = newest(find);
+    const FindSample* const known = newest(find);
     if (known == nullptr) return m_context.notify(tr("The mission took this find back later"));
     if (!m_context.panes.isPaneVisible(QStringLiteral("form")))
         m_context.panes.visibility(QStringLiteral("form"))->trigger();
@@ -242,13 +242,13 @@ void FindsFeature::openForm(const FindKey& find) {
     m_form->nextField(1);
 }
 
-void FindsFeature::correct(const VictimSample& corrected) {
+void FindsFeature::correct(const FindSample& corrected) {
     const QString name = QString::fromStdString(nameOf(corrected.kind, corrected.number));
     const FindKey find = keyOf(corrected);
-    const VictimSample* const known = newest(find);
+    const FindSample* const known = newest(find);
     if (known == nullptr) return m_context.notify(tr("The mission took this find back later"));
     // The form may have shown an old state: only what was changed there is written.
-    const VictimSample before = m_shown && keyOf(*m_shown) == find ? *m_shown : *known;
+    const FindSample before = m_shown && keyOf(*m_shown) == find ? *m_shown : *known;
     m_asked = find;
     m_bridge.write(
         [before, corrected, known = *known](ReviewPen& pen) {

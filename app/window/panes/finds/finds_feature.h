@@ -52,26 +52,26 @@ private:
     void show();
     void confirm();
     void discard();
-    void judge(const FindKey& find, VictimSample::Status status);
+    void judge(const FindKey& find, FindSample::Status status);
     void merge(const FindKey& find);
     [[nodiscard]] const MissionState& finished() const;  ///< the finished mission with what was written
     void openForm(const FindKey& find);
     /// Returns what the form shows of @p find: as it was at the moment that is shown, or the newest once it
     /// is edited. Empty when it is not known.
-    [[nodiscard]] std::optional<VictimSample> inForm(const std::optional<FindKey>& find) const;
-    void showForm(const std::optional<VictimSample>& find);
-    void correct(const VictimSample& corrected);  ///< writes what the form contains
+    [[nodiscard]] std::optional<FindSample> inForm(const std::optional<FindKey>& find) const;
+    void showForm(const std::optional<FindSample>& find);
+    void correct(const FindSample& corrected);  ///< writes what the form contains
     void note(Time at, const QString& text);
-    void tellWritten(const QString& done, const QString& problem);
+    void notifyWritten(const QString& done, const QString& problem);
     void undo();
-    [[nodiscard]] const VictimSample* newest(const FindKey& find) const;
+    [[nodiscard]] const FindSample* newest(const FindKey& find) const;
 
     ViewContext m_context;
     ReviewBridge& m_bridge;
     VictimsPanel* m_panel;
     VictimForm* m_form;
     FormPictures* m_pictures;
-    std::optional<VictimSample> m_shown;  ///< what the form showed before it was edited
+    std::optional<FindSample> m_shown;  ///< what the form showed before it was edited
     std::optional<FindKey> m_asked,
         m_corrected;  ///< find whose correction is being written; find whose newest state is shown
     FindMoves m_moves;

@@ -17,7 +17,7 @@ namespace {
 /// The log is opened for each request; pictures that were lost never come into it.
 constexpr qint64 AsksAgain = 1000;  ///< [ms]
 
-bool haveSameEvidence(const VictimSample& one, const VictimSample& other) {
+bool haveSameEvidence(const FindSample& one, const FindSample& other) {
     return one.kind == other.kind && one.number == other.number &&
            std::equal(one.evidence.begin(), one.evidence.end(), other.evidence.begin(), other.evidence.end(),
                       [](const VictimEvidence& a, const VictimEvidence& b) {
@@ -37,14 +37,14 @@ QString captionOf(const EvidencePicture& picture) {
 FormPictures::FormPictures(VictimForm& form, const std::filesystem::path& mission)
     : QObject(&form),
       m_form(form),
-      m_reader(mission, [this](const VictimSample& find, const ReadEvidence& read) {
+      m_reader(mission, [this](const FindSample& find, const ReadEvidence& read) {
           QMetaObject::invokeMethod(
               this, [this, find, read] { show(find, read); }, Qt::QueuedConnection);
       }) {}
 
 FormPictures::~FormPictures() = default;
 
-void FormPictures::follow(const std::optional<VictimSample>& find) {
+void FormPictures::follow(const std::optional<FindSample>& find) {
     const bool asked = find && m_wanted && haveSameEvidence(*find, *m_wanted);
     // Evidence that was frozen a moment ago is in the log a moment later.
     if (asked && (m_written || !m_answered || m_sinceAsked.elapsed() < AsksAgain)) return;
@@ -58,7 +58,7 @@ void FormPictures::follow(const std::optional<VictimSample>& find) {
     if (some) m_reader.want(*find);
 }
 
-void FormPictures::show(const VictimSample& find, const ReadEvidence& read) {
+void FormPictures::show(const FindSample& find, const ReadEvidence& read) {
     if (!m_wanted || !haveSameEvidence(find, *m_wanted)) return;
     m_answered = true;
     m_written = read.written;

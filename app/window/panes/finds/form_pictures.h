@@ -21,13 +21,13 @@ public:
 
     /// Shows the pictures of @p find, which the form shows now. To be called again whenever it may have
     /// changed.
-    void follow(const std::optional<VictimSample>& find);
+    void follow(const std::optional<FindSample>& find);
 
 private:
-    void show(const VictimSample& find, const ReadEvidence& read);
+    void show(const FindSample& find, const ReadEvidence& read);
 
     VictimForm& m_form;
-    std::optional<VictimSample> m_wanted;  ///< find whose pictures are shown or requested
+    std::optional<FindSample> m_wanted;  ///< find whose pictures are shown or requested
     bool m_answered = false, m_written = false;
     QElapsedTimer m_sinceAsked;
     EvidenceReader m_reader;  ///< last: its thread ends first

@@ -23,8 +23,8 @@
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/robot_mark.h"
 #include "widgets/models/numbers.h"
-#include "widgets/models/victims/merge_words.h"
-#include "widgets/models/victims/move_words.h"
+#include "widgets/models/victims/merge_text.h"
+#include "widgets/models/victims/move_text.h"
 #include "widgets/models/victims/tag_choices.h"
 #include "widgets/victims/victim_form.h"
 #include "widgets/victims/victims_panel.h"
@@ -32,7 +32,7 @@
 namespace leitstand {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 constexpr int TicksARow = 6;  ///< ticks between updates of the rows: 5 Hz
 
 }  // namespace
@@ -56,8 +56,7 @@ VictimsFeature::VictimsFeature(const LiveContext& context, MapFeature& map, Came
                           m_actions.at(QStringLiteral("victim.discard"))});
     connect(m_panel, &VictimsPanel::chosenChanged, this, &VictimsFeature::showForm);
     connect(m_panel, &VictimsPanel::activated, this, [this] { fillIn(1); });
-    connect(m_form, &VictimForm::edited, this,
-            [this](const VictimSample& find) { answer(desk().edit(find)); });
+    connect(m_form, &VictimForm::edited, this, [this](const FindSample& find) { answer(desk().edit(find)); });
     connect(m_form, &VictimForm::done, this, [this] {
         m_context.panes.putAway(QStringLiteral("form"));
         m_context.panes.setFocus();  // keys drive the robot again
@@ -250,7 +249,7 @@ void VictimsFeature::show(const LiveMoment& moment) {
 
 void VictimsFeature::showForm() {
     const auto chosen = m_panel->chosen();
-    const auto& finds = *m_context.source.moment().mission->victims;
+    const auto& finds = *m_context.source.moment().mission->finds;
     const auto entry = chosen && chosen->filed() ? finds.find(chosen->find) : finds.end();
     if (entry != finds.end())
         m_form->setTags(tagChoices(*m_context.source.moment().mission, entry->second.victim));

@@ -25,8 +25,8 @@ class VictimForm;
 class VictimsPanel;
 struct LiveMoment;
 
-/// The finds of the operator (design, section 7): one key freezes evidence, a second one confirms. List and
-/// form are for later. All of it is in the mission's log.
+/// The finds of the operator (docs/design.md, "The window"): one key freezes evidence, a second one confirms.
+/// List and form are for later. All of it is in the mission's log.
 class VictimsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -42,7 +42,7 @@ private:
     void addDecisions();
     void addForm();
     void addPlacing();
-    void freeze(VictimSample::Kind kind);
+    void freeze(FindSample::Kind kind);
     void confirm();
     void merge();
     void move(bool on);

@@ -38,9 +38,9 @@ LinkFeature::LinkFeature(const LiveContext& context)
     m_badge->setToolTip(tr("Robots are asked for less: other cameras come rarely or not at all"));
     StationStreams& streams = context.station.streams();
     connect(m_thin, &QAction::toggled, this, &LinkFeature::setThin);
-    connect(m_pane, &LinkPane::wished, this,
-            [this, &streams](const QString& robot, const QString& topic, const StreamWish& wish) {
-                const auto done = streams.wish(robot.toStdString(), topic.toStdString(), wish);
+    connect(m_pane, &LinkPane::requested, this,
+            [this, &streams](const QString& robot, const QString& topic, const StreamRequest& request) {
+                const auto done = streams.request(robot.toStdString(), topic.toStdString(), request);
                 if (!done) m_context.notify(QString::fromStdString(done.error().text));
             });
     connect(m_pane, &LinkPane::budgetChosen, this, [&streams](double megabits) {

@@ -25,16 +25,16 @@ constexpr double Arrived = 0.4;               ///< [m]
 constexpr std::chrono::seconds Patience(10);  ///< wait for the grant, and for the robot to begin
 constexpr auto DrivesByItself = "explore";    ///< mode in which robots drive to goals
 
-bool offers(const RobotState& said, const std::string& mode) {
-    if (!said.mode) return false;
-    const auto& modes = said.mode->sample.available;
+bool offers(const RobotState& reported, const std::string& mode) {
+    if (!reported.mode) return false;
+    const auto& modes = reported.mode->sample.available;
     return std::find(modes.begin(), modes.end(), mode) != modes.end();
 }
 
-bool moves(const RobotState& said) {
+bool moves(const RobotState& reported) {
     constexpr double Still = 0.02;  // [m/s, rad/s]
-    return said.odometry &&
-           (said.odometry->sample.linear.norm() > Still || said.odometry->sample.angular.norm() > Still);
+    return reported.odometry && (reported.odometry->sample.linear.norm() > Still ||
+                                 reported.odometry->sample.angular.norm() > Still);
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void GoTo::begin(const std::string& robot, const Pose& goalInMap) {
     // Checked before another station is asked for its grant.
     if (const auto may = m_context.station.maySend(robot); !may)
         return m_context.notify(QString::fromStdString(may.error().text));
-    m_context.station.ask(robot);
+    m_context.station.requestGrant(robot);
     m_ways[robot] = {goalInMap, m_context.source.moment().now};
     m_robots.setGoal(robot, goalInMap);
     m_question->forget(robot);
@@ -133,19 +133,19 @@ QString GoTo::titleOf(const std::string& robot) const {
 }
 
 bool GoTo::send(const std::string& robot, const Way& way, const LiveMoment& moment) {
-    const RobotState& said = moment.said(robot);
+    const RobotState& reported = moment.reported(robot);
     const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
     const auto place = placeOf(robot);
-    if (!said.odometry || known == nullptr || !place) return false;
+    if (!reported.odometry || known == nullptr || !place) return false;
     // The robot does not know our map: the goal is sent in its own odometry frame. Not by the newest
     // odometry: while a scan is registered, that is of a later moment than the place in the map.
     PoseSample goal;
-    goal.header.frame = known->odomFrame.empty() ? said.odometry->sample.header.frame : known->odomFrame;
+    goal.header.frame = known->odomFrame.empty() ? reported.odometry->sample.header.frame : known->odomFrame;
     goal.poseInFrame =
         goalInOdom(place->baseInMap, place->odomInMap->inverse() * place->baseInMap, way.goalInMap);
     Station& station = m_context.station;
     Result<void> done = station.goTo(robot, goal);
-    if (done && offers(said, DrivesByItself)) done = station.setMode(robot, DrivesByItself);
+    if (done && offers(reported, DrivesByItself)) done = station.setMode(robot, DrivesByItself);
     if (!done) m_context.notify(QString::fromStdString(done.error().text));
     return done.ok();
 }
@@ -162,18 +162,18 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
             way.sent = true;
             way.asked = moment.now;
         } else if (late) {
-            m_context.notify((mine ? tr("%1 was not sent: its odometry began anew, and nobody knows where")
-                                   : tr("%1 was not sent: the grant to drive it is another station's"))
+            m_context.notify((mine ? tr("%1 was not sent: its odometry restarted, and nobody knows where")
+                                   : tr("%1 was not sent: another station has its drive control"))
                                  .arg(titleOf(robot)));
             return true;
         }
         return false;
     }
-    const RobotState& said = moment.said(robot);
-    const bool drives = said.mode && said.mode->sample.mode == DrivesByItself;
+    const RobotState& reported = moment.reported(robot);
+    const bool drives = reported.mode && reported.mode->sample.mode == DrivesByItself;
     way.began = way.began || drives;
-    if (offers(said, DrivesByItself) && !drives && (way.began || late)) return true;
-    if (!way.began || moves(said)) way.moved = moment.now;
+    if (offers(reported, DrivesByItself) && !drives && (way.began || late)) return true;
+    if (!way.began || moves(reported)) way.moved = moment.now;
     if (moment.now - way.moved > Patience) return true;  // it has come as near as it can, or gave up
     const RobotMark mark = m_robots.mark(robot);
     return (mark.baseInMap.translation() - way.goalInMap.translation()).head<2>().norm() < Arrived;
@@ -198,22 +198,22 @@ bool GoTo::underWay(const std::string& robot, const Way& way) const {
     const LiveMoment& moment = m_context.source.moment();
     const StopStatus& stop = moment.view(robot).stop;
     if (!way.sent || stop.sent || stop.stopped || stop.releasing) return false;
-    const RobotState& said = moment.said(robot);
-    const bool drives = said.mode && said.mode->sample.mode == DrivesByItself;
+    const RobotState& reported = moment.reported(robot);
+    const bool drives = reported.mode && reported.mode->sample.mode == DrivesByItself;
     // The goal was sent, and the robot has not reported since: it is about to begin.
-    const bool begins = !way.began && (!said.mode || said.mode->received <= way.asked);
-    return drives || begins || !offers(said, DrivesByItself);
+    const bool begins = !way.began && (!reported.mode || reported.mode->received <= way.asked);
+    return drives || begins || !offers(reported, DrivesByItself);
 }
 
 void GoTo::stay(const std::string& robot) {
     // Its present pose becomes its goal: a robot knows goals, but not that one is withdrawn. In its odometry,
     // because its place in a map that moves is doubtful.
-    const RobotState& said = m_context.source.moment().said(robot);
+    const RobotState& reported = m_context.source.moment().reported(robot);
     const RobotDescription* const known = m_context.selection.find(QString::fromStdString(robot));
-    if (!said.odometry || known == nullptr) return;
+    if (!reported.odometry || known == nullptr) return;
     PoseSample here;
-    here.header.frame = known->odomFrame.empty() ? said.odometry->sample.header.frame : known->odomFrame;
-    here.poseInFrame = said.odometry->sample.baseInOdom;
+    here.header.frame = known->odomFrame.empty() ? reported.odometry->sample.header.frame : known->odomFrame;
+    here.poseInFrame = reported.odometry->sample.baseInOdom;
     if (const auto done = m_context.station.goTo(robot, here); !done)
         m_context.notify(QString::fromStdString(done.error().text));
 }

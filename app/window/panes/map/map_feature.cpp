@@ -19,7 +19,7 @@
 #include "app/window/source/moment_source.h"
 #include "widgets/map_view/map_readout.h"
 #include "widgets/map_view/map_view.h"
-#include "widgets/models/map/live_summary.h"
+#include "widgets/models/map/live_map_text.h"
 #include "widgets/painting/theme.h"
 
 namespace leitstand {

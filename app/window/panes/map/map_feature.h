@@ -9,7 +9,7 @@
 
 #include "app/window/map/view_state.h"
 #include "app/window/panes/view_context.h"
-#include "widgets/models/map_summary.h"
+#include "widgets/models/map_text.h"
 
 namespace leitstand {
 

@@ -19,7 +19,7 @@ MessagesFeature::MessagesFeature(const ViewContext& context)
     QAction& opens = context.commands.add({.id = QStringLiteral("messages.open"),
                                            .menu = CommandMenu::View,
                                            .text = tr("Me&ssages"),
-                                           .hint = tr("What was told so far, the newest last"),
+                                           .hint = tr("All messages so far, the newest last"),
                                            .keys = QKeySequence(Qt::Key_F4)});
     connect(&opens, &QAction::triggered, this, [this, &panes = context.panes] {
         panes.open(QStringLiteral("messages"));

@@ -17,10 +17,10 @@
 namespace leitstand {
 namespace {
 
-/// Returns the age of the newest scan of @p said [s]. Infinite when none came.
-double scanAge(const RobotState& said, Time now) {
+/// Returns the age of the newest scan of @p reported [s]. Infinite when none came.
+double scanAge(const RobotState& reported, Time now) {
     double age = std::numeric_limits<double>::infinity();
-    for (const auto& [topic, stream] : said.streams) {
+    for (const auto& [topic, stream] : reported.streams) {
         if (stream.role != StreamRole::Points && stream.role != StreamRole::Ranges) continue;
         age = std::min(age, toSeconds(now - stream.received));
     }
@@ -62,7 +62,7 @@ void ScanFeature::setPointing(bool pointing) {
 void ScanFeature::show(const LiveMoment& moment) {
     const std::string name = m_context.selection.name().toStdString();
     const RobotView& view = moment.view(name);
-    double age = scanAge(moment.said(name), moment.now);
+    double age = scanAge(moment.reported(name), moment.now);
     const MomentSource::ScanSource source = m_context.source.scanSource(name);
     if (source.keyScans)
         age = view.around ? view.around->youngest() : std::numeric_limits<double>::infinity();

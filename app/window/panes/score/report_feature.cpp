@@ -8,7 +8,7 @@
 #include "app/report/pdf/pdf_report.h"
 #include "app/services/handin/writing/report_folder.h"
 #include "app/services/handin/writing/report_keeper.h"
-#include "app/services/handin/writing/report_telling.h"
+#include "app/services/handin/writing/report_messages.h"
 #include "app/services/station/station.h"
 #include "app/services/station/station_clock.h"
 #include "app/window/commands/command_table.h"
@@ -109,8 +109,8 @@ void ReportFeature::askForData() {
     auto* form = new MissionForm(known ? known->sample : MissionInfoSample(), profiles, &m_context.window);
     form->setAttribute(Qt::WA_DeleteOnClose);
     connect(form, &MissionForm::wanted, this, [this](const MissionInfoSample& info) {
-        if (const auto said = m_context.station.describe(info); !said)
-            m_context.notify(QString::fromStdString(said.error().text));
+        if (const auto reported = m_context.station.describe(info); !reported)
+            m_context.notify(QString::fromStdString(reported.error().text));
     });
     form->show();
 }
@@ -137,8 +137,8 @@ void ReportFeature::beginKeeping(const QString& folder) {
     endKeeping();
     m_folder = folder;
     m_keeper = std::make_unique<ReportKeeper>(
-        settings, [this, out = settings.out, telling = ReportTelling()](const auto& done) mutable {
-            const std::vector<std::string> words = telling.of(done, out);
+        settings, [this, out = settings.out, publishing = ReportMessages()](const auto& done) mutable {
+            const std::vector<std::string> words = publishing.of(done, out);
             QMetaObject::invokeMethod(
                 this,
                 [this, words] {

@@ -18,9 +18,9 @@ class ReportKeeper;
 class ScorePane;
 struct LiveMoment;
 
-/// The hand-in (design, section 7): what is known of the mission, the estimate of its score ("score"), and
-/// the judges' folder. The folder is written at once and every minute while the mission runs, also after it
-/// is resumed.
+/// The hand-in (docs/design.md, "The window"): what is known of the mission, the estimate of its score
+/// ("score"), and the judges' folder. The folder is written at once and every minute while the mission runs,
+/// also after it is resumed.
 class ReportFeature final : public QObject {
     Q_OBJECT
 public:

@@ -54,22 +54,22 @@ ByHandOutcome correctByHand(const std::filesystem::path& mission) {
     if (!*opened) return {false, QString::fromStdString(opened->error().text)};
     ByHandBridge& bridge = **opened.value();
     showUntilClosed(bridge);
-    QStringList told;  // messages of work that was still being done
-    const auto hears = QObject::connect(&bridge, &MomentSource::notified, qApp,
-                                        [&told](const QString& text) { told += text; });
+    QStringList messages;  // messages of work that was still being done
+    const auto listens = QObject::connect(&bridge, &MomentSource::notified, qApp,
+                                          [&messages](const QString& text) { messages += text; });
     Result<void> closed;
     workInFront({.name = QStringLiteral("closingByHand"),
                  .label = Words::tr("The map follows what was decided. The review opens again then."),
                  .cancellable = false},
                 [&](const Progress&) { closed = bridge.hand().close(); });
-    QObject::disconnect(hears);
+    QObject::disconnect(listens);
     ByHandOutcome outcome;
     outcome.decided = bridge.hand().decided();
     if (!closed)
         outcome.text = QString::fromStdString(closed.error().text);
     else if (outcome.decided)
         outcome.text = Words::tr("The map is as it was left by hand");
-    if (closed && !told.isEmpty()) outcome.text = told.join(QStringLiteral("; "));
+    if (closed && !messages.isEmpty()) outcome.text = messages.join(QStringLiteral("; "));
     return outcome;
 }
 

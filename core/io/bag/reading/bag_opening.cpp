@@ -89,7 +89,7 @@ void numberOn(std::vector<BagPart>& parts) {
 std::shared_ptr<BagFile> withHiddenFrames(const fs::path& path, std::shared_ptr<BagFile> opened,
                                           std::vector<std::string>& problems, bool& damaged) {
     const fs::path log = path.string() + "-wal";
-    const std::size_t pageSize = PageFile::toldPageSize(path);
+    const std::size_t pageSize = PageFile::pageSizeOf(path);
     if (pageSize == 0) return opened;
     const LogFrames frames = logFrames(OverlayFile(log), pageSize);
     if (frames.cut) {
@@ -122,8 +122,8 @@ std::string judgeMissing(BagPart& part, const std::optional<BagMetadata>& metada
     const BagFileFacts& facts = part.file->facts();
     const std::uint64_t rows = facts.lastId == 0 ? 0 : facts.lastId - facts.firstId + 1;
     const std::uint64_t found = facts.messages().value_or(rows);
-    const std::uint64_t told = metadata ? metadata->writtenInto(part.path.filename().string()) : 0;
-    const std::uint64_t expected = std::max(told, facts.expected);
+    const std::uint64_t stated = metadata ? metadata->writtenInto(part.path.filename().string()) : 0;
+    const std::uint64_t expected = std::max(stated, facts.expected);
     if (expected <= found) return {};
     part.missing = expected - found;
     return leitstand::fill(

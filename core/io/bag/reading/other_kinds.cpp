@@ -36,7 +36,7 @@ std::vector<fs::path> otherFiles(const fs::path& folder) {
 }
 
 /// Reports files that metadata.yaml lists but the folder does not have: splits that were not copied.
-void tellAbsent(const fs::path& folder, const BagMetadata& metadata, std::vector<std::string>& problems) {
+void notifyAbsent(const fs::path& folder, const BagMetadata& metadata, std::vector<std::string>& problems) {
     for (const auto& file : metadata.files) {
         // Old versions of rosbag2 put the folder's own name in front.
         const fs::path name = fs::path(file.path).filename();
@@ -102,7 +102,7 @@ Result<void> checkKind(const fs::path& folder, const std::optional<BagMetadata>&
             translate("leitstand::Error", "{}: expected an SQLite file (.db3); it is not read"),
             other.string()));
     }
-    if (metadata) tellAbsent(folder, *metadata, problems);
+    if (metadata) notifyAbsent(folder, *metadata, problems);
     return {};
 }
 

@@ -13,9 +13,9 @@ namespace {
 
 /// Clamps a time from a file, which may be anything, to 1970 to 2106. Such times can be added to and
 /// subtracted from each other, and robots' stamps (68 years from 1970) from them.
-Time sane(Time told) {
+Time sane(Time stated) {
     constexpr Time Latest{std::chrono::seconds(1LL << 32)};
-    return std::clamp(told, Time{}, Latest);
+    return std::clamp(stated, Time{}, Latest);
 }
 
 }  // namespace
@@ -88,12 +88,12 @@ std::uint64_t ReaderCore::lastSequence() const {
     return last;
 }
 
-void ReaderCore::tell(const std::string& problem) {
-    if (m_told.insert(problem).second) m_bag.problems.push_back(problem);
+void ReaderCore::report(const std::string& problem) {
+    if (m_reported.insert(problem).second) m_bag.problems.push_back(problem);
 }
 
-void ReaderCore::tellNews(std::size_t index) {
-    for (const std::string& problem : m_bag.parts[index].file->newProblems()) tell(problem);
+void ReaderCore::reportNew(std::size_t index) {
+    for (const std::string& problem : m_bag.parts[index].file->newProblems()) report(problem);
 }
 
 bool ReaderCore::salvage(std::size_t index) {
@@ -104,13 +104,13 @@ bool ReaderCore::salvage(std::size_t index) {
         leitstand::fill(translate("leitstand::Error", "{}: table messages: is damaged"), part.path.string()));
     if (!salvaged) {
         m_lost.insert(index);
-        tell(salvaged.error().text);
+        report(salvaged.error().text);
         return false;
     }
     part.file = std::move(salvaged).value();
     part.damaged = true;
-    for (const std::string& problem : part.file->facts().problems) tell(problem);
-    if (const std::string missing = judgeMissing(part, m_bag.metadata); !missing.empty()) tell(missing);
+    for (const std::string& problem : part.file->facts().problems) report(problem);
+    if (const std::string missing = judgeMissing(part, m_bag.metadata); !missing.empty()) report(missing);
     listSessions();
     listTopics();
     return true;
@@ -122,10 +122,10 @@ BagFile::Outcome ReaderCore::fetch(std::size_t index, const RowQuery& query, std
     if (outcome == BagFile::Outcome::Broken) {
         outcome = salvage(index) ? BagFile::Outcome::More : BagFile::Outcome::End;
         if (m_bag.parts[index].live)
-            tell(leitstand::fill(translate("leitstand::Error", "{}: cannot be read on while it is written"),
-                                 m_bag.parts[index].path.string()));
+            report(leitstand::fill(translate("leitstand::Error", "{}: cannot be read on while it is written"),
+                                   m_bag.parts[index].path.string()));
     }
-    tellNews(index);
+    reportNew(index);
     return outcome;
 }
 
@@ -134,23 +134,24 @@ std::optional<RawEvent> ReaderCore::eventOf(std::size_t index, BagRow row) {
     const auto& topics = part.file->facts().topics;
     const auto topic = topics.find(row.topic);
     if (topic == topics.end()) {
-        tell(leitstand::fill(
+        report(leitstand::fill(
             translate("leitstand::Error", "{}: messages of topic number {}: expected it in the table topics"),
             part.path.string(), row.topic));
         return std::nullopt;
     }
     const TopicInfo& info = topic->second.info;
     if (info.serialization != "cdr") {
-        tell(leitstand::fill(
+        report(leitstand::fill(
             translate("leitstand::Error", "{}: topic {}: expected serialization \"cdr\", found \"{}\""),
             part.path.string(), info.name, info.serialization));
         return std::nullopt;
     }
     if (isCompressed(row.cdr)) {
-        tell(leitstand::fill(translate("leitstand::Error",
-                                       "{}: topic {}: expected CDR, found messages compressed by zstd; `ros2 "
-                                       "bag convert` writes them without"),
-                             part.path.string(), info.name));
+        report(
+            leitstand::fill(translate("leitstand::Error",
+                                      "{}: topic {}: expected CDR, found messages compressed by zstd; `ros2 "
+                                      "bag convert` writes them without"),
+                            part.path.string(), info.name));
         return std::nullopt;
     }
     return RawEvent{row.id + part.offset, sane(row.received), info.name, info.type, std::move(row.cdr)};
@@ -172,7 +173,7 @@ std::optional<RawEvent> ReaderCore::event(std::uint64_t sequence) {
         bool broken = false;
         auto row = part.file->row(id, broken);
         if (broken && salvage(index)) row = m_bag.parts[index].file->row(id, broken);
-        tellNews(index);
+        reportNew(index);
         if (row) return eventOf(index, std::move(*row));
     }
     return std::nullopt;
@@ -187,7 +188,7 @@ std::optional<RawEvent> ReaderCore::lastUpTo(const std::string& topic, std::uint
         if (broken && salvage(index)) {
             row = m_bag.parts[index].file->lastUpTo(idsOf(index, {topic}), sequence - offset, broken);
         }
-        tellNews(index);
+        reportNew(index);
         if (row) return eventOf(index, std::move(*row));
     }
     return std::nullopt;

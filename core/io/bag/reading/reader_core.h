@@ -40,8 +40,8 @@ public:
 
 private:
     [[nodiscard]] bool salvage(std::size_t index);
-    void tell(const std::string& problem);
-    void tellNews(std::size_t index);
+    void report(const std::string& problem);
+    void reportNew(std::size_t index);
     void listSessions();
     void listTopics();
     void takeCountsOfMetadata();
@@ -49,7 +49,7 @@ private:
     OpenBag m_bag;
     std::vector<BagSession> m_sessions;  // one per part
     std::vector<BagTopic> m_topics;
-    std::set<std::string> m_told;
+    std::set<std::string> m_reported;
     std::set<std::size_t> m_lost;  // parts that even salvage cannot read
 };
 

@@ -30,7 +30,7 @@ Result<std::unique_ptr<BagFile>> SqliteFile::open(const fs::path& file, bool liv
     opened->readDefinitions();
     if (auto step = opened->readSpan(); !step) return step.error();
     opened->readCounts();
-    if (!live) opened->tellLog();
+    if (!live) opened->publishLog();
     return std::unique_ptr<BagFile>(std::move(opened));
 }
 
@@ -206,7 +206,7 @@ void SqliteFile::readCounts() {
     if (m_facts.lastId == 0 || m_facts.lastId - m_facts.firstId < CountedAtOnce) count();
 }
 
-void SqliteFile::tellLog() {
+void SqliteFile::publishLog() {
     if (!m_logGone) return;
     m_facts.problems.push_back(
         leitstand::fill(translate("leitstand::Error",

@@ -38,7 +38,7 @@ private:
     void readDefinitions();
     [[nodiscard]] Result<void> readSpan();
     void readCounts();
-    void tellLog();
+    void publishLog();
     [[nodiscard]] bool addTail(std::uint64_t countedTo);
     [[nodiscard]] bool hasColumn(const char* table, std::string_view column) const;
     [[nodiscard]] Error problem(std::string_view place) const;

@@ -44,7 +44,7 @@ struct Frame {
     std::uint32_t page = 0;
     bool commits = false;
     Round round;
-    LogChecksum told;
+    LogChecksum stated;
 };
 
 class Walk {
@@ -92,11 +92,11 @@ private:
         const Frame first = m_frame;
         if (LogHeader + 2 * size() > m_log.size() || !readFrame(LogHeader + size())) return false;
         for (const bool big : {false, true}) {
-            LogChecksum sum = first.told;
+            LogChecksum sum = first.stated;
             sum.big = big;
             if (m_frame.round != first.round || !continues(sum)) continue;
             m_round = first.round;
-            m_before = m_computed = {.a = ~first.told.a, .b = 0, .big = big};  // matches no first frame
+            m_before = m_computed = {.a = ~first.stated.a, .b = 0, .big = big};  // matches no first frame
             return true;
         }
         return false;
@@ -108,7 +108,7 @@ private:
         m_frame.page = bigEndian32(bytes);
         m_frame.commits = bigEndian32(bytes.subspan(4)) != 0;
         m_frame.round = {bigEndian32(bytes.subspan(8)), bigEndian32(bytes.subspan(12))};
-        m_frame.told = {bigEndian32(bytes.subspan(16)), bigEndian32(bytes.subspan(20)), m_before.big};
+        m_frame.stated = {bigEndian32(bytes.subspan(16)), bigEndian32(bytes.subspan(20)), m_before.big};
         return true;
     }
 
@@ -117,19 +117,19 @@ private:
         const std::span<const std::byte> bytes(m_bytes);
         sum.add(bytes.first(8));
         sum.add(bytes.subspan(FrameHeader));
-        return sum.a == m_frame.told.a && sum.b == m_frame.told.b;
+        return sum.a == m_frame.stated.a && sum.b == m_frame.stated.b;
     }
 
     /// Takes frame @p number at offset @p at; false at the end of the round.
     bool take(std::size_t number, std::int64_t at) {
-        LogChecksum told = m_before, computed = m_computed;
-        const bool fitsTold = continues(told);
-        const bool fits = m_frame.page != 0 && (fitsTold || continues(computed));
+        LogChecksum stated = m_before, computed = m_computed;
+        const bool fitsStated = continues(stated);
+        const bool fits = m_frame.page != 0 && (fitsStated || continues(computed));
         const bool member = m_frame.round == m_round;
         if (!member && !(fits && m_inRound) && isOlder(m_frame.round)) return false;
         m_inRound = true;
-        m_computed = fitsTold ? told : computed;
-        m_before = m_frame.told;
+        m_computed = fitsStated ? stated : computed;
+        m_before = m_frame.stated;
         // SQLite requires both: the numbers of the round, and the checksum.
         if (!m_stopped && !(fits && member)) {
             m_stopped = true;

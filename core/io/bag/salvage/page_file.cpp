@@ -22,20 +22,20 @@ bool plausiblePageSize(std::size_t size) {
 
 }  // namespace
 
-std::size_t PageFile::toldPageSize(const std::filesystem::path& file) {
+std::size_t PageFile::pageSizeOf(const std::filesystem::path& file) {
     const OverlayFile content(file);
     std::array<std::byte, 100> header{};
     if (content.size() < std::ssize(header) || !content.read(0, header)) return 0;
     if (std::memcmp(header.data(), Magic.data(), Magic.size()) != 0) return 0;
-    const std::uint32_t told = bigEndian16(std::span(header).subspan(16));
-    const std::size_t size = told == 1 ? 65'536 : told;
+    const std::uint32_t stated = bigEndian16(std::span(header).subspan(16));
+    const std::size_t size = stated == 1 ? 65'536 : stated;
     return plausiblePageSize(size) ? size : 0;
 }
 
 PageFile::PageFile(const std::filesystem::path& file, std::size_t pageSize)
     : m_file(file), m_log(file.string() + "-wal"), m_pageSize(pageSize) {
     std::array<std::byte, 100> header{};
-    if (toldPageSize(file) == pageSize && m_file.read(0, header)) {
+    if (pageSizeOf(file) == pageSize && m_file.read(0, header)) {
         const auto reserved = std::to_integer<std::size_t>(header[20]);
         if (pageSize - reserved >= 480) m_reserved = reserved;
     }

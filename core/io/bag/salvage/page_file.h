@@ -20,7 +20,7 @@ public:
     PageFile(const std::filesystem::path& file, std::size_t pageSize);
 
     /// Returns the page size in the header of @p file [B]; 0 when there is none.
-    [[nodiscard]] static std::size_t toldPageSize(const std::filesystem::path& file);
+    [[nodiscard]] static std::size_t pageSizeOf(const std::filesystem::path& file);
 
     [[nodiscard]] std::size_t pageSize() const { return m_pageSize; }
     /// Bytes of a page that hold content.

@@ -11,13 +11,13 @@ namespace leitstand::detail {
 
 namespace {
 
-constexpr std::size_t MostGapsTold = 20;
+constexpr std::size_t MostGapsReported = 20;
 
 }  // namespace
 
 Result<std::unique_ptr<BagFile>> SalvagedFile::open(const std::filesystem::path& file,
                                                     const std::string& why) {
-    std::vector<std::size_t> sizes = {PageFile::toldPageSize(file)};
+    std::vector<std::size_t> sizes = {PageFile::pageSizeOf(file)};
     if (sizes.front() == 0) sizes = {8'192, 4'096, 16'384, 32'768, 65'536, 1'024};  // ours, SQLite's, others
     for (const std::size_t size : sizes) {
         std::unique_ptr<SalvagedFile> salvaged(new SalvagedFile(file, size));
@@ -47,12 +47,12 @@ void SalvagedFile::search() {
     std::erase_if(torn, [&](const Found& row) {
         return std::binary_search(m_found.begin(), m_found.end(), row, byId);
     });
-    for (std::size_t i = 0; i < std::min(torn.size(), MostGapsTold); ++i)
+    for (std::size_t i = 0; i < std::min(torn.size(), MostGapsReported); ++i)
         m_facts.problems.push_back(fewerBytes(torn[i]));
-    if (torn.size() <= MostGapsTold) return;
+    if (torn.size() <= MostGapsReported) return;
     m_facts.problems.push_back(
         leitstand::fill(translate("leitstand::Error", "{}: and {} more messages with fewer bytes"),
-                        m_file.string(), torn.size() - MostGapsTold));
+                        m_file.string(), torn.size() - MostGapsReported));
 }
 
 std::string SalvagedFile::fewerBytes(const Found& found) const {
@@ -123,7 +123,7 @@ void SalvagedFile::finish(const std::string& why) {
         translate("leitstand::Error", "{}; read page by page: {} messages found"), why, m_found.size()));
     m_facts.firstId = m_found.front().id;
     m_facts.lastId = m_found.back().id;
-    tellGaps();
+    reportGaps();
     if (!m_facts.ours) {
         std::stable_sort(m_found.begin(), m_found.end(),
                          [](const Found& a, const Found& b) { return a.received < b.received; });
@@ -133,9 +133,9 @@ void SalvagedFile::finish(const std::string& why) {
     count();
 }
 
-void SalvagedFile::tellGaps() {
-    std::size_t told = 0;
-    for (std::size_t i = 1; i < m_found.size() && told < MostGapsTold; ++i) {
+void SalvagedFile::reportGaps() {
+    std::size_t stated = 0;
+    for (std::size_t i = 1; i < m_found.size() && stated < MostGapsReported; ++i) {
         const std::uint64_t before = m_found[i - 1].id, after = m_found[i].id;
         if (after == before + 1) continue;
         m_facts.problems.push_back(
@@ -143,7 +143,7 @@ void SalvagedFile::tellGaps() {
                                       "{}: messages {} to {}: expected in a page of the table messages, "
                                       "found nowhere (or never written)"),
                             m_file.string(), before + 1, after - 1));
-        if (++told == MostGapsTold)
+        if (++stated == MostGapsReported)
             m_facts.problems.push_back(
                 leitstand::fill(translate("leitstand::Error", "{}: and further gaps"), m_file.string()));
     }
@@ -152,7 +152,7 @@ void SalvagedFile::tellGaps() {
 std::optional<BagRow> SalvagedFile::rowOf(const Found& found) {
     const auto record = wholeRecord(m_pages, found.cell);
     if (!record) {
-        if (m_unread++ < MostGapsTold) m_news.push_back(fewerBytes(found));
+        if (m_unread++ < MostGapsReported) m_news.push_back(fewerBytes(found));
         return std::nullopt;
     }
     BagRow row{found.id, found.topic, found.received, nullptr};

@@ -49,7 +49,7 @@ private:
     [[nodiscard]] bool takeMessage(const PageCell& cell, const std::vector<PageColumn>& columns);
     void takeTexts(const PageCell& cell, const std::vector<PageColumn>& columns);
     void finish(const std::string& why);
-    void tellGaps();
+    void reportGaps();
     [[nodiscard]] std::string fewerBytes(const Found& found) const;
     [[nodiscard]] std::optional<BagRow> rowOf(const Found& found);
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "core/base/said.h"
-#include "core/station/alarms/log_says.h"
+#include "core/base/known_sentence.h"
+#include "core/station/alarms/log_format.h"
 
 namespace leitstand::detail {
 
@@ -20,8 +20,8 @@ constexpr auto Calm = seconds(5);     // an alarm ends after this time without d
 constexpr double Behind = 2.0;        // [s]
 
 std::string lastsAgain(double minutes) {
-    return minutes < 6'000.0 ? fmt::format(log_says::DiskLasts, saidFigure(minutes))
-                             : log_says::DiskLastsForDays;
+    return minutes < 6'000.0 ? fmt::format(log_format::DiskLasts, loggedFigure(minutes))
+                             : log_format::DiskLastsForDays;
 }
 
 }  // namespace
@@ -53,25 +53,27 @@ std::vector<BagAlarm> DiskWatch::update(const DiskReading& reading) {
     m_lostEvents = reading.lostEvents;
     const bool dropping = m_droppedPictures > 0 && reading.now - m_lastDrop < Calm;
     const bool losing = m_lostEvents > 0 && reading.now - m_lastLoss < Calm;
-    const std::string megabytes = saidFigure(static_cast<double>(reading.queuedBytes) * 1e-6);
+    const std::string megabytes = loggedFigure(static_cast<double>(reading.queuedBytes) * 1e-6);
 
     std::vector<BagAlarm> changed;
     using Kind = BagAlarm::Kind;
     // An alarm that is nearly over must not end and begin again with every reading.
     const double margin = m_raised[Kind::DiskFilling] ? 1.2 : 1.0;
-    const auto say = [&]<class... T>(fmt::format_string<T...> text, T&&... values) {
+    const auto textOf = [&]<class... T>(fmt::format_string<T...> text, T&&... values) {
         return reading.where + ": " + fmt::format(text, std::forward<T>(values)...);
     };
     judge(Kind::DiskFilling, m_minutesLeft < m_alarmMinutes * margin,
-          say(log_says::DiskFilling, saidFigure(m_minutesLeft), saidFigure(m_rate * 1e-6, 1)),
-          say("{}", lastsAgain(m_minutesLeft)), changed);
-    judge(Kind::DiskFull, reading.full, say(log_says::DiskFull, megabytes), say(log_says::DiskFree), changed);
+          textOf(log_format::DiskFilling, loggedFigure(m_minutesLeft), loggedFigure(m_rate * 1e-6, 1)),
+          textOf("{}", lastsAgain(m_minutesLeft)), changed);
+    judge(Kind::DiskFull, reading.full, textOf(log_format::DiskFull, megabytes), textOf(log_format::DiskFree),
+          changed);
     judge(Kind::DiskSlow, !reading.full && (dropping || reading.secondsBehind > Behind),
-          say(log_says::DiskSlow, saidFigure(reading.secondsBehind, 1), megabytes, reading.droppedPictures),
-          say(log_says::DiskKeepsUp, reading.droppedPictures), changed);
-    judge(Kind::EventsLost, losing, say(log_says::EventsLost, reading.lostEvents),
-          say(log_says::EventsKept, reading.lostEvents), changed);
-    judge(Kind::Failed, !reading.failure.empty(), reading.failure, say(log_says::WrittenAgain), changed);
+          textOf(log_format::DiskSlow, loggedFigure(reading.secondsBehind, 1), megabytes,
+                 reading.droppedPictures),
+          textOf(log_format::DiskKeepsUp, reading.droppedPictures), changed);
+    judge(Kind::EventsLost, losing, textOf(log_format::EventsLost, reading.lostEvents),
+          textOf(log_format::EventsKept, reading.lostEvents), changed);
+    judge(Kind::Failed, !reading.failure.empty(), reading.failure, textOf(log_format::WrittenAgain), changed);
     return changed;
 }
 

@@ -47,7 +47,7 @@ BagMetadata summaryOf(const ReaderCore& reader) {
 }
 
 /// Reads metadata.yaml in @p folder; empty when there is none.
-std::optional<Result<BagMetadata>> toldMetadata(const fs::path& folder) {
+std::optional<Result<BagMetadata>> metadataOf(const fs::path& folder) {
     std::ifstream in(folder / "metadata.yaml", std::ios::binary);
     if (!in) return std::nullopt;
     std::stringstream text;
@@ -55,18 +55,18 @@ std::optional<Result<BagMetadata>> toldMetadata(const fs::path& folder) {
     return parseMetadata(text.str(), "metadata.yaml");
 }
 
-/// Whether @p told shows that others wrote it. Without any file, unreadable metadata count as theirs too.
-bool isOfOthers(const std::optional<Result<BagMetadata>>& told, bool anyFile) {
-    if (!told) return false;
-    return *told ? !(*told)->custom.contains(std::string(CountedKey)) : !anyFile;
+/// Whether @p stated shows that others wrote it. Without any file, unreadable metadata count as theirs too.
+bool isOfOthers(const std::optional<Result<BagMetadata>>& stated, bool anyFile) {
+    if (!stated) return false;
+    return *stated ? !(*stated)->custom.contains(std::string(CountedKey)) : !anyFile;
 }
 
-/// Returns the last sequence that was given out: @p found, or a later one in @p told. The later one may be in
-/// a log that is gone, and is not given out again.
-std::uint64_t lastGiven(std::uint64_t found, const std::optional<Result<BagMetadata>>& told) {
-    if (!told || !*told) return found;
-    const auto counted = (*told)->custom.find(std::string(CountedKey));
-    if (counted == (*told)->custom.end()) return found;
+/// Returns the last sequence that was given out: @p found, or a later one in @p stated. The later one may be
+/// in a log that is gone, and is not given out again.
+std::uint64_t lastGiven(std::uint64_t found, const std::optional<Result<BagMetadata>>& stated) {
+    if (!stated || !*stated) return found;
+    const auto counted = (*stated)->custom.find(std::string(CountedKey));
+    if (counted == (*stated)->custom.end()) return found;
     const std::uint64_t sequence = numberIn(counted->second).value_or(0);
     return sequence > found && sequence - found < MostLost ? sequence : found;
 }
@@ -89,15 +89,15 @@ Result<EarlierSessions> earlierSessions(const fs::path& folder) {
     }
     const bool ours = reader && reader->ours();
     const bool whole = reader && !anyDamaged(*reader);
-    const auto told = toldMetadata(folder);
-    if (!ours && (whole || isOfOthers(told, !files->empty()))) {
+    const auto stated = metadataOf(folder);
+    if (!ours && (whole || isOfOthers(stated, !files->empty()))) {
         return Error{folder.string() +
                      ": expected a mission or an empty folder, found a bag of others; it is left as it is"};
     }
     if (reader) {
         earlier.metadata = summaryOf(*reader);
         earlier.lastSequence = reader->lastSequence();
-        if (ours) earlier.lastSequence = lastGiven(earlier.lastSequence, told);
+        if (ours) earlier.lastSequence = lastGiven(earlier.lastSequence, stated);
     }
     return earlier;
 }

@@ -109,8 +109,8 @@ void ScanMatcher::stand(const ScanToMatch& scan, ReadyScan& ready, Match& match)
     const Step& step = scan.step;
     const bool turns = live.scan->organised() && live.end != TurnEnd::Sweep && live.motionKnown;
     const bool fits = match.doubts == 0,
-               asTold = fits && !wasPushed(live, scan.guess, match.scanInMap, step, m_settings.keyScans);
-    if (asTold || match.spun || !turns || !step.measured || live.isGuessed() ||
+               asPublished = fits && !wasPushed(live, scan.guess, match.scanInMap, step, m_settings.keyScans);
+    if (asPublished || match.spun || !turns || !step.measured || live.isGuessed() ||
         step.moved.norm() <= m_settings.fit.jump)
         return;
     Eigen::Vector3d way(live.velocity.x(), live.velocity.y(), 0.0);

@@ -35,12 +35,12 @@ GuardRules::GuardRules(const std::string& robot, std::string station, const Guar
 
 void GuardRules::pulse(const GuardPulse& pulse, SteadyTime now) {
     m_pulse = pulse;
-    m_heard = now;
+    m_received = now;
     m_since.reset();
 }
 
-void GuardRules::hear(const GrantSample& grant, const Sender& from, SteadyTime now) {
-    m_grant.hear(grant, from, now);
+void GuardRules::receive(const GrantSample& grant, const Sender& from, SteadyTime now) {
+    m_grant.receive(grant, from, now);
 }
 
 bool GuardRules::othersDrive(SteadyTime now) const {
@@ -50,7 +50,7 @@ bool GuardRules::othersDrive(SteadyTime now) const {
 
 GuardRules::Step GuardRules::step(SteadyTime now) {
     if (!m_pulse.driving) return {.over = m_closed};
-    const SteadyTime silent = m_heard + m_timing.silence;
+    const SteadyTime silent = m_received + m_timing.silence;
     if (!m_since) {
         if (!m_closed && now < silent) return {.next = silent};
         m_since = now;

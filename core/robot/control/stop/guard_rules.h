@@ -40,7 +40,7 @@ public:
     void pulse(const GuardPulse& pulse, SteadyTime now);
     void closed() { m_closed = true; }                  ///< the pipe is closed: the station is gone
     void commanded(SteadyTime now) { m_others = now; }  ///< a drive command of another sender was heard
-    void hear(const GrantSample& grant, const Sender& from, SteadyTime now);
+    void receive(const GrantSample& grant, const Sender& from, SteadyTime now);
 
     struct Step {
         bool zero = false;                    ///< send one now
@@ -59,7 +59,7 @@ private:
     std::string m_station;
     GrantArbiter m_grant;
     GuardPulse m_pulse;
-    SteadyTime m_heard = {}, m_sent = {};
+    SteadyTime m_received = {}, m_sent = {};
     bool m_closed = false;
     std::optional<SteadyTime> m_others;
     std::optional<SteadyTime> m_since;  ///< when the zeros began

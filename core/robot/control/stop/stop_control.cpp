@@ -32,7 +32,8 @@ Result<void> StopControl::release(bool held, SteadyTime now, Time wall) {
         m_wanted = false;
         return {};
     }
-    if (!m_state) return Error{translate("leitstand::Error", "release: the robot has not told its stop yet")};
+    if (!m_state)
+        return Error{translate("leitstand::Error", "release: the robot has not reported its stop yet")};
     if (m_pending && m_pending->stop)
         return Error{translate("leitstand::Error", "release: the robot has not acknowledged the stop yet")};
     if (!m_pending) send(false, now, wall);
@@ -51,7 +52,7 @@ void StopControl::answered(const StopStateSample& state) {
     }
 }
 
-void StopControl::hear(const StopStateSample& state) {
+void StopControl::receive(const StopStateSample& state) {
     m_state = state;
     if (m_pending && state.station == m_station && state.number == m_pending->number) return answered(state);
     if (m_pending && !m_pending->stop && state.stopped && state.stops != m_pending->releases) {

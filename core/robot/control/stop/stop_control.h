@@ -36,7 +36,7 @@ struct StopStatus {
     friend bool operator==(const StopStatus&, const StopStatus&) = default;
 };
 
-/// Stops and releases one robot, on the station's side (design, section 4). Pure.
+/// Stops and releases one robot, on the station's side (docs/design.md, "The wire"). Pure.
 ///
 /// A stop is repeated until the robot's answer carries its number, however long that takes. Numbers begin
 /// with the nanoseconds of the wall clock and rise by one at least, so that a restarted station is above its
@@ -52,7 +52,7 @@ public:
     /// of this station is not acknowledged yet.
     Result<void> release(bool held, SteadyTime now, Time wall);
 
-    void hear(const StopStateSample& state);
+    void receive(const StopStateSample& state);
     /// @p speed [m/s], @p turnRate [rad/s] by the robot's odometry.
     void moved(double speed, double turnRate, SteadyTime now);
 

@@ -13,9 +13,9 @@ constexpr std::size_t MostLasts = 64;
 StandingJudge::StandingJudge(const StandingRules& rules) : m_rules(rules) {}
 
 void StandingJudge::moved(double speed, double turnRate, SteadyTime now) {
-    const bool gap = !m_heard || now - *m_heard >= m_rules.fresh;
+    const bool gap = !m_received || now - *m_received >= m_rules.fresh;
     const bool rest = std::abs(speed) <= m_rules.speed && std::abs(turnRate) <= m_rules.turnRate;
-    m_heard = now;
+    m_received = now;
     if (!rest) {
         m_atRest.reset();
     } else if (gap || !m_atRest) {
@@ -24,11 +24,11 @@ void StandingJudge::moved(double speed, double turnRate, SteadyTime now) {
 }
 
 bool StandingJudge::isKnown(SteadyTime now) const {
-    return m_heard && now - *m_heard < m_rules.fresh;
+    return m_received && now - *m_received < m_rules.fresh;
 }
 
 bool StandingJudge::isStanding(SteadyTime now) const {
-    return isKnown(now) && m_atRest && *m_heard - *m_atRest >= m_rules.after;
+    return isKnown(now) && m_atRest && *m_received - *m_atRest >= m_rules.after;
 }
 
 StopLatch::StopLatch(std::uint64_t stops) {
@@ -49,7 +49,7 @@ std::string StopLatch::whyNot(const StopCommandSample& release, const Last* last
     return {};
 }
 
-StopStateSample StopLatch::hear(const StopCommandSample& command, const Sender& from, bool fromHolder) {
+StopStateSample StopLatch::receive(const StopCommandSample& command, const Sender& from, bool fromHolder) {
     Last* last = lastOf(command.station, from);
     m_state.number = command.number;
     m_state.station = command.station;

@@ -32,10 +32,10 @@ public:
 
 private:
     StandingRules m_rules;
-    std::optional<SteadyTime> m_heard, m_atRest;
+    std::optional<SteadyTime> m_received, m_atRest;
 };
 
-/// The stop of a robot: stays until it is released (design, section 4). Pure: no clock, no thread.
+/// The stop of a robot: stays until it is released (docs/design.md, "The wire"). Pure: no clock, no thread.
 ///
 /// - Any stop is obeyed, from any station and with any number: a restarted station with smaller numbers stops
 ///   as well. Only a repeat of the very last command of a process does not count twice, or a repeated stop
@@ -51,7 +51,8 @@ public:
     explicit StopLatch(std::uint64_t stops = 0);
 
     /// Takes or refuses @p command and returns the answer; its header and standing are left to the caller.
-    [[nodiscard]] StopStateSample hear(const StopCommandSample& command, const Sender& from, bool fromHolder);
+    [[nodiscard]] StopStateSample receive(const StopCommandSample& command, const Sender& from,
+                                          bool fromHolder);
     void press();  ///< the robot's own button
 
     [[nodiscard]] bool isStopped() const { return m_state.stopped; }

@@ -65,7 +65,7 @@ void TurningScanner::append(std::span<const LaserEcho> echoes, int ring, CloudSa
     }
 }
 
-void TurningScanner::tellFan(std::span<const LaserEcho> echoes, std::vector<HardwareSample>& samples) {
+void TurningScanner::publishFan(std::span<const LaserEcho> echoes, std::vector<HardwareSample>& samples) {
     const TurningPattern& pattern = m_settings.pattern;
     const SampleHeader header{startOf(m_rawScan), m_settings.fanFrame};
     Pose fanInMount = Pose::Identity();  // x: the heading, y: up
@@ -111,7 +111,7 @@ void TurningScanner::run(const World& world, int robot, std::vector<HardwareSamp
         const bool begins = pattern.row(m_rawScan) == 0;
         aim(world, robot);
         const std::span<const LaserEcho> echoes = m_head.measure(m_rays, cast);
-        if (ranges) tellFan(echoes, samples);
+        if (ranges) publishFan(echoes, samples);
         // The raw scan that begins a turn also closes the one before, whose last slice waits for it.
         for (CloudSample* slice : {&m_slice, &m_sent}) {
             if (begins && slice->rows > 0) append(echoes, pattern.rawScans, *slice);

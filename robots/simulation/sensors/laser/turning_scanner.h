@@ -41,7 +41,7 @@ private:
     void aim(const World& world, int robot);
     void append(std::span<const LaserEcho> echoes, int ring, CloudSample& slice) const;
     [[nodiscard]] bool isThinned() const { return m_enabled && m_every > 1; }
-    void tellFan(std::span<const LaserEcho> echoes, std::vector<HardwareSample>& samples);
+    void publishFan(std::span<const LaserEcho> echoes, std::vector<HardwareSample>& samples);
     void emitSlice(CloudSample& slice, Reach reach, std::vector<HardwareSample>& samples) const;
     [[nodiscard]] Time startOf(std::int64_t rawScan) const {
         return m_start + m_settings.pattern.startOf(rawScan);

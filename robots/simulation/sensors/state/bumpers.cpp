@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 
 namespace leitstand::simulation {
 namespace {
 
-constexpr std::array<const char*, 4> Names = {robot_says::Front, robot_says::Left, robot_says::Rear,
-                                              robot_says::Right};
+constexpr std::array<const char*, 4> Names = {robot_format::Front, robot_format::Left, robot_format::Rear,
+                                              robot_format::Right};
 constexpr std::chrono::milliseconds Pressed(300);  ///< shortest time that a side stays pressed
 
 /// Returns the side that faces @p where, for a robot longer than it is wide.
@@ -24,7 +24,7 @@ std::size_t sideOf(const Eigen::Vector2d& where) {
 Bumpers::Bumpers(std::string frame) : m_frame(std::move(frame)) {}
 
 void Bumpers::run(const World& world, int robot, std::vector<HardwareSample>& samples) {
-    bool changed = !m_told;
+    bool changed = !m_reported;
     for (const auto& bumps = world.bumps(); m_seen < bumps.size(); ++m_seen) {
         const Bump& bump = bumps[m_seen];
         if (bump.robot != robot) continue;
@@ -46,13 +46,13 @@ void Bumpers::run(const World& world, int robot, std::vector<HardwareSample>& sa
         sample.bumpers.push_back({Names[i], m_sides[i].pressed, m_sides[i].hits});
     }
     samples.push_back({StreamRole::Bumps, {}, std::move(sample)});
-    m_told = true;
+    m_reported = true;
 }
 
 bool Bumpers::configure(StreamRole role, const std::string&, const StreamSettings& settings) {
     if (role != StreamRole::Bumps) return false;
     m_enabled = settings.enabled;
-    m_told = false;
+    m_reported = false;
     return true;
 }
 

@@ -24,7 +24,7 @@ private:
         bool pressed = false;
     };
     std::string m_frame;
-    bool m_enabled = true, m_told = false;
+    bool m_enabled = true, m_reported = false;
     std::size_t m_seen = 0;  ///< number of the world's bumps seen so far
     std::array<Side, 4> m_sides;
 };

@@ -49,11 +49,11 @@ TransformsSample Joints::transforms(Time stamp) const {
 }
 
 void Joints::run(const World& world, int robot, std::vector<HardwareSample>& samples) {
-    if (!m_fixedTold && !m_fixed.empty()) {
+    if (!m_fixedPublished && !m_fixed.empty()) {
         for (FrameTransform& transform : m_fixed) transform.header.stamp = world.now();
         samples.push_back({StreamRole::StaticTransforms, {}, TransformsSample{m_fixed}});
     }
-    m_fixedTold = true;
+    m_fixedPublished = true;
     while (const auto stamp = m_schedule.due(world.now())) {
         if (m_jointsEnabled) {
             samples.push_back({StreamRole::Joints, {}, jointsOf(world.state(robot), *stamp)});
@@ -66,7 +66,7 @@ void Joints::run(const World& world, int robot, std::vector<HardwareSample>& sam
 
 bool Joints::configure(StreamRole role, const std::string&, const StreamSettings& settings) {
     if (role == StreamRole::StaticTransforms) {
-        if (settings.enabled) m_fixedTold = false;  // published again
+        if (settings.enabled) m_fixedPublished = false;  // published again
         return true;
     }
     if (role == StreamRole::Transforms) {

@@ -39,7 +39,7 @@ private:
     PanTiltUnits m_units;
     std::vector<FrameTransform> m_fixed;
     Schedule m_schedule;
-    bool m_jointsEnabled = true, m_transformsEnabled = true, m_fixedTold = false;
+    bool m_jointsEnabled = true, m_transformsEnabled = true, m_fixedPublished = false;
 };
 
 }  // namespace leitstand::simulation

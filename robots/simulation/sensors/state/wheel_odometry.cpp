@@ -53,7 +53,7 @@ OdometrySample WheelOdometry::sampleOf(const MeasuredAttitude& attitude, const B
 void WheelOdometry::run(const World& world, int robot, std::vector<HardwareSample>& samples) {
     const BodyState& state = world.state(robot);
     const Encoders now{world.now(), state.travelledLeft, state.travelledRight};
-    if (!m_begun) m_before = m_told = now;
+    if (!m_begun) m_before = m_reported = now;
     m_begun = true;
     const double seconds = toSeconds(now.at - m_before.at);
     for (const MeasuredAttitude& attitude : m_unit.attitudes()) {
@@ -61,8 +61,8 @@ void WheelOdometry::run(const World& world, int robot, std::vector<HardwareSampl
         const double share = seconds > 0.0 ? std::clamp(after / seconds, 0.0, 1.0) : 1.0;
         const Encoders here{attitude.stamp, std::lerp(m_before.left, now.left, share),
                             std::lerp(m_before.right, now.right, share)};
-        m_reckoning.step(here.left - m_told.left, here.right - m_told.right, attitude);
-        m_told = here;
+        m_reckoning.step(here.left - m_reported.left, here.right - m_reported.right, attitude);
+        m_reported = here;
         while (m_schedule.due(attitude.stamp)) {
             OdometrySample odometry = sampleOf(attitude, state);
             if (m_transformsEnabled) {

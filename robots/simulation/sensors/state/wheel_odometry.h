@@ -49,8 +49,8 @@ private:
     const InertialUnit& m_unit;
     Schedule m_schedule;
     bool m_odometryEnabled = true, m_transformsEnabled = true, m_begun = false;
-    Encoders m_before;  ///< at the last run
-    Encoders m_told;    ///< at the last step
+    Encoders m_before;    ///< at the last run
+    Encoders m_reported;  ///< at the last step
     DeadReckoning m_reckoning;
 };
 

@@ -152,12 +152,12 @@ void Feelers::keepDeepest() {
                      [](const Obstacle& a, const Obstacle& b) { return a.push.depth > b.push.depth; });
     std::vector<Obstacle> kept;
     for (const Obstacle& obstacle : m_found) {
-        const bool told = std::any_of(kept.begin(), kept.end(), [&](const Obstacle& other) {
+        const bool reported = std::any_of(kept.begin(), kept.end(), [&](const Obstacle& other) {
             return other.push.normal.dot(obstacle.push.normal) > 0.95 &&
                    (other.push.at - obstacle.push.at).norm() < 0.08 && other.body == obstacle.body &&
                    other.element == obstacle.element;
         });
-        if (!told) kept.push_back(obstacle);
+        if (!reported) kept.push_back(obstacle);
         if (kept.size() == MostObstacles) break;
     }
     m_found = std::move(kept);

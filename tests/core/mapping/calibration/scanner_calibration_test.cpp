@@ -6,11 +6,11 @@ namespace leitstand::test {
 namespace {
 
 ScannerCalibration calibration(double range, double roll, double deviation = degrees(0.03)) {
-    ScannerCalibration told;
-    told.range = Estimated{range, 0.0005};
-    told.lean = {roll, 0.0};
-    told.leanDeviation = {deviation, deviation};
-    return told;
+    ScannerCalibration reported;
+    reported.range = Estimated{range, 0.0005};
+    reported.lean = {roll, 0.0};
+    reported.leanDeviation = {deviation, deviation};
+    return reported;
 }
 
 TEST(ScannerCalibration, AdvisesWhatIsCertainAndMatters) {
@@ -35,9 +35,9 @@ TEST(ScannerCalibration, AdvisesWhatIsCertainAndMatters) {
 
 /// What is told of a scanner whose ranges and lean are right.
 ScannerCalibration mounted(const Eigen::Vector4d& off, double share) {
-    ScannerCalibration told = calibration(0.0, 0.0);
-    told.mount = MountError{off, share * off.cwiseAbs()};
-    return told;
+    ScannerCalibration reported = calibration(0.0, 0.0);
+    reported.mount = MountError{off, share * off.cwiseAbs()};
+    return reported;
 }
 
 TEST(ScannerCalibration, AdvisesTheClockAndThenWhereTheScannerSits) {

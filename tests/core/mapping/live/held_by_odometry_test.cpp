@@ -106,12 +106,12 @@ TEST(HeldByOdometry, WhatFillsTheRoomThatIsKnownIsNotBelieved) {
 
 TEST(HeldByOdometry, OdometryThatBeganAnewInTheSmokeHoldsNothing) {
     TwoRooms rooms;
-    const auto anew = [](LiveScan scan) {
+    const auto again = [](LiveScan scan) {
         scan.odometryFrame = 1;
         return scan;
     };
-    rooms.add(anew(withoutPoints(poseFrom({6.0, 0, 0.9}, 0, 0, 0), rooms.seed++)));
-    EXPECT_EQ(rooms.add(anew(beyond(along(0), rooms.seed++))).localisation.trust, ScanTrust::Uncertain)
+    rooms.add(again(withoutPoints(poseFrom({6.0, 0, 0.9}, 0, 0, 0), rooms.seed++)));
+    EXPECT_EQ(rooms.add(again(beyond(along(0), rooms.seed++))).localisation.trust, ScanTrust::Uncertain)
         << "nobody knows how far it went before";
 }
 

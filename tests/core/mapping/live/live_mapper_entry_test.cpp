@@ -73,7 +73,7 @@ TEST(LiveMapperEntry, AMapBeginsWithNoScanThatSawNextToNothing) {
 TEST(LiveMapperEntry, WhenAllWasRejectedAFragmentBeginsNothingEither) {
     MappedRoom room;
     room.drive(2);
-    for (const std::uint64_t id : {1U, 2U}) room.log.say(room.mapper.reject(id, room.now).value());
+    for (const std::uint64_t id : {1U, 2U}) room.log.publish(room.mapper.reject(id, room.now).value());
     const Pose next = Start * poseFrom({0.9, 0, 0}, 0, 0, 0);
     EXPECT_FALSE(room.add(cutOff(scanAt(next, 8), degrees(200), TurnEnd::Break)).keyScan);
     EXPECT_FALSE(room.add(almostEmpty(scanAt(next, 9), 100)).keyScan);
@@ -102,7 +102,7 @@ TEST(LiveMapperEntry, AStandingRobotThatIsLostTellsSoOnce) {
     EXPECT_FALSE(room.add(here).keyScan) << "it fits again";
     EXPECT_FALSE(room.add(covered(here, 22)).keyScan) << "one waits there to be decided on";
     room.add(here);
-    room.log.say(room.mapper.reject(lost.keyScan->id, room.now).value());
+    room.log.publish(room.mapper.reject(lost.keyScan->id, room.now).value());
     EXPECT_TRUE(room.add(covered(here, 23)).keyScan) << "after that was decided it is news";
 }
 

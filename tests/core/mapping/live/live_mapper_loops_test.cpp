@@ -203,9 +203,10 @@ TEST(LiveMapperLoops, DecisionsThatCameInBetweenAreNotOverrun) {
     ASSERT_TRUE(room.mapper.reject(2, room.now).ok());
     const Settled settled = room.mapper.settle(solve(*problem), room.now);
     EXPECT_FALSE(settled.poses);
-    const auto anew = room.mapper.problem();
-    ASSERT_TRUE(anew);
-    EXPECT_EQ(anew->graph.nodes.size(), problem->graph.nodes.size() - 1) << "what is set aside holds nothing";
+    const auto remade = room.mapper.problem();
+    ASSERT_TRUE(remade);
+    EXPECT_EQ(remade->graph.nodes.size(), problem->graph.nodes.size() - 1)
+        << "what is set aside holds nothing";
 }
 
 TEST(LiveMapperLoops, ALoopThatTheOthersSpeakAgainstIsTakenOutAndTold) {

@@ -110,12 +110,12 @@ TEST(LiveMapperParts, PartsThatCameTogetherAreLinkedWhereverTheySawTheSame) {
         return all;
     };
     const auto answer = [&](bool same) {
-        ScanLinksSample said = *question;
-        for (Link& link : said.links) {
+        ScanLinksSample reported = *question;
+        for (Link& link : reported.links) {
             link.kind = LinkKind::Operator;
             link.active = same;
         }
-        mapper.restore(said);
+        mapper.restore(reported);
         const auto problem = mapper.problem();
         ASSERT_TRUE(problem);
         (void)mapper.settle(solve(*problem), room.now);

@@ -235,11 +235,11 @@ TEST(LiveMapper, DecisionsAreSamplesThatCanBeTakenBack) {
     const auto takenBack = [&](const Result<ScanPosesSample>& decision) {
         ASSERT_TRUE(decision);
         EXPECT_EQ(decision->cause, ScanPosesSample::Cause::Operator);
-        const std::uint64_t said = room.log.say(*decision);
+        const std::uint64_t reported = room.log.publish(*decision);
         const auto after = room.poses();
         EXPECT_FALSE(alike(after, before));
         EXPECT_TRUE(alike(after, room.log.poses()));
-        const std::uint64_t undone = room.log.undo(said, room.mapper);
+        const std::uint64_t undone = room.log.undo(reported, room.mapper);
         EXPECT_TRUE(alike(room.poses(), before));
         const std::uint64_t again = room.log.undo(undone, room.mapper);  // redo
         EXPECT_TRUE(alike(room.poses(), after));
@@ -292,7 +292,7 @@ TEST(LiveMapper, AfterARewindTheRobotGoesOnFromWhatIsLeft) {
 TEST(LiveMapper, ARewindToOneOfSeveralScansThatCameAtOnceSetsAsideThoseAfterIt) {
     MappedRoom room;
     for (int i = 0; i < 4; ++i)  // after a radio gap
-        room.log.say(
+        room.log.publish(
             room.mapper.add(scanAt(Begin * poseFrom({0.4 * i, 0, 0}, 0, 0, 0), 1U + unsigned(i)), room.now));
     ASSERT_EQ(room.poses().size(), 4U);
     LiveMapper again = room.log.readAgain();
@@ -308,7 +308,7 @@ TEST(LiveMapper, TheMapComesAgainFromTheLog) {
     MappedRoom room;
     room.drive(5);
     room.add(poseFrom({0.6, 0.2, 0.9}, 0, 0, degrees(15)), Off);
-    room.log.say(room.mapper.reject(2, room.now).value());
+    room.log.publish(room.mapper.reject(2, room.now).value());
     LiveMapper again = room.log.readAgain();
     std::vector<ScanPose> poses;
     const LiveMapPtr map = again.map();

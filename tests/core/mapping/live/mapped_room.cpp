@@ -23,7 +23,7 @@ LiveScan scanAt(const Pose& sensorInRoom, unsigned seed, const Pose& drift) {
     return live;
 }
 
-std::uint64_t MapLog::say(Sample sample, std::string topic) {
+std::uint64_t MapLog::publish(Sample sample, std::string topic) {
     if (const auto* keyScan = std::get_if<KeyScanSample>(&sample)) m_keyScans.push_back(*keyScan);
     if (const auto* links = std::get_if<ScanLinksSample>(&sample)) m_links.push_back(*links);
     Event event;
@@ -34,20 +34,20 @@ std::uint64_t MapLog::say(Sample sample, std::string topic) {
     return m_sequence;
 }
 
-void MapLog::say(const MapUpdate& update) {
-    if (update.keyScan) say(*update.keyScan, "/leitstand/key_scans");
-    if (update.links) say(*update.links, "/leitstand/scan_links");
-    if (update.poses) say(*update.poses);
-    if (update.loop) say(*update.loop, "/leitstand/scan_links");
+void MapLog::publish(const MapUpdate& update) {
+    if (update.keyScan) publish(*update.keyScan, "/leitstand/key_scans");
+    if (update.links) publish(*update.links, "/leitstand/scan_links");
+    if (update.poses) publish(*update.poses);
+    if (update.loop) publish(*update.loop, "/leitstand/scan_links");
 }
 
 std::uint64_t MapLog::undo(std::uint64_t sequence, LiveMapper& mapper) {
     UndoSample undo;
     undo.event = sequence;
-    const std::uint64_t said = say(undo, "/leitstand/undo");
+    const std::uint64_t reported = publish(undo, "/leitstand/undo");
     mapper.follow(poses());
     mapper.followLoops(loopsOf(m_fold.state()));
-    return said;
+    return reported;
 }
 
 std::vector<ScanPose> MapLog::poses() const {
@@ -73,7 +73,7 @@ MapUpdate MappedRoom::add(const Pose& sensorInRoom, const Pose& drift) {
 MapUpdate MappedRoom::add(const LiveScan& scan) {
     now += std::chrono::seconds(2);
     const MapUpdate update = mapper.add(scan, now);
-    log.say(update);
+    log.publish(update);
     return update;
 }
 
@@ -85,8 +85,8 @@ std::optional<ScanPosesSample> MappedRoom::solveAll() {
     const auto problem = mapper.problem();
     if (!problem) return std::nullopt;
     const Settled settled = mapper.settle(solve(*problem), now);
-    if (settled.links) log.say(*settled.links, "/leitstand/scan_links");
-    if (settled.poses) log.say(*settled.poses);
+    if (settled.links) log.publish(*settled.links, "/leitstand/scan_links");
+    if (settled.poses) log.publish(*settled.poses);
     return settled.poses;
 }
 

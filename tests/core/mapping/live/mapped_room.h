@@ -19,8 +19,8 @@ namespace leitstand::test {
 class MapLog {
 public:
     /// Returns its sequence in the mission.
-    std::uint64_t say(Sample sample, std::string topic = "/leitstand/scan_poses");
-    void say(const MapUpdate& update);
+    std::uint64_t publish(Sample sample, std::string topic = "/leitstand/scan_poses");
+    void publish(const MapUpdate& update);
     /// Takes back the event of @p sequence; the mapper follows.
     std::uint64_t undo(std::uint64_t sequence, LiveMapper& mapper);
     [[nodiscard]] std::vector<ScanPose> poses() const;  ///< as the mission has them now

@@ -124,12 +124,12 @@ TEST(Submaps, WhatIsMovedIsLinkedThereAndTheMapFollows) {
     EXPECT_THAT(links->links, SizeIs(testing::Ge(3U)));
     EXPECT_THAT(links->links, Each(Field(&Link::kind, LinkKind::Operator)));
     EXPECT_THAT(links->links, Each(Field(&Link::active, true)));
-    const std::uint64_t said = room.log.say(*links, "/leitstand/scan_links");
+    const std::uint64_t reported = room.log.publish(*links, "/leitstand/scan_links");
     ASSERT_TRUE(room.solveAll());
     EXPECT_LT(room.worst(), 0.03);
     EXPECT_THAT(room.mapper.map()->scans, Each(Field(&LiveKeyScan::part, 0U))) << "one map";
     EXPECT_TRUE(alike(room.poses(), room.log.poses()));
-    (void)room.log.undo(said, room.mapper);
+    (void)room.log.undo(reported, room.mapper);
     (void)room.solveAll();
     EXPECT_TRUE(alike(room.poses(), before)) << "taken back";
 }
@@ -148,7 +148,7 @@ TEST(Submaps, OneScanAloneIsComparedWithTheOthersPartAndBringsItsOwnAlong) {
     ASSERT_TRUE(links) << links.error().text;
     ASSERT_THAT(links->links, SizeIs(1));
     EXPECT_EQ(links->links.front().to, id);
-    (void)room.log.say(*links, "/leitstand/scan_links");
+    (void)room.log.publish(*links, "/leitstand/scan_links");
     ASSERT_TRUE(room.solveAll());
     EXPECT_LT(room.worst(), 0.03);
     EXPECT_THAT(room.mapper.map()->scans, Each(Field(&LiveKeyScan::part, 0U))) << "one map";

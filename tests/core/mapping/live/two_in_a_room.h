@@ -45,7 +45,7 @@ struct TwoRobotsInARoom : MappedRoom {
             const auto sought = mapper.sought();
             const auto place = sought ? recognise(*sought, {}) : std::nullopt;
             if (place) question = mapper.recognised(*sought, *place, now);
-            if (question) log.say(*question, "/leitstand/scan_links");
+            if (question) log.publish(*question, "/leitstand/scan_links");
         }
         return question;
     }
@@ -55,7 +55,7 @@ struct TwoRobotsInARoom : MappedRoom {
             link.kind = LinkKind::Operator;
             link.active = same;
         }
-        log.say(question, "/leitstand/scan_links");
+        log.publish(question, "/leitstand/scan_links");
         mapper.restore(question);
     }
     /// How far the second robot's scans are from where they were taken, in the first one's map [m].

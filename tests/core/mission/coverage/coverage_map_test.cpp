@@ -245,11 +245,11 @@ TEST(CoverageByStorey, EachIsSearchedFromWhereRobotsWereOnIt) {
     EXPECT_EQ(pieces.front().storey, 0) << "all of it was missed";
     EXPECT_TRUE(std::is_sorted(pieces.begin(), pieces.end(),
                                [](const MissedRegion& a, const MissedRegion& b) { return a.area > b.area; }));
-    const SearchedFloorPtr told = searchedFloorOf(storeys);
-    ASSERT_EQ(told->storeys.size(), 2U);
-    EXPECT_NEAR(told->reachable, told->storeys[0].reachable + told->storeys[1].reachable, 1e-9);
-    EXPECT_TRUE(std::any_of(told->by(SearchSensor::Camera).tint.patches.begin(),
-                            told->by(SearchSensor::Camera).tint.patches.end(),
+    const SearchedFloorPtr reported = searchedFloorOf(storeys);
+    ASSERT_EQ(reported->storeys.size(), 2U);
+    EXPECT_NEAR(reported->reachable, reported->storeys[0].reachable + reported->storeys[1].reachable, 1e-9);
+    EXPECT_TRUE(std::any_of(reported->by(SearchSensor::Camera).tint.patches.begin(),
+                            reported->by(SearchSensor::Camera).tint.patches.end(),
                             [](const FloorPatch& patch) { return patch.seen && patch.height > Up - 0.1; }));
 }
 

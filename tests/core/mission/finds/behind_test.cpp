@@ -31,18 +31,18 @@ public:
             cue.covariance = 0.01 * Eigen::Matrix3d::Identity();
             book.add(cue);
             m_time += 0.5;
-            for (const CandidateSample& one : book.due(at(m_time))) told[one.id] = one;
+            for (const CandidateSample& one : book.due(at(m_time))) reported[one.id] = one;
         }
     }
     [[nodiscard]] std::vector<CandidateSample> standing() const {
         std::vector<CandidateSample> list;
-        for (const auto& [id, one] : told) {
+        for (const auto& [id, one] : reported) {
             if (!one.dismissed) list.push_back(one);
         }
         return list;
     }
     CandidateBook book{"us"};
-    std::map<std::uint32_t, CandidateSample> told;
+    std::map<std::uint32_t, CandidateSample> reported;
 
 private:
     double m_time = 0.0;
@@ -77,19 +77,19 @@ TEST(SeenPast, WhatWasToldBeforeThePersonIsTakenBackAndMayComeAgain) {
     EXPECT_LT((one.standing()[0].positionInMap - Body).head<2>().norm(), 0.1);
     // The next session knows that nobody has dismissed it.
     CandidateBook next("us");
-    for (const auto& [id, sample] : one.told) next.take(sample);
+    for (const auto& [id, sample] : one.reported) next.take(sample);
     PlacedCue cue;
     cue.cue.kind = "heat";
     cue.cue.confidence = 0.9;
     cue.inMap = Wall;
     cue.covariance = 0.01 * Eigen::Matrix3d::Identity();
-    std::vector<CandidateSample> told;
+    std::vector<CandidateSample> reported;
     for (int i = 0; i < 10; ++i) {
         cue.cue.stamp = at(100.0 + i);
         next.add(cue);
-        for (const CandidateSample& sample : next.due(at(100.5 + i))) told.push_back(sample);
+        for (const CandidateSample& sample : next.due(at(100.5 + i))) reported.push_back(sample);
     }
-    EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const CandidateSample& sample) {
+    EXPECT_TRUE(std::any_of(reported.begin(), reported.end(), [](const CandidateSample& sample) {
         return !sample.dismissed && (sample.positionInMap - Wall).norm() < 0.1;
     }));
 }
@@ -112,7 +112,7 @@ TEST(SeenPast, NothingIsHeldBackByWhatTheOperatorDismissed) {
     dismissed.stamp += std::chrono::hours(1);
     one.book.take(dismissed);
     one.see(Wall, Camera);
-    EXPECT_TRUE(std::any_of(one.told.begin(), one.told.end(),
+    EXPECT_TRUE(std::any_of(one.reported.begin(), one.reported.end(),
                             [](const std::pair<const std::uint32_t, CandidateSample>& sample) {
                                 return (sample.second.positionInMap - Wall).head<2>().norm() < 0.1;
                             }));

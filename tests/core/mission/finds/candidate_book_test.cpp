@@ -10,7 +10,7 @@
 namespace leitstand::test {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 
 Time at(double seconds) {
     return Time(std::chrono::milliseconds(1'000'000 + static_cast<int>(1000.0 * seconds)));
@@ -56,19 +56,19 @@ public:
     void look(double seconds) {
         m_time += seconds;
         for (const CandidateSample& one : book.due(at(m_time))) {
-            told[one.id] = one;
+            published[one.id] = one;
             ++updates;
         }
     }
     [[nodiscard]] std::vector<CandidateSample> standing() const {
         std::vector<CandidateSample> list;
-        for (const auto& [id, one] : told) {
+        for (const auto& [id, one] : published) {
             if (!one.dismissed) list.push_back(one);
         }
         return list;
     }
     CandidateBook book{"us"};
-    std::map<std::uint32_t, CandidateSample> told;
+    std::map<std::uint32_t, CandidateSample> published;
     int updates = 0;
 
 private:
@@ -79,25 +79,25 @@ TEST(CandidateBook, APersonsHeatIsACandidateAndALampsIsNone) {
     Reader reader;
     reader.see({.place = {5, 5, 0.3}, .confidence = 0.3});
     reader.look(2.0);
-    EXPECT_TRUE(reader.told.empty());
+    EXPECT_TRUE(reader.published.empty());
     reader.see({.place = {2, 1, 0.2}});
     reader.look(2.0);
     ASSERT_EQ(reader.standing().size(), 1U);
-    EXPECT_LT((reader.told[1].positionInMap - Eigen::Vector3d(2, 1, 0.2)).norm(), 1e-6);
-    EXPECT_GT(reader.told[1].confidence, 0.6);
-    EXPECT_EQ(reader.told[1].station, "us");
+    EXPECT_LT((reader.published[1].positionInMap - Eigen::Vector3d(2, 1, 0.2)).norm(), 1e-6);
+    EXPECT_GT(reader.published[1].confidence, 0.6);
+    EXPECT_EQ(reader.published[1].station, "us");
 }
 
 TEST(CandidateBook, AgreeingKindsMakeItSure) {
     Reader reader;
     reader.see({.confidence = 0.45});
-    EXPECT_TRUE(reader.told.empty()) << "it could be a lamp";
+    EXPECT_TRUE(reader.published.empty()) << "it could be a lamp";
     reader.see({.kind = "co2", .place = {1, 1, 0.3}, .confidence = 0.9});
     reader.see({.kind = "motion", .place = {2.2, 1, 0.3}, .confidence = 0.7});
     reader.look(2.0);
     ASSERT_EQ(reader.standing().size(), 1U);
-    EXPECT_GT(reader.told[1].confidence, 0.75);
-    EXPECT_EQ(reader.told[1].cues.size(), 3U);
+    EXPECT_GT(reader.published[1].confidence, 0.75);
+    EXPECT_EQ(reader.published[1].cues.size(), 3U);
 }
 
 TEST(CandidateBook, BreathSupportsTheLikeliestNearbyAlone) {
@@ -107,7 +107,7 @@ TEST(CandidateBook, BreathSupportsTheLikeliestNearbyAlone) {
     reader.see({.kind = "co2", .place = {2.6, 0, 0.3}, .confidence = 1.0}, 20);
     reader.look(2.0);
     EXPECT_EQ(reader.standing().size(), 1U) << "a lamp does not breathe";
-    EXPECT_NEAR(reader.told[1].positionInMap.x(), 2.0, 0.01) << "where it breathes is not where it lies";
+    EXPECT_NEAR(reader.published[1].positionInMap.x(), 2.0, 0.01) << "where it breathes is not where it lies";
 }
 
 TEST(CandidateBook, ALampStaysOneWhereSomebodyBreathes) {
@@ -134,8 +134,8 @@ TEST(CandidateBook, ViewsRobotsAndPartsOfABodyAreJoined) {
     reader.see({.place = {2.1, 0.8, 0.2}, .robot = "crawler", .scan = 3, .deviation = 0.2});
     reader.look(2.0);
     ASSERT_EQ(reader.standing().size(), 1U);
-    EXPECT_NEAR(reader.told[1].positionInMap.x(), 2.14, 0.08);
-    EXPECT_LT(reader.told[1].deviation, 0.12);
+    EXPECT_NEAR(reader.published[1].positionInMap.x(), 2.14, 0.08);
+    EXPECT_LT(reader.published[1].deviation, 0.12);
     reader.see({.place = {3.4, 1.0, 0.2}});
     EXPECT_EQ(reader.standing().size(), 2U) << "another one";
 }
@@ -147,20 +147,20 @@ TEST(CandidateBook, AWrongRangeIsOutvoted) {
     reader.see({.place = {2.6, 1.0, 0.2}, .scan = 5});
     reader.look(2.0);
     ASSERT_EQ(reader.standing().size(), 1U);
-    EXPECT_NEAR(reader.told[1].positionInMap.x(), 2.05, 0.09);
+    EXPECT_NEAR(reader.published[1].positionInMap.x(), 2.05, 0.09);
 }
 
 TEST(CandidateBook, ARobotsOwnSightingIsNoSecondOpinionAndNeverDoubled) {
     Reader reader;
     reader.see({.confidence = 0.95});
     reader.look(2.0);
-    const double before = reader.told.at(1).confidence;
+    const double before = reader.published.at(1).confidence;
     for (int i = 0; i < 20; ++i)
         reader.see({.kind = "sighting", .place = {2.1, 1, 0}, .confidence = 0.9, .text = "victim 3"}, 1);
     reader.look(2.0);
     ASSERT_EQ(reader.standing().size(), 1U);
-    EXPECT_NEAR(reader.told[1].confidence, before, 0.02);
-    const auto sightings = std::count_if(reader.told[1].cues.begin(), reader.told[1].cues.end(),
+    EXPECT_NEAR(reader.published[1].confidence, before, 0.02);
+    const auto sightings = std::count_if(reader.published[1].cues.begin(), reader.published[1].cues.end(),
                                          [](const Cue& cue) { return cue.kind == "sighting"; });
     EXPECT_EQ(sightings, 1);
     reader.see({.kind = "sighting", .place = {9, 9, 0}, .confidence = 0.9, .text = "victim 3"}, 1);
@@ -172,14 +172,14 @@ TEST(CandidateBook, CandidatesMoveWithTheirKeyScans) {
     Reader reader;
     reader.book.scanAt(7, Pose(Eigen::Translation3d(1, 0, 0)));
     reader.see({.scan = 7});
-    EXPECT_EQ(reader.told[1].scan, 7U);
-    EXPECT_LT((reader.told[1].positionInScan - Eigen::Vector3d(1, 1, 0.2)).norm(), 1e-6);
+    EXPECT_EQ(reader.published[1].scan, 7U);
+    EXPECT_LT((reader.published[1].positionInScan - Eigen::Vector3d(1, 1, 0.2)).norm(), 1e-6);
     Pose moved(Eigen::Translation3d(1.5, 0, 0));
     moved.rotate(Eigen::AngleAxisd(std::acos(-1.0) / 2.0, Eigen::Vector3d::UnitZ()));
     reader.book.scanAt(7, moved);
     reader.look(2.0);
-    EXPECT_LT((reader.told[1].positionInMap - Eigen::Vector3d(0.5, 1, 0.2)).norm(), 1e-6);
-    EXPECT_LT((reader.told[1].positionInScan - Eigen::Vector3d(1, 1, 0.2)).norm(), 1e-6);
+    EXPECT_LT((reader.published[1].positionInMap - Eigen::Vector3d(0.5, 1, 0.2)).norm(), 1e-6);
+    EXPECT_LT((reader.published[1].positionInScan - Eigen::Vector3d(1, 1, 0.2)).norm(), 1e-6);
 }
 
 TEST(CandidateBook, CodesAreToldApartByTheirTextAndTagVictims) {
@@ -194,7 +194,7 @@ TEST(CandidateBook, CodesAreToldApartByTheirTextAndTagVictims) {
     EXPECT_EQ(kinds[Kind::Victim], 1);
     EXPECT_EQ(kinds[Kind::Code], 2);
     EXPECT_EQ(kinds[Kind::Hazard], 1);
-    const auto& cues = reader.told[1].cues;
+    const auto& cues = reader.published[1].cues;
     EXPECT_TRUE(std::any_of(cues.begin(), cues.end(), [](const Cue& cue) { return cue.text == "V-07"; }));
 }
 
@@ -208,12 +208,12 @@ TEST(CandidateBook, UpdatesAreFewAndOnlyWhenSomethingChanged) {
 TEST(CandidateBook, TheOperatorsWordStands) {
     Reader reader;
     reader.see({});
-    CandidateSample dismissed = reader.told[1];
-    reader.book.take(reader.told[1]);  // our own, back from the log
+    CandidateSample dismissed = reader.published[1];
+    reader.book.take(reader.published[1]);  // our own, back from the log
     dismissed.stamp += std::chrono::seconds(5);
     dismissed.dismissed = true;
     reader.book.take(dismissed);
-    reader.told.clear();
+    reader.published.clear();
     reader.see({}, 30);
     EXPECT_TRUE(reader.standing().empty());
     EXPECT_LE(reader.updates, 4);
@@ -227,9 +227,9 @@ TEST(CandidateBook, GoesOnWhereAnEarlierSessionEnded) {
     second.see({.place = {2.1, 1, 0.2}});
     second.see({.place = {4.5, 4, 0.2}});
     second.look(2.0);
-    EXPECT_FALSE(second.told.contains(2)) << "nothing new of it";
-    ASSERT_TRUE(second.told.contains(3));
-    EXPECT_NEAR(second.told[3].positionInMap.x(), 4.5, 0.01);
+    EXPECT_FALSE(second.published.contains(2)) << "nothing new of it";
+    ASSERT_TRUE(second.published.contains(3));
+    EXPECT_NEAR(second.published[3].positionInMap.x(), 4.5, 0.01);
 }
 
 TEST(CandidateBook, StrangeCuesAreLeftOut) {

@@ -16,7 +16,7 @@ Time at(double seconds) {
 /// A book of the station "us", what it told of each candidate last, and whether it told anything.
 struct Reader {
     CandidateBook book{"us", CandidateSettings{}};
-    std::map<std::uint32_t, CandidateSample> told;
+    std::map<std::uint32_t, CandidateSample> reported;
     int updates = 0;
     double time = 0.0;
 
@@ -32,7 +32,7 @@ struct Reader {
             book.add(cue);
             time += 0.5;
             for (const CandidateSample& one : book.due(at(time))) {
-                told[one.id] = one;
+                reported[one.id] = one;
                 ++updates;
             }
         }
@@ -42,8 +42,8 @@ struct Reader {
 TEST(Dismissal, WhatAPersonDismissedDoesNotComeBackByTheSameCues) {
     Reader reader;
     reader.see();
-    ASSERT_TRUE(reader.told.contains(1));
-    reader.book.take(judged(reader.told[1], true, "us", at(reader.time + 0.1)));
+    ASSERT_TRUE(reader.reported.contains(1));
+    reader.book.take(judged(reader.reported[1], true, "us", at(reader.time + 0.1)));
     reader.updates = 0;
     reader.see(0.95, 60);
     EXPECT_EQ(reader.updates, 0) << "neither again nor under another number";
@@ -52,14 +52,14 @@ TEST(Dismissal, WhatAPersonDismissedDoesNotComeBackByTheSameCues) {
 TEST(Dismissal, AWordThatCrossedWhatTheBookSaidStandsAndIsSaidOnceMore) {
     Reader reader;
     reader.see();
-    const CandidateSample first = reader.told.at(1);
+    const CandidateSample first = reader.reported.at(1);
     const CandidateSample word = judged(first, true, "us", first.stamp - std::chrono::milliseconds(1));
     reader.book.take(word);
     reader.updates = 0;
     reader.see(0.9, 20);
     EXPECT_EQ(reader.updates, 1);
-    EXPECT_TRUE(isDismissal(reader.told.at(1))) << "the log's newest says so again";
-    reader.book.take(reader.told.at(1));  // our own, back from the log
+    EXPECT_TRUE(isDismissal(reader.reported.at(1))) << "the log's newest says so again";
+    reader.book.take(reader.reported.at(1));  // our own, back from the log
     reader.see(0.9, 20);
     EXPECT_EQ(reader.updates, 1);
 }
@@ -67,23 +67,23 @@ TEST(Dismissal, AWordThatCrossedWhatTheBookSaidStandsAndIsSaidOnceMore) {
 TEST(Dismissal, TakenBackTheCandidateStandsAgain) {
     Reader reader;
     reader.see();
-    const CandidateSample dismissed = judged(reader.told.at(1), true, "us", at(reader.time + 0.1));
+    const CandidateSample dismissed = judged(reader.reported.at(1), true, "us", at(reader.time + 0.1));
     reader.book.take(dismissed);
     reader.see(0.9, 4);
     reader.book.take(judged(dismissed, false, "us", at(reader.time + 0.1)));
     reader.see(0.3, 40);  // less sure: worth an update
-    EXPECT_FALSE(isDismissal(reader.told.at(1)));
-    EXPECT_GT(reader.told.at(1).stamp, dismissed.stamp) << "it is followed again";
+    EXPECT_FALSE(isDismissal(reader.reported.at(1)));
+    EXPECT_GT(reader.reported.at(1).stamp, dismissed.stamp) << "it is followed again";
 }
 
 TEST(Dismissal, ABooksOwnDoubtIsNone) {
     Reader reader;
     reader.see();
-    CandidateSample doubted = reader.told.at(1);
+    CandidateSample doubted = reader.reported.at(1);
     doubted.dismissed = true;
     doubted.confidence = 0.3;
     EXPECT_FALSE(isDismissal(doubted)) << "taken back for want of evidence";
-    CandidateSample joined = reader.told.at(1);
+    CandidateSample joined = reader.reported.at(1);
     joined.dismissed = true;
     joined.cues.clear();
     EXPECT_FALSE(isDismissal(joined)) << "part of another one";
@@ -94,9 +94,9 @@ TEST(Dismissal, ABooksOwnDoubtIsNone) {
 TEST(Dismissal, OutlastsARestart) {
     Reader first, second;
     first.see();
-    second.book.take(judged(first.told.at(1), true, "us", at(first.time)));
+    second.book.take(judged(first.reported.at(1), true, "us", at(first.time)));
     second.see(0.95, 60);
-    EXPECT_TRUE(second.told.empty());
+    EXPECT_TRUE(second.reported.empty());
 }
 
 }  // namespace

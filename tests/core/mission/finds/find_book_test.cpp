@@ -11,8 +11,8 @@
 namespace leitstand {
 namespace {
 
-using Kind = VictimSample::Kind;
-using Status = VictimSample::Status;
+using Kind = FindSample::Kind;
+using Status = FindSample::Status;
 using SignState = VictimSign::State;
 using testing::SizeIs;
 
@@ -27,13 +27,13 @@ struct Mission {
     MissionState state;
     std::uint64_t sequence = 0;
 
-    void say(const Sample& sample) { state = fold(std::move(state), event(++sequence, sample)); }
+    void publish(const Sample& sample) { state = fold(std::move(state), event(++sequence, sample)); }
     FindKey file(const FrozenEvidence& frozen, Kind kind = Kind::Victim) {
-        const VictimSample sample = filed(state, kind, frozen, "s", Now);
-        say(sample);
+        const FindSample sample = filed(state, kind, frozen, "s", Now);
+        publish(sample);
         return {sample.kind, sample.number};
     }
-    const VictimSample& at(const FindKey& key) const { return state.victims->at(key).victim; }
+    const FindSample& at(const FindKey& key) const { return state.finds->at(key).victim; }
 };
 
 FrozenEvidence seenAt(double x) {
@@ -52,7 +52,7 @@ TEST(FindBook, WhatIsFrozenIsANewFindOrJoinsTheOneThatIsThere) {
     EXPECT_EQ(mission.file(seenAt(1.3)), FindKey(Kind::Victim, 1U));
     EXPECT_EQ(mission.file(seenAt(3.0)), FindKey(Kind::Victim, 2U));
     EXPECT_EQ(mission.file(seenAt(1.0), Kind::Hazard), FindKey(Kind::Hazard, 1U));
-    const VictimSample& first = mission.at({Kind::Victim, 1U});
+    const FindSample& first = mission.at({Kind::Victim, 1U});
     EXPECT_THAT(first.evidence, SizeIs(2));
     EXPECT_EQ(first.positionInMap.x(), 1.0) << "the first look counts until the operator moves it";
     EXPECT_EQ(first.heat.state, SignState::Present);
@@ -68,10 +68,10 @@ TEST(FindBook, AFindHangsOnAScanThatCountsAndShowsItsPlace) {
         KeyScanSample key;
         key.id = id;
         key.scan = std::make_shared<const Scan>(scan);
-        mission.say(key);
+        mission.publish(key);
         ScanPosesSample poses;
         poses.poses = {{.scan = id, .scanInMap = Pose(Eigen::Translation3d(x, 0.0, 0.0)), .trust = trust}};
-        mission.say(poses);
+        mission.publish(poses);
     };
     const auto beside = [&](const std::string& robot, double x) {
         return scanBeside(mission.state, robot, {x, 0.0, 0.0});
@@ -90,9 +90,9 @@ TEST(FindBook, AFindHangsOnAScanThatCountsAndShowsItsPlace) {
 TEST(FindBook, TheOperatorsWordStandsAgainstLaterMeasurements) {
     Mission mission;
     const auto key = mission.file(seenAt(1.0));
-    VictimSample edited = mission.at(key);
+    FindSample edited = mission.at(key);
     edited.heat = {SignState::Absent, "lamp", Unknown};
-    mission.say(edited);
+    mission.publish(edited);
     mission.file(seenAt(1.0));
     EXPECT_EQ(mission.at(key).heat.state, SignState::Absent);
     EXPECT_TRUE(std::isnan(mission.at(key).heat.value));
@@ -101,32 +101,32 @@ TEST(FindBook, TheOperatorsWordStandsAgainstLaterMeasurements) {
 TEST(FindBook, NumbersAreNeverGivenTwiceNotEvenAfterUndo) {
     Mission mission;
     mission.file(seenAt(1.0));
-    mission.say(UndoSample{Now, "s", mission.sequence, "V1"});
-    EXPECT_THAT(*mission.state.victims, SizeIs(0));
+    mission.publish(UndoSample{Now, "s", mission.sequence, "V1"});
+    EXPECT_THAT(*mission.state.finds, SizeIs(0));
     EXPECT_EQ(mission.file(seenAt(1.0)).second, 2U);
 }
 
 TEST(FindBook, ADiscardedFindIsNotJoined) {
     Mission mission;
     const auto key = mission.file(seenAt(1.0));
-    mission.say(*withStatus(mission.state, key, Status::Discarded, "s", Now));
+    mission.publish(*withStatus(mission.state, key, Status::Discarded, "s", Now));
     EXPECT_EQ(mission.file(seenAt(1.0)).second, 2U);
 }
 
 TEST(FindBook, MergedFindsTellTogetherAndUndoTakesThemApart) {
     Mission mission;
     const auto one = mission.file(seenAt(1.0)), other = mission.file(seenAt(2.0));
-    VictimSample edited = mission.at(other);
+    FindSample edited = mission.at(other);
     edited.tag = "R-17";
     edited.heat.value = 30.0;
-    mission.say(edited);
-    mission.say(*mergedInto(mission.state, other, one.second, "s", Now));
+    mission.publish(edited);
+    mission.publish(*mergedInto(mission.state, other, one.second, "s", Now));
     const auto whole = *wholeFind(mission.state, one);
     EXPECT_EQ(whole.tag, "R-17");
     EXPECT_EQ(whole.heat.value, 33.0) << "its own word first";
     EXPECT_THAT(whole.evidence, SizeIs(2));
     EXPECT_EQ(mission.at(other).status, Status::Discarded);
-    mission.say(UndoSample{Now, "s", mission.sequence, "merge"});
+    mission.publish(UndoSample{Now, "s", mission.sequence, "merge"});
     EXPECT_THAT(wholeFind(mission.state, one)->evidence, SizeIs(1));
     EXPECT_EQ(mission.at(other).status, Status::Hypothesis);
 }
@@ -138,7 +138,7 @@ TEST(FindBook, TheNearestFindIsOfTheSameKindAndNotDiscarded) {
     mission.file(seenAt(1.2), Kind::Hazard);
     EXPECT_EQ(nearestOfKind(mission.state, one)->find, other);
     EXPECT_DOUBLE_EQ(nearestOfKind(mission.state, one)->distance, 1.0);
-    mission.say(*withStatus(mission.state, other, Status::Discarded, "s", Now));
+    mission.publish(*withStatus(mission.state, other, Status::Discarded, "s", Now));
     EXPECT_EQ(nearestOfKind(mission.state, one)->find, far);
     EXPECT_GT(nearestOfKind(mission.state, one)->distance, MergeReach);
     EXPECT_FALSE(nearestOfKind(mission.state, {Kind::Hazard, 1U})) << "it is the only one of its kind";
@@ -150,7 +150,7 @@ TEST(FindBook, NothingIsMergedIntoItselfNothingOrTheDiscarded) {
     const auto one = mission.file(seenAt(1.0)), other = mission.file(seenAt(2.0));
     EXPECT_FALSE(mergedInto(mission.state, one, one.second, "s", Now));
     EXPECT_FALSE(mergedInto(mission.state, one, 9, "s", Now));
-    mission.say(*withStatus(mission.state, other, Status::Discarded, "s", Now));
+    mission.publish(*withStatus(mission.state, other, Status::Discarded, "s", Now));
     EXPECT_FALSE(mergedInto(mission.state, one, other.second, "s", Now));
     EXPECT_FALSE(withStatus(mission.state, {Kind::Code, 1U}, Status::Confirmed, "s", Now));
 }
@@ -158,10 +158,10 @@ TEST(FindBook, NothingIsMergedIntoItselfNothingOrTheDiscarded) {
 TEST(FindBook, AFormThatIsOlderThanTheFindChangesOnlyItsFields) {
     Mission mission;
     const auto key = mission.file(seenAt(1.0));
-    VictimSample form = mission.at(key);  // as shown before it was confirmed
+    FindSample form = mission.at(key);  // as shown before it was confirmed
     form.situation = "void";
-    mission.say(*withStatus(mission.state, key, Status::Confirmed, "s", Now));
-    mission.say(*filledIn(mission.state, form, "s", Now));
+    mission.publish(*withStatus(mission.state, key, Status::Confirmed, "s", Now));
+    mission.publish(*filledIn(mission.state, form, "s", Now));
     EXPECT_EQ(mission.at(key).status, Status::Confirmed);
     EXPECT_EQ(mission.at(key).situation, "void");
     form.number = 9;
@@ -176,16 +176,16 @@ TEST(FindBook, AMovedFindStillMovesWithItsScan) {
     key.id = 4;
     key.scan = scan;
     key.scanInMap = Pose(Eigen::Translation3d(1.0, 0.0, 0.0));
-    mission.say(key);
+    mission.publish(key);
     FrozenEvidence frozen = seenAt(2.0);
     frozen.scan = 4;
     frozen.positionInScan = {1.0, 0.0, 0.3};
     const auto find = mission.file(frozen);
-    mission.say(*movedTo(mission.state, find, {5.0, 0.0, 0.0}, "s", Now));
+    mission.publish(*movedTo(mission.state, find, {5.0, 0.0, 0.0}, "s", Now));
     EXPECT_NEAR(positionInMap(mission.state, mission.at(find)).x(), 5.0, 1e-9);
     ScanPosesSample poses;
     poses.poses = {{.scan = 4, .scanInMap = Pose(Eigen::Translation3d(2.0, 0.0, 0.0))}};
-    mission.say(poses);
+    mission.publish(poses);
     EXPECT_NEAR(positionInMap(mission.state, mission.at(find)).x(), 6.0, 1e-9);
     EXPECT_FALSE(movedTo(mission.state, find, {NAN, 0.0, 0.0}, "s", Now));
 }
@@ -230,7 +230,7 @@ TEST(FindBook, ACandidateIsFiledWithTheScanThatItHangsOn) {
     KeyScanSample scan;
     scan.id = 9;
     scan.stamp = Now;
-    mission.say(scan);
+    mission.publish(scan);
     CandidateSample candidate;
     candidate.scan = 9;
     const auto sample = filedFrom(mission.state, candidate, "s", Now);
@@ -257,17 +257,17 @@ CandidateSample codeAt(double x, const std::string& text, std::uint32_t id) {
 TEST(FindBook, NeighbouringSignsThatSayDifferentThingsAreTwo) {
     Mission mission;
     const CandidateSample one = codeAt(1.0, "yellow-1", 1), other = codeAt(1.3, "yellow-2", 2);
-    mission.say(one);
-    mission.say(other);
-    mission.say(filedFrom(mission.state, one, "s", Now));
+    mission.publish(one);
+    mission.publish(other);
+    mission.publish(filedFrom(mission.state, one, "s", Now));
     EXPECT_TRUE(isFiled(mission.state, one));
     EXPECT_FALSE(isFiled(mission.state, other)) << "it stays on the list";
-    mission.say(filedFrom(mission.state, other, "s", Now));
+    mission.publish(filedFrom(mission.state, other, "s", Now));
     EXPECT_EQ(mission.at({Kind::Code, 1U}).tag, "yellow-1");
-    ASSERT_TRUE(mission.state.victims->contains({Kind::Code, 2U}));
+    ASSERT_TRUE(mission.state.finds->contains({Kind::Code, 2U}));
     EXPECT_EQ(mission.at({Kind::Code, 2U}).tag, "yellow-2");
-    mission.say(filedFrom(mission.state, codeAt(1.2, "yellow-1", 3), "s", Now));
-    EXPECT_THAT(*mission.state.victims, SizeIs(2)) << "the same one, read once more";
+    mission.publish(filedFrom(mission.state, codeAt(1.2, "yellow-1", 3), "s", Now));
+    EXPECT_THAT(*mission.state.finds, SizeIs(2)) << "the same one, read once more";
     EXPECT_EQ(findNear(mission.state, Kind::Code, {1.2, 0.0, 0.5}), FindKey(Kind::Code, 2U))
         << "unread, it is the nearest";
 }
@@ -279,7 +279,7 @@ TEST(FindBook, WhatLiesBesideADiscardedFindIsShownAndThatItselfIsNot) {
     beside.id = 3;
     beside.positionInMap = {1.5, 0.0, 0.3};
     EXPECT_TRUE(isFiled(mission.state, beside)) << "a part of it";
-    mission.say(*withStatus(mission.state, find, Status::Discarded, "s", Now));
+    mission.publish(*withStatus(mission.state, find, Status::Discarded, "s", Now));
     EXPECT_FALSE(isFiled(mission.state, beside));
     CandidateSample again = beside;
     again.positionInMap.x() = 1.2;
@@ -305,15 +305,15 @@ TEST(FindBook, AVictimThatBearsTheTagOfAFiledOneIsThatOne) {
 
 TEST(FindBook, WhatIsFrozenBetweenTwoSignsIsTheNearerOne) {
     Mission mission;
-    mission.say(codeAt(1.0, "yellow-1", 1));
-    mission.say(codeAt(1.3, "yellow-2", 2));
+    mission.publish(codeAt(1.0, "yellow-1", 1));
+    mission.publish(codeAt(1.3, "yellow-2", 2));
     const auto near = candidatesNear(mission.state, Kind::Code, {1.25, 0.0, 0.5});
     ASSERT_THAT(near, SizeIs(1)) << "the other one stays on the list";
     EXPECT_EQ(tagOf(near.front()), "yellow-2");
 }
 
 TEST(FindBook, WhatIsEditedOverAnOldFormLeavesWhatWasFilledInSince) {
-    VictimSample before, newest, after;
+    FindSample before, newest, after;
     before.heat.value = 33.0;
     newest = after = before;
     newest.tag = "V-02";
@@ -321,7 +321,7 @@ TEST(FindBook, WhatIsEditedOverAnOldFormLeavesWhatWasFilledInSince) {
     newest.status = Status::Confirmed;
     after.situation = "trapped";
     after.sound.state = SignState::Absent;
-    const VictimSample whole = withEdits(newest, before, after);
+    const FindSample whole = withEdits(newest, before, after);
     EXPECT_EQ(whole.situation, "trapped");
     EXPECT_EQ(whole.sound.state, SignState::Absent);
     EXPECT_EQ(whole.tag, "V-02");
@@ -340,7 +340,7 @@ TEST(FindBook, CandidatesBesideAPlaceAreThoseThatAreShownAndNoOtherFind) {
         one.confidence = confidence;
         one.victim = victim;
         one.dismissed = dismissed;
-        mission.say(one);
+        mission.publish(one);
     };
     mission.file(seenAt(9.0));
     believe(1, 1.2, 0.8, 0, false);

@@ -9,7 +9,7 @@
 namespace leitstand {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 using Cause = FindMove::Cause;
 using Said = ScanPosesSample::Cause;
 using testing::IsEmpty;
@@ -31,13 +31,13 @@ struct Mission {
         KeyScanSample key;
         key.id = 4;
         key.scan = std::make_shared<const Scan>();
-        say(key);
+        publish(key);
         FrozenEvidence frozen;
         frozen.scan = 4;
         frozen.positionInScan = frozen.positionInMap = {2.0, 0.0, 0.3};
-        say(filed(state, Kind::Victim, frozen, "s", Time(std::chrono::seconds(1))));
+        publish(filed(state, Kind::Victim, frozen, "s", Time(std::chrono::seconds(1))));
     }
-    void say(const Sample& sample) {
+    void publish(const Sample& sample) {
         ++sequence;
         state = fold(std::move(state), {sequence, Time(std::chrono::seconds(sequence)), "", "/leitstand/x",
                                         std::nullopt, "", sample});
@@ -47,10 +47,10 @@ struct Mission {
         poses.station = "s";
         poses.cause = cause;
         poses.poses = {{.scan = 4, .scanInMap = along(x), .trust = trust}};
-        say(poses);
+        publish(poses);
     }
     void undo(std::uint64_t event) {
-        say(UndoSample{Time(std::chrono::seconds(sequence)), "s", event, "undo"});
+        publish(UndoSample{Time(std::chrono::seconds(sequence)), "s", event, "undo"});
     }
 };
 
@@ -61,8 +61,8 @@ TEST(FindMoves, EachCauseIsToldWithTimeAndPlaces) {
                                                         {Said::LoopClosure, Cause::LoopClosure},
                                                         {Said::Operator, Cause::Operator}};
     double x = 0.0;
-    for (const auto& [said, cause] : causes) {
-        mission.put(x + 0.3, said);
+    for (const auto& [reported, cause] : causes) {
+        mission.put(x + 0.3, reported);
         const auto moves = mission.moves.follow(mission.state);
         ASSERT_THAT(moves, SizeIs(1));
         EXPECT_EQ(moves[0].find, V1);
@@ -112,12 +112,12 @@ TEST(FindMoves, AScanThatIsSetAsideWhereItWasMovesNothing) {
 
 TEST(FindMoves, WhatPeopleMoveOrFillInIsNoMoveWithAScan) {
     Mission mission;
-    mission.say(*movedTo(mission.state, V1, {5.0, 0.0, 0.3}, "s", Time(std::chrono::seconds(9))));
+    mission.publish(*movedTo(mission.state, V1, {5.0, 0.0, 0.3}, "s", Time(std::chrono::seconds(9))));
     mission.undo(mission.sequence);
-    VictimSample form = mission.state.victims->at(V1).victim;
+    FindSample form = mission.state.finds->at(V1).victim;
     form.situation = "void";
     mission.put(0.03, Said::Registration);
-    mission.say(*filledIn(mission.state, form, "s", Time(std::chrono::seconds(10))));
+    mission.publish(*filledIn(mission.state, form, "s", Time(std::chrono::seconds(10))));
     EXPECT_THAT(mission.moves.follow(mission.state), IsEmpty());
     mission.put(0.06, Said::Registration);
     EXPECT_THAT(mission.moves.follow(mission.state), SizeIs(1)) << "what came before the form counts too";

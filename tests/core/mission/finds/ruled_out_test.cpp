@@ -51,21 +51,21 @@ TEST(RuledOut, WarmthWhereOnlySomethingMovedIsNews) {
 TEST(RuledOut, BesideAFindThatWasDiscardedThereMayBeAnother) {
     TestedBook book;
     book.give({.place = {2.0, 1.0, 0.2}});
-    CandidateSample filed = book.told.at(1);
+    CandidateSample filed = book.reported.at(1);
     filed.victim = 4;
     filed.stamp += std::chrono::milliseconds(100);
     book.book.take(filed);
     book.give({.place = {2.0, 1.6, 0.2}});
     book.pass(2.0);
-    EXPECT_EQ(book.told.size(), 1U) << "while it stands, that is a part of it";
-    book.book.discarded(VictimSample::Kind::Victim, 4, true);
+    EXPECT_EQ(book.reported.size(), 1U) << "while it stands, that is a part of it";
+    book.book.discarded(FindSample::Kind::Victim, 4, true);
     book.give({.place = {2.0, 1.7, 0.2}}, 12);
     book.pass(2.0);
-    ASSERT_EQ(book.told.size(), 2U);
-    EXPECT_NEAR(book.told.at(2).positionInMap.y(), 1.7, 0.1);
+    ASSERT_EQ(book.reported.size(), 2U);
+    EXPECT_NEAR(book.reported.at(2).positionInMap.y(), 1.7, 0.1);
     book.updates = 0;
     book.give({.place = {2.0, 1.0, 0.2}}, 30);
-    EXPECT_EQ(book.told.size(), 2U) << "the discarded one itself stays off";
+    EXPECT_EQ(book.reported.size(), 2U) << "the discarded one itself stays off";
 }
 
 TEST(RuledOut, WhatWasDismissedDoesNotBreathe) {

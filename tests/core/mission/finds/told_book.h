@@ -23,7 +23,7 @@ struct GivenCue {
 /// A book of candidates on a clock of its own, and what it told of each last.
 struct TestedBook {
     CandidateBook book{"us"};
-    std::map<std::uint32_t, CandidateSample> told;
+    std::map<std::uint32_t, CandidateSample> reported;
     int updates = 0;
     double time = 0.0;
 
@@ -39,7 +39,7 @@ struct TestedBook {
             cue.cue.confidence = given.confidence;
             cue.cue.text = given.text;
             cue.cue.stamp = at(time);
-            if (given.kind == "code") cue.what = VictimSample::Kind::Code;
+            if (given.kind == "code") cue.what = FindSample::Kind::Code;
             cue.inMap = given.place;
             cue.covariance = given.deviation * given.deviation * Eigen::Matrix3d::Identity();
             book.add(cue);
@@ -49,18 +49,18 @@ struct TestedBook {
     void pass(double seconds) {
         time += seconds;
         for (const CandidateSample& one : book.due(at(time))) {
-            told[one.id] = one;
+            reported[one.id] = one;
             ++updates;
         }
     }
     void dismiss(std::uint32_t id) {
-        told.at(id) = judged(told.at(id), true, "us", at(time + 0.1));
-        book.take(told.at(id));
+        reported.at(id) = judged(reported.at(id), true, "us", at(time + 0.1));
+        book.take(reported.at(id));
     }
     [[nodiscard]] std::vector<CandidateSample> victims() const {
         std::vector<CandidateSample> list;
-        for (const auto& [id, one] : told) {
-            if (!one.dismissed && one.kind == VictimSample::Kind::Victim) list.push_back(one);
+        for (const auto& [id, one] : reported) {
+            if (!one.dismissed && one.kind == FindSample::Kind::Victim) list.push_back(one);
         }
         return list;
     }

@@ -32,13 +32,13 @@ TEST(VictimTags, AVictimThatIsColdAndStillIsToldByItsTagAlone) {
     book.give(tagOf("V-04"), 2);
     book.pass(2.0);
     ASSERT_EQ(book.victims().size(), 1U);
-    const CandidateSample told = book.victims().front();
-    EXPECT_LT((told.positionInMap - Eigen::Vector3d(2.0, 1.0, 0.1)).norm(), 1e-6);
-    EXPECT_NEAR(told.confidence, 0.6, 0.01) << "just worth a look";
-    EXPECT_GT(told.deviation, 0.2) << "its tag is not its middle";
-    ASSERT_EQ(told.cues.size(), 1U);
-    EXPECT_EQ(told.cues.front().kind, "tag");
-    EXPECT_EQ(told.cues.front().text, "V-04");
+    const CandidateSample reported = book.victims().front();
+    EXPECT_LT((reported.positionInMap - Eigen::Vector3d(2.0, 1.0, 0.1)).norm(), 1e-6);
+    EXPECT_NEAR(reported.confidence, 0.6, 0.01) << "just worth a look";
+    EXPECT_GT(reported.deviation, 0.2) << "its tag is not its middle";
+    ASSERT_EQ(reported.cues.size(), 1U);
+    EXPECT_EQ(reported.cues.front().kind, "tag");
+    EXPECT_EQ(reported.cues.front().text, "V-04");
 }
 
 TEST(VictimTags, OtherCodesAreNoVictims) {

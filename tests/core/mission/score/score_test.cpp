@@ -6,7 +6,7 @@
 namespace leitstand {
 namespace {
 
-using Kind = VictimSample::Kind;
+using Kind = FindSample::Kind;
 using State = VictimSign::State;
 using testing::SizeIs;
 
@@ -24,10 +24,10 @@ ScoreProfile rules() {
     return profile;
 }
 
-VictimSample whole(std::uint32_t number, const std::string& area) {
-    VictimSample victim;
+FindSample whole(std::uint32_t number, const std::string& area) {
+    FindSample victim;
     victim.number = number;
-    victim.status = VictimSample::Status::Confirmed;
+    victim.status = FindSample::Status::Confirmed;
     victim.area = area;
     victim.positionInMap = {1.0, 2.0, 0.3};
     for (VictimSign* sign : {&victim.form, &victim.motion, &victim.heat, &victim.sound, &victim.co2})
@@ -37,10 +37,10 @@ VictimSample whole(std::uint32_t number, const std::string& area) {
     return victim;
 }
 
-MissionState missionOf(const std::vector<VictimSample>& finds) {
+MissionState missionOf(const std::vector<FindSample>& finds) {
     MissionState state;
-    for (const VictimSample& find : finds)
-        state.victims.edit()[{find.kind, find.number}] = {find.number, find.number, find};
+    for (const FindSample& find : finds)
+        state.finds.edit()[{find.kind, find.number}] = {find.number, find.number, find};
     return state;
 }
 
@@ -53,11 +53,11 @@ TEST(Score, AVictimThatIsToldWholeBringsAllPointsOfItsArea) {
 }
 
 TEST(Score, TellsWhatOneMoreSignWouldBringLargestFirst) {
-    VictimSample victim = whole(1, "red");
+    FindSample victim = whole(1, "red");
     victim.sound.state = State::Unknown;
     victim.tag.clear();
-    VictimSample hypothesis = whole(2, "yellow");
-    hypothesis.status = VictimSample::Status::Hypothesis;
+    FindSample hypothesis = whole(2, "yellow");
+    hypothesis.status = FindSample::Status::Hypothesis;
     const auto result = score(rules(), missionOf({victim, hypothesis}));
     EXPECT_DOUBLE_EQ(result.score, 43.0);
     ASSERT_THAT(result.advice, SizeIs(3));
@@ -66,9 +66,9 @@ TEST(Score, TellsWhatOneMoreSignWouldBringLargestFirst) {
     EXPECT_DOUBLE_EQ(result.advice[0].gain, 25.0);
     EXPECT_EQ(result.advice[1].item, ScoreItem::Tag);
     EXPECT_DOUBLE_EQ(result.advice[2].gain, 2.0);
-    VictimSample told = victim;
-    told.sound.state = State::Absent;
-    EXPECT_DOUBLE_EQ(score(rules(), missionOf({told, hypothesis})).score - result.score, 2.0)
+    FindSample stated = victim;
+    stated.sound.state = State::Absent;
+    EXPECT_DOUBLE_EQ(score(rules(), missionOf({stated, hypothesis})).score - result.score, 2.0)
         << "the advice keeps its promise; to know that a victim is silent counts as much";
 }
 
@@ -90,7 +90,7 @@ TEST(Score, WhatNoAreaIsToldOfIsInTheMissions) {
 }
 
 TEST(Score, AutonomyCountsByWhereItWasComputed) {
-    VictimSample driven = whole(1, "red"), itself = whole(2, "red");
+    FindSample driven = whole(1, "red"), itself = whole(2, "red");
     driven.autonomous = itself.autonomous = true;
     itself.evidence = {{"sighting", "/kurt3d/sightings", 9, {}}};
     const auto result = score(rules(), missionOf({driven, itself}));
@@ -99,8 +99,8 @@ TEST(Score, AutonomyCountsByWhereItWasComputed) {
 }
 
 TEST(Score, DiscardedFindsCountNothingAndHazardsTheirOwn) {
-    VictimSample gone = whole(1, "red"), sign = whole(1, "red");
-    gone.status = VictimSample::Status::Discarded;
+    FindSample gone = whole(1, "red"), sign = whole(1, "red");
+    gone.status = FindSample::Status::Discarded;
     sign.kind = Kind::Hazard;
     const auto result = score(rules(), missionOf({gone, sign}));
     ASSERT_THAT(result.finds, SizeIs(1));

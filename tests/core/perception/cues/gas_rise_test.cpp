@@ -36,13 +36,13 @@ TEST(GasRise, TellsABreathWhileItIsThereAndNotWhileTheSensorRecovers) {
     Sensor sensor;
     for (int i = 0; i < 30; ++i) (void)sensor.breathe(420.0);
     std::optional<GasRise> rise;
-    int told = 0;
+    int reported = 0;
     for (int i = 0; i < 40; ++i) {
-        if ((rise = sensor.breathe(900.0))) ++told;
+        if ((rise = sensor.breathe(900.0))) ++reported;
     }
     ASSERT_TRUE(rise);
     EXPECT_NEAR(rise->rise(), 480.0, 60.0);
-    EXPECT_GT(told, 25);
+    EXPECT_GT(reported, 25);
     for (int i = 0; i < 8; ++i) (void)sensor.breathe(420.0);
     for (int i = 0; i < 40; ++i) EXPECT_FALSE(sensor.breathe(420.0).has_value()) << i;
 }

@@ -26,20 +26,20 @@ ThinRobot kurt(const std::string& name, bool selected) {
     return robot;
 }
 
-double costOf(const std::vector<ThinRobot>& robots, const std::map<std::string, StreamWish>& wishes) {
+double costOf(const std::vector<ThinRobot>& robots, const std::map<std::string, StreamRequest>& requests) {
     double sum = 0.0;
     for (const ThinRobot& robot : robots) {
         for (const StreamCost& stream : robot.streams) {
-            const auto wish = wishes.find(stream.topic);
-            sum += costUnder(stream, wish == wishes.end() ? StreamWish{} : wish->second);
+            const auto request = requests.find(stream.topic);
+            sum += costUnder(stream, request == requests.end() ? StreamRequest{} : request->second);
         }
     }
     return sum;
 }
 
 TEST(ThinLink, WhatFitsIsLeftAsItIs) {
-    EXPECT_THAT(thinWishes({kurt("k", true)}, {.budget = 10.0}), IsEmpty());
-    EXPECT_THAT(thinWishes({}, {.budget = 0.0}), IsEmpty());
+    EXPECT_THAT(thinRequests({kurt("k", true)}, {.budget = 10.0}), IsEmpty());
+    EXPECT_THAT(thinRequests({}, {.budget = 0.0}), IsEmpty());
 }
 
 TEST(ThinLink, HeadersAreCountedWithWhatTheyCarry) {
@@ -52,37 +52,37 @@ TEST(ThinLink, HeadersAreCountedWithWhatTheyCarry) {
 
 TEST(ThinLink, TheRestGoesFirstAndComesBackAsAGlimpse) {
     const std::vector<ThinRobot> robots = {kurt("k", true)};
-    const auto wishes = thinWishes(robots, {.budget = 3.2});
-    EXPECT_LE(costOf(robots, wishes), 3.0);
-    EXPECT_FALSE(wishes.contains("/k/points"));
-    EXPECT_FALSE(wishes.contains("/k/imu"));
-    EXPECT_EQ(wishes.at("/k/left").rate, 10.0) << "the main camera, hardly reduced";
-    EXPECT_EQ(wishes.at("/k/right").rate, 1.0);
-    EXPECT_EQ(wishes.at("/k/ir").rate, 1.0);
-    EXPECT_EQ(wishes.at("/k/ir").quality, 0) << "temperatures are never made coarse";
+    const auto requests = thinRequests(robots, {.budget = 3.2});
+    EXPECT_LE(costOf(robots, requests), 3.0);
+    EXPECT_FALSE(requests.contains("/k/points"));
+    EXPECT_FALSE(requests.contains("/k/imu"));
+    EXPECT_EQ(requests.at("/k/left").rate, 10.0) << "the main camera, hardly reduced";
+    EXPECT_EQ(requests.at("/k/right").rate, 1.0);
+    EXPECT_EQ(requests.at("/k/ir").rate, 1.0);
+    EXPECT_EQ(requests.at("/k/ir").quality, 0) << "temperatures are never made coarse";
 }
 
 TEST(ThinLink, TheCameraThatTheDriverLooksThroughIsTheOneThatStays) {
     ThinRobot robot = kurt("k", true);
     robot.camera = "/k/right";
-    auto wishes = thinWishes({robot}, {.budget = 3.2});
-    EXPECT_EQ(wishes.at("/k/right").rate, 10.0);
-    EXPECT_EQ(wishes.at("/k/left").rate, 1.0);
+    auto requests = thinRequests({robot}, {.budget = 3.2});
+    EXPECT_EQ(requests.at("/k/right").rate, 10.0);
+    EXPECT_EQ(requests.at("/k/left").rate, 1.0);
     robot.camera = "/k/ir";
     for (const double budget : {3.0, 2.0, 0.1}) {
-        wishes = thinWishes({robot}, {.budget = budget});
-        EXPECT_TRUE(wishes.at("/k/ir").enabled) << budget;
-        EXPECT_EQ(wishes.at("/k/ir").quality, 0) << "temperatures are never made coarse";
+        requests = thinRequests({robot}, {.budget = budget});
+        EXPECT_TRUE(requests.at("/k/ir").enabled) << budget;
+        EXPECT_EQ(requests.at("/k/ir").quality, 0) << "temperatures are never made coarse";
     }
     robot.camera = "/k/odom";
-    EXPECT_EQ(thinWishes({robot}, {.budget = 3.2}).at("/k/left").rate, 10.0) << "no camera: its first";
+    EXPECT_EQ(thinRequests({robot}, {.budget = 3.2}).at("/k/left").rate, 10.0) << "no camera: its first";
 }
 
 TEST(ThinLink, OneCameraIsReducedButNeverOff) {
     double before = 100.0;
     for (const double budget : {3.0, 2.4, 2.0, 1.8, 1.7, 0.1}) {
-        const auto wishes = thinWishes({kurt("k", true)}, {.budget = budget});
-        const StreamWish& camera = wishes.at("/k/left");
+        const auto requests = thinRequests({kurt("k", true)}, {.budget = budget});
+        const StreamRequest& camera = requests.at("/k/left");
         EXPECT_TRUE(camera.enabled);
         EXPECT_LE(camera.rate, before);
         before = camera.rate;
@@ -92,59 +92,59 @@ TEST(ThinLink, OneCameraIsReducedButNeverOff) {
 
 TEST(ThinLink, ScansOfTheSelectedRobotOutliveItsCameraAndThoseOfOthers) {
     const std::vector<ThinRobot> robots = {kurt("k", true), kurt("c", false)};
-    const auto wishes = thinWishes(robots, {.budget = 2.2});
-    EXPECT_LE(costOf(robots, wishes), 2.0);
-    EXPECT_FALSE(wishes.contains("/k/points"));
-    EXPECT_FALSE(wishes.at("/c/points").enabled);
-    EXPECT_LE(wishes.at("/c/left").rate, 1.0) << "at most a glimpse";
-    EXPECT_FALSE(wishes.at("/c/ir").isPlain());
-    EXPECT_TRUE(wishes.at("/k/left").enabled);
-    EXPECT_FALSE(thinWishes(robots, {.budget = 4.0}).contains("/c/points")) << "there is room for it";
+    const auto requests = thinRequests(robots, {.budget = 2.2});
+    EXPECT_LE(costOf(robots, requests), 2.0);
+    EXPECT_FALSE(requests.contains("/k/points"));
+    EXPECT_FALSE(requests.at("/c/points").enabled);
+    EXPECT_LE(requests.at("/c/left").rate, 1.0) << "at most a glimpse";
+    EXPECT_FALSE(requests.at("/c/ir").isPlain());
+    EXPECT_TRUE(requests.at("/k/left").enabled);
+    EXPECT_FALSE(thinRequests(robots, {.budget = 4.0}).contains("/c/points")) << "there is room for it";
 }
 
 TEST(ThinLink, TelemetryOutlivesScansAndIsSlowedLast) {
-    auto wishes = thinWishes({kurt("k", true)}, {.budget = 1.2});
-    EXPECT_EQ(wishes.at("/k/points").rate, 5.0);
-    EXPECT_FALSE(wishes.contains("/k/imu"));
-    wishes = thinWishes({kurt("k", true)}, {.budget = 0.6});
-    EXPECT_EQ(wishes.at("/k/points").rate, 1.0);
-    EXPECT_FALSE(wishes.contains("/k/imu"));
-    wishes = thinWishes({kurt("k", true)}, {.budget = 0.3});
-    EXPECT_EQ(wishes.at("/k/points").rate, 1.0) << "never off";
-    EXPECT_EQ(wishes.at("/k/imu").rate, 5.0);
+    auto requests = thinRequests({kurt("k", true)}, {.budget = 1.2});
+    EXPECT_EQ(requests.at("/k/points").rate, 5.0);
+    EXPECT_FALSE(requests.contains("/k/imu"));
+    requests = thinRequests({kurt("k", true)}, {.budget = 0.6});
+    EXPECT_EQ(requests.at("/k/points").rate, 1.0);
+    EXPECT_FALSE(requests.contains("/k/imu"));
+    requests = thinRequests({kurt("k", true)}, {.budget = 0.3});
+    EXPECT_EQ(requests.at("/k/points").rate, 1.0) << "never off";
+    EXPECT_EQ(requests.at("/k/imu").rate, 5.0);
 }
 
 TEST(ThinLink, WhatStopsAndWhereRobotsAreIsNeverTouched) {
-    const auto wishes = thinWishes({kurt("k", true), kurt("c", false)}, {.budget = 0.0});
+    const auto requests = thinRequests({kurt("k", true), kurt("c", false)}, {.budget = 0.0});
     for (const char* robot : {"/k", "/c"}) {
-        EXPECT_FALSE(wishes.contains(std::string(robot) + "/stop_state"));
-        EXPECT_FALSE(wishes.contains(std::string(robot) + "/odom"));
-        EXPECT_EQ(wishes.at(std::string(robot) + "/imu").rate, 5.0);
+        EXPECT_FALSE(requests.contains(std::string(robot) + "/stop_state"));
+        EXPECT_FALSE(requests.contains(std::string(robot) + "/odom"));
+        EXPECT_EQ(requests.at(std::string(robot) + "/imu").rate, 5.0);
     }
 }
 
 TEST(ThinLink, RobotsThatAreNotThinOnlyTakeTheirRoom) {
     ThinRobot other = kurt("c", false);
     other.thin = false;
-    const auto wishes = thinWishes({kurt("k", true), other}, {.budget = 3.0});
-    EXPECT_TRUE(wishes.contains("/k/left"));
-    for (const auto& [topic, wish] : wishes) EXPECT_EQ(topic.substr(0, 3), "/k/") << topic;
+    const auto requests = thinRequests({kurt("k", true), other}, {.budget = 3.0});
+    EXPECT_TRUE(requests.contains("/k/left"));
+    for (const auto& [topic, request] : requests) EXPECT_EQ(topic.substr(0, 3), "/k/") << topic;
 }
 
 TEST(ThinLink, WhatWasNeverMeasuredCountsAsUsual) {
     ThinRobot robot = kurt("k", true);
     for (StreamCost& stream : robot.streams) stream.rate = 0.0, stream.megabits = -1.0;
-    EXPECT_TRUE(thinWishes({robot}, {.budget = 2.0}).contains("/k/right"));
+    EXPECT_TRUE(thinRequests({robot}, {.budget = 2.0}).contains("/k/right"));
 }
 
-TEST(StreamWish, TheStricterOfTwoSatisfiesBoth) {
-    const StreamWish wish = stricter({true, 5.0, 0, 640}, {true, 10.0, 40, 320});
-    EXPECT_EQ(wish, (StreamWish{true, 5.0, 40, 320}));
+TEST(StreamRequest, TheStricterOfTwoSatisfiesBoth) {
+    const StreamRequest request = stricter({true, 5.0, 0, 640}, {true, 10.0, 40, 320});
+    EXPECT_EQ(request, (StreamRequest{true, 5.0, 40, 320}));
     EXPECT_FALSE(stricter({.enabled = false}, {}).enabled);
     EXPECT_TRUE(stricter({}, {}).isPlain());
 }
 
-TEST(StreamWish, IsFollowedWhenTheRateIsNotAboveIt) {
+TEST(StreamRequest, IsFollowedWhenTheRateIsNotAboveIt) {
     StreamStatus stream;
     stream.rate = 15.0;
     stream.age = 0.05;

@@ -31,28 +31,28 @@ struct Calm {
         battery.fraction = 0.7;
         battery.capacity = 10.0;
         battery.current = -7.0;
-        said.battery = Latest<BatterySample>{1, wallAt(-500), battery};
+        reported.battery = Latest<BatterySample>{1, wallAt(-500), battery};
         GasSample gas;
         gas.ppm = 640.0;
-        said.gas = Latest<GasSample>{1, wallAt(-500), gas};
-        said.diagnostics = Latest<DiagnosticsSample>{1, wallAt(-500), {}};
-        said.diagnostics->sample.statuses.push_back(
+        reported.gas = Latest<GasSample>{1, wallAt(-500), gas};
+        reported.diagnostics = Latest<DiagnosticsSample>{1, wallAt(-500), {}};
+        reported.diagnostics->sample.statuses.push_back(
             {DiagnosticStatus::Level::Warning, "motor_driver", "warm", "kurt3d", {}});
         view.link.clock = ClockStatus{.ahead = milliseconds(900), .uncertainty = milliseconds(20)};
     }
     void tilt(double roll, double pitch) {
         OdometrySample odometry;
         odometry.baseInOdom = poseFrom({1, 2, 0}, roll, pitch, 0.7);
-        said.odometry = Latest<OdometrySample>{1, wallAt(-20), odometry};
+        reported.odometry = Latest<OdometrySample>{1, wallAt(-20), odometry};
     }
-    BatterySample& battery() { return said.battery->sample; }
+    BatterySample& battery() { return reported.battery->sample; }
     [[nodiscard]] std::vector<AlarmCause> causes(const AlarmBook& book = AlarmBook()) const {
-        return alarmsOf({description, view, said, bumpAge, "front_left", spinning}, book, wallAt(0));
+        return alarmsOf({description, view, reported, bumpAge, "front_left", spinning}, book, wallAt(0));
     }
 
     RobotDescription description;
     RobotView view;
-    RobotState said;
+    RobotState reported;
     std::optional<double> bumpAge;
     double spinning = 0.0;
 };
@@ -100,13 +100,13 @@ TEST_P(AlarmRule, IsReadAgainFromTheLog) {
         robot.description.title = title;
         GetParam().change(robot);
         for (const AlarmCause& cause : robot.causes()) {
-            AlarmSample said;
-            said.robot = cause.id.robot;
-            said.key = logKey(cause.id);
-            said.severity = cause.severity == AlarmSeverity::Act ? AlarmSample::Severity::Critical
-                                                                 : AlarmSample::Severity::Warning;
-            said.text = cause.text;
-            const AlarmCause read = loggedCause(said);
+            AlarmSample reported;
+            reported.robot = cause.id.robot;
+            reported.key = logKey(cause.id);
+            reported.severity = cause.severity == AlarmSeverity::Act ? AlarmSample::Severity::Critical
+                                                                     : AlarmSample::Severity::Warning;
+            reported.text = cause.text;
+            const AlarmCause read = loggedCause(reported);
             EXPECT_EQ(read.id, cause.id);
             EXPECT_EQ(read.severity, cause.severity);
             EXPECT_EQ(read.text, cause.text);
@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"attitude of long ago",
              [](Calm& r) {
                  r.tilt(degrees(85), 0);
-                 r.said.odometry->received = wallAt(-1'500);
+                 r.reported.odometry->received = wallAt(-1'500);
              },
              nullptr},
         Case{"link lost",
@@ -181,15 +181,17 @@ INSTANTIATE_TEST_SUITE_P(
              },
              nullptr},
         Case{"nothing known of the battery", [](Calm& r) { r.battery() = {}; }, nullptr},
-        Case{"breath", [](Calm& r) { r.said.gas->sample.ppm = 2'100; }, alarm_key::Gas, Look, "2100 ppm"},
-        Case{"a broken sensor", [](Calm& r) { r.said.gas->sample.ppm = Unknown; }, nullptr},
+        Case{"breath", [](Calm& r) { r.reported.gas->sample.ppm = 2'100; }, alarm_key::Gas, Look, "2100 ppm"},
+        Case{"a broken sensor", [](Calm& r) { r.reported.gas->sample.ppm = Unknown; }, nullptr},
         Case{"a bump", [](Calm& r) { r.bumpAge = 0.4; }, alarm_key::Bump, Look, "front_left"},
         Case{"a bump of before", [](Calm& r) { r.bumpAge = 3.4; }, nullptr},
         Case{"wheels that spin", [](Calm& r) { r.spinning = 0.84; }, alarm_key::WheelsSpin, Look,
              "for 0.8 m"},
         Case{"wheels that slip", [](Calm& r) { r.spinning = 0.3; }, nullptr},
         Case{"a part in error",
-             [](Calm& r) { r.said.diagnostics->sample.statuses[0].level = DiagnosticStatus::Level::Error; },
+             [](Calm& r) {
+                 r.reported.diagnostics->sample.statuses[0].level = DiagnosticStatus::Level::Error;
+             },
              alarm_key::Diagnostics, Act, "motor_driver: warm"},
         Case{"a frozen picture",
              [](Calm& r) {
@@ -245,7 +247,7 @@ TEST(AlarmRules, WhatStandsTakesMoreToEndThanItTookToBegin) {
     Calm robot;
     AlarmBook book;
     const auto tellFor = [&](double value) {
-        robot.said.gas->sample.ppm = value;
+        robot.reported.gas->sample.ppm = value;
         const auto causes = robot.causes(book);
         book.update(causes, wallAt(0));
         book.update(causes, wallAt(1'000));

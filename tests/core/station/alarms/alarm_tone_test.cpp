@@ -40,9 +40,9 @@ TEST(AlarmVoice, AttentionIsHeardOnceActUntilItIsAcknowledged) {
     EXPECT_EQ(voice.due(false, 1, never, wallAt(100)), AlarmTone::Attention);
     for (int i = 2; i < 50; ++i) EXPECT_FALSE(voice.due(false, 1, never, wallAt(100 * i)));
     EXPECT_EQ(voice.due(true, 1, never, wallAt(5'000)), AlarmTone::Act);
-    int heard = 0;
-    for (int i = 1; i <= 60; ++i) heard += voice.due(true, 1, never, wallAt(5'000 + 100 * i)) ? 1 : 0;
-    EXPECT_EQ(heard, 4) << "again and again";
+    int received = 0;
+    for (int i = 1; i <= 60; ++i) received += voice.due(true, 1, never, wallAt(5'000 + 100 * i)) ? 1 : 0;
+    EXPECT_EQ(received, 4) << "again and again";
     EXPECT_FALSE(voice.due(false, 1, never, wallAt(20'000))) << "acknowledged";
 }
 

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/station/alarms/log_says.h"
+#include "core/station/alarms/log_format.h"
 
 namespace leitstand {
 namespace {
@@ -13,11 +13,11 @@ namespace {
 using testing::ElementsAre;
 
 AlarmCause read(const std::string& key, const std::string& text) {
-    AlarmSample said;
-    said.robot = "kurt3d";
-    said.key = key;
-    said.text = text;
-    return loggedCause(said);
+    AlarmSample reported;
+    reported.robot = "kurt3d";
+    reported.key = key;
+    reported.text = text;
+    return loggedCause(reported);
 }
 
 TEST(LoggedAlarm, FiguresComeFromTheText) {
@@ -79,20 +79,20 @@ TEST(LoggedAlarm, ThoseOfTheLogAreOfTheStation) {
 }
 
 TEST(LogSays, NewsAreKnownAgainWithTheirFigures) {
-    for (const char* words : log_says::All) {
-        const std::string said = withValues(words, {"1", "2.5", "3"});
-        EXPECT_STREQ(log_says::newsIn("/a: b/c.db3: " + said).words, words);
-        EXPECT_STREQ(log_says::newsIn(said).words, words);
+    for (const char* words : log_format::All) {
+        const std::string reported = withValues(words, {"1", "2.5", "3"});
+        EXPECT_STREQ(log_format::newsIn("/a: b/c.db3: " + reported).words, words);
+        EXPECT_STREQ(log_format::newsIn(reported).words, words);
     }
-    EXPECT_THAT(log_says::newsIn("/a.db3: the disk is full in 8 minutes at 3.2 MB/s").values,
+    EXPECT_THAT(log_format::newsIn("/a.db3: the disk is full in 8 minutes at 3.2 MB/s").values,
                 ElementsAre("8", "3.2"));
 }
 
 TEST(LogSays, OthersAreNone) {
-    for (const char* said : {"", "/a.db3", "/a.db3: disk I/O error", "/a.db3: the disk is full",
-                             "/a.db3: the disk is full in nan minutes at 1 MB/s",
-                             "/a.db3: the disk is full in 8 minutes at  MB/s"})
-        EXPECT_EQ(log_says::newsIn(said).words, nullptr) << said;
+    for (const char* reported : {"", "/a.db3", "/a.db3: disk I/O error", "/a.db3: the disk is full",
+                                 "/a.db3: the disk is full in nan minutes at 1 MB/s",
+                                 "/a.db3: the disk is full in 8 minutes at  MB/s"})
+        EXPECT_EQ(log_format::newsIn(reported).words, nullptr) << reported;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ protected:
         m_pad.buttons.assign(button::Count, false);
         m_mapping.setLimits({.speed = 0.5, .turnRate = 1.0, .sideways = false});
     }
-    PadWishes now(PadScope scope = PadScope::All) { return m_mapping.update(m_pad, scope); }
+    PadRequests now(PadScope scope = PadScope::All) { return m_mapping.update(m_pad, scope); }
     void push(int index, double value) { m_pad.axes[static_cast<std::size_t>(index)] = value; }
     void hold(int index, bool held = true) { m_pad.buttons[static_cast<std::size_t>(index)] = held; }
     /// The trigger, as an operator takes it who is about to drive.
@@ -143,7 +143,7 @@ TEST_F(PadMappingTest, APulledPlugIsZeroAndForgetsEverything) {
     push(axis::LeftY, -1.0);
     ASSERT_GT(now().drive.forward, 0.0);
     m_pad.connected = false;
-    EXPECT_EQ(now(), PadWishes{});
+    EXPECT_EQ(now(), PadRequests{});
     m_pad.connected = true;
     EXPECT_TRUE(isZero(now().drive));
     EXPECT_FALSE(now().driving);
@@ -159,7 +159,7 @@ TEST_F(PadMappingTest, StopIsOneEdgeAlwaysAndEverywhere) {
     push(axis::LeftY, -1.0);
     ASSERT_GT(now().drive.forward, 0.0);
     hold(button::B);
-    const PadWishes stopped = now();
+    const PadRequests stopped = now();
     EXPECT_TRUE(stopped.stop);
     EXPECT_TRUE(isZero(stopped.drive));
     EXPECT_FALSE(stopped.driving);
@@ -209,7 +209,7 @@ TEST_F(PadMappingTest, WhileTheRobotIsStoppedCommandsGoOnAndNothingMoves) {
     EXPECT_FALSE(isZero(now().drive));
     push(axis::RightX, -1.0);
     hold(button::Y);
-    const PadWishes stopped = now(PadScope::Commands);
+    const PadRequests stopped = now(PadScope::Commands);
     EXPECT_THAT(stopped.commands, testing::ElementsAre("robot.next"));
     EXPECT_TRUE(isZero(stopped.drive));
     EXPECT_FALSE(stopped.driving);
@@ -257,14 +257,14 @@ TEST_F(PadMappingTest, BrokenNumbersAndMissingControlsMoveNothing) {
     EXPECT_DOUBLE_EQ(now().drive.forward, DriveKeys::Usual * 0.5);
     m_pad.axes.clear();
     m_pad.buttons.clear();
-    EXPECT_EQ(now(), PadWishes{}) << "a pad with fewer controls than are bound";
+    EXPECT_EQ(now(), PadRequests{}) << "a pad with fewer controls than are bound";
 }
 
 TEST_F(PadMappingTest, AnUnknownJoystickMovesNothingUntilItIsBound) {
     m_mapping.setBindings(defaultBindings(PadLayout::Plain));
     for (double& one : m_pad.axes) one = 1.0;
     m_pad.buttons.assign(m_pad.buttons.size(), true);
-    EXPECT_EQ(now(), PadWishes{});
+    EXPECT_EQ(now(), PadRequests{});
     // A joystick with one trigger button and a throttle that rests at its lower end.
     PadBindings bindings = defaultBindings(PadLayout::Plain);
     ASSERT_TRUE(bindPad(bindings, PadAction::DeadMan, padButton(0)));

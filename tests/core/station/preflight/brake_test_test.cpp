@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/station/preflight/brake_says.h"
+#include "core/station/preflight/brake_format.h"
 
 namespace leitstand::test {
 namespace {
@@ -30,12 +30,12 @@ public:
         const BrakeTest::Step step = test.step(facts, now);
         silent = step.silent;
         if (!step.silent) {
-            wish = step.sticks.forward;
-            told = now;
-        } else if (now - told > watchdog) {
-            wish = 0.0;
+            request = step.sticks.forward;
+            reported = now;
+        } else if (now - reported > watchdog) {
+            request = 0.0;
         }
-        if (moves) speed += std::clamp(wish - speed, -0.02, 0.02);
+        if (moves) speed += std::clamp(request - speed, -0.02, 0.02);
         x += 0.02 * speed;
         stamp += 20ms;
         test.odometry(stamp, {x, 0.0}, speed, 0.0);
@@ -44,9 +44,9 @@ public:
     BrakeFacts facts{.mayDrive = true, .listening = true, .needsNeutral = false, .spaceAhead = 2.0};
     std::chrono::nanoseconds watchdog = 300ms;
     bool holding = true, moves = true, silent = false;
-    SteadyTime now{100s}, told{100s};
+    SteadyTime now{100s}, reported{100s};
     Time stamp{std::chrono::seconds(5'000)};  // its clock is another one
-    double speed = 0.0, x = 0.0, wish = 0.0;
+    double speed = 0.0, x = 0.0, request = 0.0;
 };
 
 TEST(BrakeTest, ARobotWithAWatchdogPasses) {
@@ -102,7 +102,7 @@ TEST(BrakeTest, LettingTheKeyGoEndsItWithoutAVerdict) {
     for (int i = 0; i < 20; ++i) track.tick();
     EXPECT_EQ(track.test.result().verdict, Verdict::Inconclusive);
     EXPECT_THAT(toString(track.test.result()), HasSubstr("the key was let go"));
-    EXPECT_EQ(track.wish, 0.0);
+    EXPECT_EQ(track.request, 0.0);
     EXPECT_FALSE(track.silent);
 }
 

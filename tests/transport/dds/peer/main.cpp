@@ -57,10 +57,10 @@ int echo(Node& node, const std::string& topic, const Options& options) {
     const auto type = options.contains("type") ? options.at("type") : "std_msgs/msg/String";
     auto back = node.publisher({topic + "/back", type, qosOf(options), Flow::Immediate});
     if (!back) return 1;
-    auto heard = node.subscribe({topic, type, qosOf(options), Lane::Small}, [&](ReceivedSample sample) {
+    auto received = node.subscribe({topic, type, qosOf(options), Lane::Small}, [&](ReceivedSample sample) {
         static_cast<void>((*back)->write(sample.event.cdr));
     });
-    if (!heard) return 1;
+    if (!received) return 1;
     std::puts("ready");
     std::fflush(stdout);
     while (!stopped) std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -21,7 +21,7 @@ namespace {
 using namespace leitstand;
 using namespace leitstand::test;
 
-void say(const char* word) {
+void publish(const char* word) {
     std::puts(word);
     std::fflush(stdout);
 }
@@ -32,12 +32,12 @@ void say(const char* word) {
 
 [[noreturn]] void beRobot(Node& node) {
     ControlRobot robot(node, drivenRobot());
-    say("ready");
+    publish("ready");
     bool moved = false, stopped = false;
     for (;;) {
         const bool moves = robot.speed() != 0.0, stops = robot.commands().isStopped();
-        if (moves != moved) say(moves ? "moves" : "rests");
-        if (stops != stopped) say(stops ? "stopped" : "free");
+        if (moves != moved) publish(moves ? "moves" : "rests");
+        if (stops != stopped) publish(stops ? "stopped" : "free");
         moved = moves;
         stopped = stops;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -46,14 +46,14 @@ void say(const char* word) {
 
 [[noreturn]] void beStation(Node& node, const std::string& id, const std::string& term, double speed) {
     ControlStation station(node, drivenRobot(), {id, "Peer", {{driveGrant("kurt3d"), std::stoull(term)}}});
-    say("ready");
+    publish("ready");
     const StreamDescription odometry = *drivenRobot().stream(StreamRole::Odometry);
     std::atomic<bool> moves = false;
     const auto listening =
         must(node.subscribe({odometry.topic, odometry.type, odometry.qos}, [&](const ReceivedSample& sample) {
             moves = std::get<OdometrySample>(must(decode(sample.event, odometry))).linear.x() == speed;
         }));
-    if (station.driveUntil(speed, [&] { return moves.load(); })) say("drives");
+    if (station.driveUntil(speed, [&] { return moves.load(); })) publish("drives");
     waitForTheEnd();
 }
 
@@ -75,9 +75,9 @@ int main(int argc, char** argv) {
     if (words[0] == "station" && words.size() == 5)
         beStation(**node, words[2], words[3], std::stod(words[4]));
     if (words[0] == "listen" && words.size() == 4) {
-        std::atomic<bool> heard = false;
+        std::atomic<bool> received = false;
         const auto reader = must((*node)->subscribe({words[2], words[3], Qos{}}, [&](const ReceivedSample&) {
-            if (!heard.exchange(true)) say("heard");
+            if (!received.exchange(true)) publish("heard");
         }));
         waitForTheEnd();
     }

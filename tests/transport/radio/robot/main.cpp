@@ -58,8 +58,9 @@ void play(std::vector<Stream>& all, Clock::time_point end) {
                                    std::chrono::duration<double>(stream.written / stream.rate));
             };
             if (due() <= Clock::now()) {
-                const auto said = stream.publisher->write(test::testPayload(stream.bytes, ++stream.written));
-                if (!said) return static_cast<void>(std::fputs(said.error().text.c_str(), stderr));
+                const auto reported =
+                    stream.publisher->write(test::testPayload(stream.bytes, ++stream.written));
+                if (!reported) return static_cast<void>(std::fputs(reported.error().text.c_str(), stderr));
             }
             next = std::min(next, due());
         }

@@ -27,10 +27,10 @@ const QString Degree(QChar(0xb0));
 /// Returns the most pressing thing that must be known before the robot moves.
 std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, const StopLine& stop) {
     if (mode.kind == ModeKind::Lost || robot.link.state == LinkState::NeverSeen) {
-        const QString said = stop.stage == StopStage::None
-                                 ? mode.reason
-                                 : DriveTexts::tr("stop %1 · %2").arg(stop.text, mode.reason);
-        return {said, mode.kind == ModeKind::Lost ? Tone::Attention : Tone::Muted};
+        const QString reported = stop.stage == StopStage::None
+                                     ? mode.reason
+                                     : DriveTexts::tr("stop %1 · %2").arg(stop.text, mode.reason);
+        return {reported, mode.kind == ModeKind::Lost ? Tone::Attention : Tone::Muted};
     }
     if (stop.stage != StopStage::None) {
         if (!stop.details.isEmpty()) return {stop.text + QStringLiteral(" · ") + stop.details, stop.tone};
@@ -44,8 +44,8 @@ std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, c
     if (!drive.drivable) return {DriveTexts::tr("takes no drive commands"), Tone::Muted};
     if (!robot.grant.mine) return {mode.reason, Tone::Muted};
     // Without the sticks nothing is sent, so it is enough that the robot is reachable.
-    const bool hears = drive.listening || (!drive.focus && drive.reachable);
-    if (!hears) return {DriveTexts::tr("does not hear drive commands"), Tone::Attention};
+    const bool receives = drive.listening || (!drive.focus && drive.reachable);
+    if (!receives) return {DriveTexts::tr("does not hear drive commands"), Tone::Attention};
     if (!drive.focus) {
         const bool busy = mode.kind == ModeKind::Autonomous && !mode.reason.isEmpty();
         return {busy ? mode.reason : DriveTexts::tr("the sticks are not on this robot"), Tone::Muted};
@@ -60,12 +60,12 @@ std::pair<QString, Tone> hintOf(const RobotView& robot, const ModeLabel& mode, c
 }
 
 void fillMotion(DriveState& state, const RobotDescription& description, const RobotView& robot,
-                const RobotState& said, Time now) {
+                const RobotState& reported, Time now) {
     state.speed = {Dash, DriveTexts::tr("m/s"), Tone::Muted};
     state.turn = {Dash, DriveTexts::tr("°/s"), Tone::Muted};
     state.nearest = {Dash, DriveTexts::tr("m"), Tone::Muted};
-    if (isFresh(said.odometry, now, 1.0)) {
-        const OdometrySample& odometry = said.odometry->sample;
+    if (isFresh(reported.odometry, now, 1.0)) {
+        const OdometrySample& odometry = reported.odometry->sample;
         const double speed = odometry.linear.x(), turn = inDegrees(odometry.angular.z());
         if (std::isfinite(speed)) state.speed = {numberText(speed, 2), state.speed.unit, Tone::Normal};
         if (std::isfinite(turn)) state.turn = {numberText(turn, 0), state.turn.unit, Tone::Normal};
@@ -117,7 +117,7 @@ TrackFigures tracksOf(const RobotDescription& description, const RobotView& robo
     return figures;
 }
 
-AttitudeFigures attitudeOf(const RobotDescription& description, const RobotState& said, Time now,
+AttitudeFigures attitudeOf(const RobotDescription& description, const RobotState& reported, Time now,
                            const AlarmLimits& limits) {
     AttitudeFigures figures;
     figures.maxRoll = description.maxRoll;
@@ -128,7 +128,7 @@ AttitudeFigures attitudeOf(const RobotDescription& description, const RobotState
         figures.limits = roll == pitch ? DriveTexts::tr("tips at %1").arg(roll)
                                        : DriveTexts::tr("tips at %1 · %2").arg(roll, pitch);
     }
-    const auto angles = rollAndPitch(description, said, now);
+    const auto angles = rollAndPitch(description, reported, now);
     if (!angles) {
         figures.text = DriveTexts::tr("no attitude");
         figures.tone = Tone::Muted;
@@ -151,14 +151,14 @@ Tone toneBelow(double value, double look, double act) {
     return value <= act ? Tone::Act : value <= look ? Tone::Attention : Tone::Normal;
 }
 
-BatteryFigures batteryOf(const RobotState& said, Time now, const AlarmLimits& limits) {
+BatteryFigures batteryOf(const RobotState& reported, Time now, const AlarmLimits& limits) {
     BatteryFigures figures;
     figures.charge = {Dash, DriveTexts::tr("%"), Tone::Muted};
-    if (!said.battery) {
-        figures.left = DriveTexts::tr("not told");
+    if (!reported.battery) {
+        figures.left = DriveTexts::tr("not reported");
         return figures;
     }
-    const BatterySample& battery = said.battery->sample;
+    const BatterySample& battery = reported.battery->sample;
     if (std::isfinite(battery.fraction)) {
         figures.fraction = std::clamp(battery.fraction, 0.0, 1.0);
         figures.charge = {numberText(100.0 * figures.fraction, 0), DriveTexts::tr("%"),
@@ -166,9 +166,9 @@ BatteryFigures batteryOf(const RobotState& said, Time now, const AlarmLimits& li
     } else if (std::isfinite(battery.voltage)) {
         figures.charge = {numberText(battery.voltage, 1), DriveTexts::tr("V"), Tone::Normal};
     }
-    const double minutes = minutesLeft(said);
-    if (!isFresh(said.battery, now, BatteryAge)) {
-        const double age = toSeconds(now - said.battery->received);
+    const double minutes = minutesLeft(reported);
+    if (!isFresh(reported.battery, now, BatteryAge)) {
+        const double age = toSeconds(now - reported.battery->received);
         figures.left = lossText({.arrival = age});
         figures.charge.tone = Tone::Muted;
     } else if (battery.status == BatterySample::Status::Charging) {
@@ -186,11 +186,11 @@ BatteryFigures batteryOf(const RobotState& said, Time now, const AlarmLimits& li
     return figures;
 }
 
-GasFigures gasOf(const RobotDescription& description, const RobotState& said, const GasTrend& trend, Time now,
-                 double alarm) {
+GasFigures gasOf(const RobotDescription& description, const RobotState& reported, const GasTrend& trend,
+                 Time now, double alarm) {
     GasFigures figures;
     figures.alarm = alarm;
-    figures.fitted = said.gas.has_value() || description.stream(StreamRole::Gas) != nullptr;
+    figures.fitted = reported.gas.has_value() || description.stream(StreamRole::Gas) != nullptr;
     figures.value = {Dash, DriveTexts::tr("ppm"), Tone::Muted};
     if (!figures.fitted) {
         figures.caption = DriveTexts::tr("not fitted");
@@ -198,19 +198,19 @@ GasFigures gasOf(const RobotDescription& description, const RobotState& said, co
     }
     figures.samples = trend.samples(now);
     figures.caption = DriveTexts::tr("last 2 min · alarm at %1").arg(numberText(alarm, 0));
-    if (!said.gas || !std::isfinite(said.gas->sample.ppm)) {
+    if (!reported.gas || !std::isfinite(reported.gas->sample.ppm)) {
         figures.caption = DriveTexts::tr("no data yet");
         return figures;
     }
-    figures.value.value = numberText(said.gas->sample.ppm, 0);
-    if (!isFresh(said.gas, now, 5.0)) {
-        const double age = toSeconds(now - said.gas->received);
+    figures.value.value = numberText(reported.gas->sample.ppm, 0);
+    if (!isFresh(reported.gas, now, 5.0)) {
+        const double age = toSeconds(now - reported.gas->received);
         figures.caption = lossText({.arrival = age});
         return figures;
     }
-    figures.value.tone = said.gas->sample.ppm >= alarm ? Tone::Attention : Tone::Normal;
+    figures.value.tone = reported.gas->sample.ppm >= alarm ? Tone::Attention : Tone::Normal;
     const double rise = trend.risePerMinute();
-    const double clear = std::max(60.0, 0.1 * said.gas->sample.ppm);  // above the sensor's own noise
+    const double clear = std::max(60.0, 0.1 * reported.gas->sample.ppm);  // above the sensor's own noise
     if (std::abs(rise) > clear) figures.arrow = rise > 0.0 ? QStringLiteral("↑") : QStringLiteral("↓");
     return figures;
 }
@@ -234,41 +234,43 @@ GrantFigures grantFiguresOf(const GrantView& grant) {
     };
     if (grant.mine && !grant.requestedBy.empty()) {
         return {Choice::Answer,
-                DriveTexts::tr("%1 asks to drive").arg(titled(grant.requestedByTitle, grant.requestedBy)),
+                DriveTexts::tr("%1 requests drive control")
+                    .arg(titled(grant.requestedByTitle, grant.requestedBy)),
                 Tone::Attention};
     }
-    if (grant.mine) return {Choice::GiveUp, DriveTexts::tr("you have the grant"), Tone::Muted};
+    if (grant.mine) return {Choice::GiveUp, DriveTexts::tr("drive control: yours"), Tone::Muted};
     const QString holder = titled(grant.holderTitle, grant.holder);
     if (grant.asked) {
         if (!grant.refusedBy.empty())
             return {Choice::Ask, DriveTexts::tr("%1 keeps it").arg(holder), Tone::Attention};
         return {Choice::Asked,
-                holder.isEmpty() ? DriveTexts::tr("asked: listens for others")
-                                 : DriveTexts::tr("asked: waits for %1").arg(holder),
+                holder.isEmpty() ? DriveTexts::tr("requested: listens for others")
+                                 : DriveTexts::tr("requested: waits for %1").arg(holder),
                 Tone::Normal};
     }
     if (!grant.lostTo.empty())
         return {Choice::Ask, DriveTexts::tr("%1 took over").arg(holder), Tone::Attention};
-    if (holder.isEmpty()) return {Choice::Ask, DriveTexts::tr("nobody has the grant"), Tone::Normal};
+    if (holder.isEmpty()) return {Choice::Ask, DriveTexts::tr("drive control: free"), Tone::Normal};
     if (grant.silent)
         return {Choice::Ask, DriveTexts::tr("%1 has it, but is silent").arg(holder), Tone::Normal};
     return {Choice::Ask, DriveTexts::tr("%1 drives").arg(holder), Tone::Normal};
 }
 
 DriveState driveStateOf(const RobotFace& face, const RobotDescription& description, const RobotView& robot,
-                        const RobotState& said, const GasTrend& gas, Time now, const AlarmLimits& limits) {
+                        const RobotState& reported, const GasTrend& gas, Time now,
+                        const AlarmLimits& limits) {
     DriveState state;
     state.face = face;
-    state.mode = modeLabelOf(robot, said.mode);
+    state.mode = modeLabelOf(robot, reported.mode);
     std::tie(state.hint, state.hintTone) = hintOf(robot, state.mode, stopLineOf(face, robot));
-    fillMotion(state, description, robot, said, now);
+    fillMotion(state, description, robot, reported, now);
     state.tracks = tracksOf(description, robot);
-    state.attitude = attitudeOf(description, said, now, limits);
-    state.battery = batteryOf(said, now, limits);
+    state.attitude = attitudeOf(description, reported, now, limits);
+    state.battery = batteryOf(reported, now, limits);
     state.link = linkFigures(robot.link);
     state.linkReason = worstReasonText(robot.link);
     state.linkTone = toneOf(robot.link);
-    state.gas = gasOf(description, said, gas, now, limits.gas);
+    state.gas = gasOf(description, reported, gas, now, limits.gas);
     state.grant = grantFiguresOf(robot.grant);
     if (!robot.drive.drivable) state.grant = {};
     return state;

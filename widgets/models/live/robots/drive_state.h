@@ -94,7 +94,7 @@ struct DriveState {
 
 /// Returns what the strip shows. @p now: station's clock; @p limits: from which figures are loud.
 [[nodiscard]] DriveState driveStateOf(const RobotFace& face, const RobotDescription& description,
-                                      const RobotView& robot, const RobotState& said, const GasTrend& gas,
+                                      const RobotView& robot, const RobotState& reported, const GasTrend& gas,
                                       Time now, const AlarmLimits& limits = {});
 
 [[nodiscard]] GrantFigures grantFiguresOf(const GrantView& grant);

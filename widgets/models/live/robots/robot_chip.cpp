@@ -26,26 +26,27 @@ QString joined(const QStringList& parts) {
 }
 
 /// Returns the charge; a dash when the battery's sample is too old.
-QString batteryOf(const RobotState& said, Time now) {
-    if (!said.battery || !std::isfinite(said.battery->sample.fraction)) return {};
-    return isFresh(said.battery, now, BatteryAge) ? percentText(said.battery->sample.fraction)
-                                                  : QStringLiteral("–\u202f%");
+QString batteryOf(const RobotState& reported, Time now) {
+    if (!reported.battery || !std::isfinite(reported.battery->sample.fraction)) return {};
+    return isFresh(reported.battery, now, BatteryAge) ? percentText(reported.battery->sample.fraction)
+                                                      : QStringLiteral("–\u202f%");
 }
 
 /// Returns the charge in full, with its age.
-QString batteryDetails(const RobotState& said, Time now) {
-    const QString charge = batteryOf(said, now);
+QString batteryDetails(const RobotState& reported, Time now) {
+    const QString charge = batteryOf(reported, now);
     if (charge.isEmpty()) return charge;
-    if (isFresh(said.battery, now, BatteryAge)) return ChipTexts::tr("battery %1").arg(charge);
-    const double age = toSeconds(now - said.battery->received);
+    if (isFresh(reported.battery, now, BatteryAge)) return ChipTexts::tr("battery %1").arg(charge);
+    const double age = toSeconds(now - reported.battery->received);
     return ChipTexts::tr("battery %1, %2")
-        .arg(percentText(said.battery->sample.fraction), lossText({.arrival = age}));
+        .arg(percentText(reported.battery->sample.fraction), lossText({.arrival = age}));
 }
 
 /// Returns @p label within a line, with @p name as the name of its mode. The name is written as the language
 /// writes it: German has capitals.
-QString inALine(const ModeLabel& label, const std::optional<Latest<ModeSample>>& said, const QString& name) {
-    const QString large = said ? modeName(said->sample.mode).toUpper() : QString();
+QString inALine(const ModeLabel& label, const std::optional<Latest<ModeSample>>& reported,
+                const QString& name) {
+    const QString large = reported ? modeName(reported->sample.mode).toUpper() : QString();
     if (large.isEmpty() || !label.text.startsWith(large)) return label.text.toLower();
     return name + label.text.sliced(large.size()).toLower();
 }
@@ -57,16 +58,16 @@ QString briefWithoutWord(LinkState link) {
 
 }  // namespace
 
-RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& said, Time now) {
+RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& reported, Time now) {
     RobotChip chip;
     chip.face = face;
     chip.link = robot.link.state;
-    const ModeLabel label = modeLabelOf(robot, said.mode);
+    const ModeLabel label = modeLabelOf(robot, reported.mode);
     chip.mode = label.kind;
     chip.tone = chip.link == LinkState::Lost ? Tone::Attention : Tone::Muted;
-    const std::string known = said.mode ? said.mode->sample.mode : std::string();
-    const QString mode = inALine(label, said.mode, modeName(known)),
-                  brief = inALine(label, said.mode, modeBrief(known)), battery = batteryOf(said, now);
+    const std::string known = reported.mode ? reported.mode->sample.mode : std::string();
+    const QString mode = inALine(label, reported.mode, modeName(known)),
+                  brief = inALine(label, reported.mode, modeBrief(known)), battery = batteryOf(reported, now);
     const QString reason = worstReasonText(robot.link);
     const bool talks = chip.link == LinkState::Connected || chip.link == LinkState::Degraded;
     if (talks) {
@@ -84,10 +85,11 @@ RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const Robot
     chip.figures.removeDuplicates();
     chip.modes = {mode, talks ? brief : briefWithoutWord(chip.link)};
     chip.modes.removeDuplicates();
-    chip.details = ChipTexts::tr("%1 (%2): %3 · link %4")
-                       .arg(face.title, face.letter, joined({mode, label.reason, batteryDetails(said, now)}),
-                            joined({linkStateText(chip.link), reason, roundTripText(robot.link),
-                                    talks ? lossShareText(robot.link) : QString()}));
+    chip.details =
+        ChipTexts::tr("%1 (%2): %3 · link %4")
+            .arg(face.title, face.letter, joined({mode, label.reason, batteryDetails(reported, now)}),
+                 joined({linkStateText(chip.link), reason, roundTripText(robot.link),
+                         talks ? lossShareText(robot.link) : QString()}));
     return chip;
 }
 

@@ -26,7 +26,7 @@ struct RobotChip {
 };
 
 /// @p now: station's clock.
-[[nodiscard]] RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& said,
+[[nodiscard]] RobotChip robotChipOf(const RobotFace& face, const RobotView& robot, const RobotState& reported,
                                     Time now);
 
 }  // namespace leitstand

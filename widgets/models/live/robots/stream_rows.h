@@ -11,7 +11,7 @@ namespace leitstand {
 
 /// The wishes for a stream: the operator's own, and those in effect with a thin link.
 struct StreamSetting {
-    StreamWish own, effective;
+    StreamRequest own, effective;
 };
 
 /// Appends a row to @p rows for each stream that @p robot sends, in the order of its file.

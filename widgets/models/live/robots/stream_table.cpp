@@ -85,18 +85,19 @@ QString streamRateText(const StreamStatus& stream) {
     return QStringLiteral("%1 / %2").arg(hz(stream.rate), hz(stream.expectedRate));
 }
 
-QString wishText(const StreamWish& wish) {
-    if (!wish.enabled) return StreamTexts::tr("off");
+QString requestText(const StreamRequest& requested) {
+    if (!requested.enabled) return StreamTexts::tr("off");
     QStringList parts;
-    if (wish.rate > 0.0)
-        parts += StreamTexts::tr("%1 Hz").arg(numberText(wish.rate, std::fmod(wish.rate, 1.0) > 0.0 ? 1 : 0));
-    if (wish.quality > 0) parts += StreamTexts::tr("quality %1").arg(wish.quality);
-    if (wish.maxWidth > 0) parts += StreamTexts::tr("%1 px").arg(wish.maxWidth);
+    if (requested.rate > 0.0)
+        parts += StreamTexts::tr("%1 Hz").arg(
+            numberText(requested.rate, std::fmod(requested.rate, 1.0) > 0.0 ? 1 : 0));
+    if (requested.quality > 0) parts += StreamTexts::tr("quality %1").arg(requested.quality);
+    if (requested.maxWidth > 0) parts += StreamTexts::tr("%1 px").arg(requested.maxWidth);
     return parts.join(QStringLiteral(", "));
 }
 
 QString settingText(const StreamRow& row) {
-    QString text = wishText(row.effective);
+    QString text = requestText(row.effective);
     if (row.effective != row.own) text = StreamTexts::tr("thin: %1").arg(text);
     // Rates are judged over some seconds, so a new request is not fulfilled yet.
     if (!isFollowed(row.effective, row.stream)) text += StreamTexts::tr(" · not yet");

@@ -7,7 +7,7 @@
 #include <QString>
 
 #include "core/robot/link/link_status.h"
-#include "core/robot/streams/stream_wish.h"
+#include "core/robot/streams/stream_request.h"
 #include "widgets/models/live/robots/robot_face.h"
 #include "widgets/models/tone.h"
 
@@ -17,10 +17,10 @@ namespace leitstand {
 struct StreamRow {
     RobotFace face;
     StreamStatus stream;
-    QString type;           ///< "PointCloud2"
-    StreamWish own;         ///< of the operator
-    StreamWish effective;   ///< after the limits of a thin link
-    bool settable = false;  ///< the robot accepts wishes for it
+    QString type;             ///< "PointCloud2"
+    StreamRequest own;        ///< of the operator
+    StreamRequest effective;  ///< after the limits of a thin link
+    bool settable = false;    ///< the robot accepts wishes for it
 };
 
 /// Returns the name of a stream after its robot's letter: "K left pictures".
@@ -28,7 +28,7 @@ struct StreamRow {
 /// Returns the rate as received and as sent: "12.0 / 15 Hz"; "on change" when it has no rate.
 [[nodiscard]] QString streamRateText(const StreamStatus& stream);
 /// Returns the wish: "5 Hz, quality 40, 320 px", "off"; empty: as the robot likes.
-[[nodiscard]] QString wishText(const StreamWish& wish);
+[[nodiscard]] QString requestText(const StreamRequest& requested);
 /// Returns the text of the setting column: the wish, what a thin link makes of it ("thin: 5 Hz"), and that
 /// the robot does not follow it.
 [[nodiscard]] QString settingText(const StreamRow& row);

@@ -4,7 +4,7 @@
 
 #include <QCoreApplication>
 
-#include "core/robot/robot_says.h"
+#include "core/robot/robot_format.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/others_text.h"
@@ -19,7 +19,8 @@ struct ModeTexts {
 ModeLabel labelOf(const ModeSample& mode) {
     ModeKind kind = mode.autonomous ? ModeKind::Autonomous : ModeKind::Teleoperation;
     if (mode.mode == "stopped") kind = ModeKind::Stopped;
-    return {kind, modeName(mode.mode).toUpper(), robotSaysText(mode.reason), modeBrief(mode.mode).toUpper()};
+    return {kind, modeName(mode.mode).toUpper(), robotReasonText(mode.reason),
+            modeBrief(mode.mode).toUpper()};
 }
 
 /// Returns the label of a robot that does not report its mode.
@@ -33,17 +34,17 @@ ModeLabel labelWithoutWord(const RobotView& robot) {
 }
 
 /// Returns the value in a robot's words: figures as the window's language writes them, modes by their names.
-QString valueText(const robot_says::Part& part) {
+QString valueText(const robot_format::Part& part) {
     // Compares the letters: equal texts of two files may have two addresses.
-    if (part.words == std::string_view(robot_says::CannotBeAskedFor)) return modeName(part.value);
-    return saidFigureText(part.value);
+    if (part.words == std::string_view(robot_format::CannotBeAskedFor)) return modeName(part.value);
+    return loggedFigureText(part.value);
 }
 
 }  // namespace
 
-QString robotSaysText(const std::string& said) {
+QString robotReasonText(const std::string& reported) {
     QStringList texts;
-    for (const robot_says::Part& part : robot_says::partsOf(said)) {
+    for (const robot_format::Part& part : robot_format::partsOf(reported)) {
         if (part.words == nullptr) {
             texts += othersText(part.value);
             continue;
@@ -72,15 +73,16 @@ QString modeBrief(const std::string& mode) {
     return modeName(mode);
 }
 
-ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSample>>& said) {
+ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSample>>& reported) {
     switch (robot.link.state) {
         case LinkState::NeverSeen:
             return {ModeKind::Stopped, ModeTexts::tr("NOT HEARD YET"), ModeTexts::tr("waits for the robot")};
         case LinkState::Lost: {
             const QString silence = secondsText(robot.link.silence);
             const QString last =
-                said ? ModeTexts::tr("silent for %1 · was in %2").arg(silence, modeName(said->sample.mode))
-                     : ModeTexts::tr("silent for %1").arg(silence);
+                reported
+                    ? ModeTexts::tr("silent for %1 · was in %2").arg(silence, modeName(reported->sample.mode))
+                    : ModeTexts::tr("silent for %1").arg(silence);
             return {ModeKind::Lost, ModeTexts::tr("LINK LOST"), last};
         }
         case LinkState::Connected:
@@ -90,16 +92,17 @@ ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSam
     if (robot.stop.sent || robot.stop.stopped) {
         return {ModeKind::Stop, ModeTexts::tr("STOP"), {}};
     }
-    ModeLabel label = said && !said->sample.mode.empty() ? labelOf(said->sample) : labelWithoutWord(robot);
+    ModeLabel label =
+        reported && !reported->sample.mode.empty() ? labelOf(reported->sample) : labelWithoutWord(robot);
     if (robot.drive.focus && robot.drive.sight.overridden)
         label.text = label.brief = ModeTexts::tr("%1 · OVERRIDE").arg(label.text);
     return label;
 }
 
-bool drivesItself(const RobotView& robot, const std::optional<Latest<ModeSample>>& said) {
-    const ModeKind kind = modeLabelOf(robot, said).kind;
+bool drivesItself(const RobotView& robot, const std::optional<Latest<ModeSample>>& reported) {
+    const ModeKind kind = modeLabelOf(robot, reported).kind;
     if (kind != ModeKind::Lost) return kind == ModeKind::Autonomous;
-    return said && labelOf(said->sample).kind == ModeKind::Autonomous && !robot.stop.stopped;
+    return reported && labelOf(reported->sample).kind == ModeKind::Autonomous && !robot.stop.stopped;
 }
 
 }  // namespace leitstand

@@ -29,15 +29,16 @@ struct ModeLabel {
 };
 
 /// Returns what @p robot does. A lost link comes before a stop, which comes before what the robot reported.
-[[nodiscard]] ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSample>>& said);
+[[nodiscard]] ModeLabel modeLabelOf(const RobotView& robot,
+                                    const std::optional<Latest<ModeSample>>& reported);
 
 /// Whether @p robot drives itself, as far as is known: it reported so last, and no stop stands. A robot whose
 /// link is lost goes on by itself.
-[[nodiscard]] bool drivesItself(const RobotView& robot, const std::optional<Latest<ModeSample>>& said);
+[[nodiscard]] bool drivesItself(const RobotView& robot, const std::optional<Latest<ModeSample>>& reported);
 
 /// Returns what a robot reported about itself, in the window's language as far as the words are known
-/// (robot_says.h), otherwise as it was reported.
-[[nodiscard]] QString robotSaysText(const std::string& said);
+/// (robot_format.h), otherwise as it was reported.
+[[nodiscard]] QString robotReasonText(const std::string& reported);
 
 /// Returns the name of a mode of robots, "victim_approach", for people: "victim approach".
 [[nodiscard]] QString modeName(const std::string& mode);

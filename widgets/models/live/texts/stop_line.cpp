@@ -36,8 +36,8 @@ QString textOf(StopStage stage, const StopStatus& stop) {
                                         : StopTexts::tr("sent · no answer for %1").arg(secondsText(seconds));
         }
         case StopStage::Acknowledged:
-            return stop.standingKnown ? StopTexts::tr("acknowledged · moves")
-                                      : StopTexts::tr("acknowledged · motion unknown");
+            return stop.standingKnown ? StopTexts::tr("confirmed · moves")
+                                      : StopTexts::tr("confirmed · motion unknown");
         case StopStage::Standing:
             return StopTexts::tr("standing");
         case StopStage::Releasing:
@@ -89,7 +89,7 @@ QString detailsOf(const StopStatus& stop, bool mine) {
         return stop.stoppedBy.empty() ? StopTexts::tr("Stopped by the robot's own button.")
                                       : StopTexts::tr("Stopped by another station.");
     }
-    if (!mine) return StopTexts::tr("Only who has the grant to drive can release it.");
+    if (!mine) return StopTexts::tr("Only the station with drive control can release it.");
     return {};
 }
 

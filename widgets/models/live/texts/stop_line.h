@@ -22,7 +22,7 @@ enum class StopStage {
 struct StopLine {
     RobotFace face;
     StopStage stage = StopStage::None;
-    QString text;     ///< "acknowledged · moves"
+    QString text;     ///< "confirmed · moves"
     QString brief;    ///< the same where there is little room: "moves", "? 4.2 s"
     QString details;  ///< whose stop it is, why a release was refused; may be empty
     Tone tone = Tone::Normal;

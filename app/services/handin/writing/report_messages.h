@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/services/handin/writing/report_writer.h"
+#include "core/base/result.h"
+
+namespace leitstand {
+
+/// Makes messages for the operator about reports that are written repeatedly.
+class ReportMessages {
+public:
+    /// Returns the messages about the report @p done in the folder @p out. First comes what it misses and the
+    /// one before did not miss. Last comes that it is written, or which of its files are broken and why.
+    [[nodiscard]] std::vector<std::string> of(const Result<ReportOutcome>& done,
+                                              const std::filesystem::path& out);
+
+private:
+    std::vector<std::string> m_warnings;  ///< of the previous report
+};
+
+}  // namespace leitstand

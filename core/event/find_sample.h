@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/time.h"
+#include "core/event/status_samples.h"
+
+namespace leitstand {
+
+/// One sign of life of a victim, as the operator judged it.
+struct VictimSign {
+    enum class State : std::uint8_t { Unknown, Absent, Present };
+    State state = State::Unknown;
+    std::string text;        ///< "whole body", "waving", "tapping"; may be empty
+    double value = Unknown;  ///< heat [degrees C], co2 [ppm]
+};
+
+/// A sample in the log that shows the victim.
+struct VictimEvidence {
+    std::string kind;   ///< "picture", "thermal", "gas", "scan", "odometry"
+    std::string topic;  ///< ROS name
+    std::uint64_t sequence =
+        0;         ///< of the event in the mission; 0: another station's log, found by topic and stamp
+    Time stamp{};  ///< sample's own
+};
+
+/// A victim, or another thing that judges want to know of, as filed or changed. It is always the whole form;
+/// the newest of a kind and number counts.
+struct FindSample {
+    enum class Kind : std::uint8_t {
+        Victim,
+        Hazard,  ///< a hazard sign
+        Code,    ///< a QR code; its content is the tag
+        Object,  ///< of interest
+    };
+    enum class Status : std::uint8_t { Hypothesis, Confirmed, Discarded };
+    Time stamp{};  ///< station's clock, of this entry
+    std::string station;
+    std::uint32_t number = 0;  ///< V1 is 1; each kind has its own numbers
+    Status status = Status::Hypothesis;
+    Time found{};             ///< station's clock, when the evidence was frozen
+    std::string robot;        ///< robot that found it
+    bool autonomous = false;  ///< mode: A, otherwise T
+    std::uint64_t scan = 0;   ///< key scan that it belongs to, whose corrections move it; 0: none
+    Eigen::Vector3d positionInScan = Eigen::Vector3d::Zero();  ///< in that scan's frame [m]; without one: 0
+    Eigen::Vector3d positionInMap = Eigen::Vector3d::Zero();   ///< when filed [m]
+    double deviation = Unknown;                                ///< standard deviation of the position [m]
+    VictimSign form, motion, heat, sound, co2;
+    std::string situation;  ///< "surface", "trapped", "void", "entombed"; empty: unknown
+    std::string tag;        ///< text written on it
+    std::string area;       ///< "yellow", "orange", "red"; empty: unknown
+    std::string text;       ///< free text
+    std::vector<VictimEvidence> evidence;
+    Kind kind = Kind::Victim;
+    std::uint32_t mergedInto =
+        0;  ///< of a discarded one: number, of the same kind, that it is merged into; 0: none
+};
+
+/// Name of a find for the operator: "V1", "H1" (hazard), "Q1" (QR code), "O1" (object).
+[[nodiscard]] std::string nameOf(FindSample::Kind kind, std::uint32_t number);
+
+}  // namespace leitstand

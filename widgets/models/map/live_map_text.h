@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QString>
+
+#include "core/mapping/live/map/live_map.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "widgets/models/map_text.h"
+
+namespace leitstand {
+
+/// The facts that are shown about a growing map.
+struct LiveMapFacts {
+    const LiveMap& map;
+    const RobotsInMap& robots;  ///< may be empty
+    Time now{};                 ///< station's clock
+    QString followed = {};      ///< letter of the robot that the view follows; may be empty
+    QString kind = {};          ///< which map it is, when there are several; may be empty
+    QString maker = {};         ///< another station that makes it; empty: this one does
+};
+
+/// Returns a growing map in a line: "3D map · 47 key scans · 1.21 M points · follows K" and "certain ·
+/// overlap 83 % · last scan 1.4 s ago". In brief it is without points and overlap. It is stale when scans
+/// were matched to it, but none for MapStaleAfter.
+[[nodiscard]] MapSummary liveSummaryOf(const LiveMapFacts& facts);
+
+/// A few turns of a slow scanner [s].
+inline constexpr double MapStaleAfter = 10.0;
+
+}  // namespace leitstand

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QString>
+
+#include "core/mapping/comparison/map_comparison.h"
+#include "widgets/models/map_text.h"
+
+namespace leitstand {
+
+/// "recorded", "registered again", "recorded and registered again".
+[[nodiscard]] QString comparedMapText(ComparedMap which);
+
+/// Returns the summary of a map of a comparison, for the title of its pane: "3D map · registered again · 13
+/// key scans" and how far they moved.
+[[nodiscard]] MapSummary comparedSummaryOf(const MapComparison& comparison, ComparedMap which);
+
+}  // namespace leitstand
