@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto* bytes = reinterpret_cast<const std::byte*>(data);
     event.cdr = std::make_shared<const std::vector<std::byte>>(bytes + 3, bytes + size);
     StreamDescription stream;
-    stream.role = static_cast<StreamRole>(data[1] % (static_cast<int>(StreamRole::Ping) + 1));
+    stream.role = allStreamRoles()[data[1] % allStreamRoles().size()];
     stream.topic = event.topic;
     stream.type = event.type;
     stream.thermal.measured = (data[2] & 4) == 0;

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "core/base/known_sentence.h"
+#include "core/base/phrases/coded_text.h"
 #include "core/base/printable.h"
 #include "core/io/handin/csv_fields.h"
 #include "fuzz/input_file.h"
@@ -18,5 +18,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string field = quotedField(text);
     fuzz::require(field.size() >= 2 && field.find('\n') == std::string::npos, "a record on one line");
     fuzz::require(field[1] != '=' && field[1] != '@' && field[1] != '\t', "a field that begins no formula");
+    // Texts of a log, which another program may have written.
+    if (const auto coded = codedText(text)) {
+        const auto again = codedText(toString(*coded));
+        fuzz::require(again && again->code == coded->code && again->values == coded->values,
+                      "codes come back");
+    }
     return 0;
 }

@@ -106,9 +106,7 @@ void addReport(CLI::App& app, int& exitCode) {
         ->required();
     std::vector<std::string> codes;
     for (const Language& language : languages()) codes.push_back(language.code.toStdString());
-    command
-        ->add_option("--language", arguments->language,
-                     "Language of the PDF and of what is doubtful: en, de or ja")
+    command->add_option("--language", arguments->language, "Language of the PDF and of what is doubtful")
         ->check(CLI::IsMember(codes))
         ->capture_default_str();
     command->add_flag("!--no-pdf", arguments->pdf, "Leave the PDF out");

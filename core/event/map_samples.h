@@ -121,7 +121,7 @@ struct RobotPlaceSample {
     double certainty = 0.0;             ///< 0 to 1
     double overlap = 0.0;               ///< share of what it sees that is in the map
     bool certain = false;               ///< false: only its odometry moves it on
-    std::string how;                    ///< in words, in English
+    std::string how;                    ///< why, as a code (placement_format.h)
 };
 
 }  // namespace leitstand

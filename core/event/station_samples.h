@@ -104,7 +104,7 @@ struct AlarmSample {
     std::string key;    ///< what alarms of one kind have in common: "link_lost", "disk_full"
     Severity severity = Severity::Warning;
     State state = State::Raised;
-    std::string text;  ///< with numbers, in English; widgets translate by key
+    std::string text;  ///< code and figures (logText()); widgets have the words
 };
 
 }  // namespace leitstand

@@ -1,48 +1,115 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace leitstand {
 
-/// What a topic of a robot carries for the station.
+/// What a topic of a robot carries for the station. Checkpoints of missions hold the numbers: a new role
+/// takes the next free one, wherever it stands.
 enum class StreamRole : std::uint8_t {
     // from the robot
-    Points,
-    Ranges,
-    Odometry,
-    Imu,
-    Joints,
-    Transforms,
-    StaticTransforms,
-    Picture,
-    CameraInfo,
-    Thermal,
-    Gas,
-    Battery,
-    Diagnostics,
-    Mode,
-    Bumps,
-    Sightings,
-    StopState,
-    Pong,
+    Points = 0,
+    Ranges = 1,
+    Odometry = 2,
+    Imu = 3,
+    Joints = 4,
+    Transforms = 5,
+    StaticTransforms = 6,
+    Picture = 7,
+    CameraInfo = 8,
+    Thermal = 9,
+    Gas = 10,
+    Battery = 11,
+    Diagnostics = 12,
+    Mode = 13,
+    Bumps = 14,
+    Sightings = 15,
+    StopState = 16,
+    Pong = 17,
     // to the robot
-    DriveCommand,
-    TrackCommand,
-    StopCommand,
-    ModeCommand,
-    GoalPose,
-    PanTiltCommand,
-    StreamCommand,
-    Ping,
+    DriveCommand = 18,
+    TrackCommand = 19,
+    StopCommand = 20,
+    ModeCommand = 21,
+    GoalPose = 22,
+    PanTiltCommand = 23,
+    StreamCommand = 24,
+    Ping = 25,
 };
+
+/// The name of @p role in robot files: "points", "drive_command"; empty for a number that is no role.
+[[nodiscard]] constexpr std::string_view nameOf(StreamRole role) {
+    switch (role) {
+        case StreamRole::Points:
+            return "points";
+        case StreamRole::Ranges:
+            return "ranges";
+        case StreamRole::Odometry:
+            return "odometry";
+        case StreamRole::Imu:
+            return "imu";
+        case StreamRole::Joints:
+            return "joints";
+        case StreamRole::Transforms:
+            return "transforms";
+        case StreamRole::StaticTransforms:
+            return "static_transforms";
+        case StreamRole::Picture:
+            return "picture";
+        case StreamRole::CameraInfo:
+            return "camera_info";
+        case StreamRole::Thermal:
+            return "thermal";
+        case StreamRole::Gas:
+            return "gas";
+        case StreamRole::Battery:
+            return "battery";
+        case StreamRole::Diagnostics:
+            return "diagnostics";
+        case StreamRole::Mode:
+            return "mode";
+        case StreamRole::Bumps:
+            return "bumps";
+        case StreamRole::Sightings:
+            return "sightings";
+        case StreamRole::StopState:
+            return "stop_state";
+        case StreamRole::Pong:
+            return "pong";
+        case StreamRole::DriveCommand:
+            return "drive_command";
+        case StreamRole::TrackCommand:
+            return "track_command";
+        case StreamRole::StopCommand:
+            return "stop_command";
+        case StreamRole::ModeCommand:
+            return "mode_command";
+        case StreamRole::GoalPose:
+            return "goal_pose";
+        case StreamRole::PanTiltCommand:
+            return "pan_tilt_command";
+        case StreamRole::StreamCommand:
+            return "stream_command";
+        case StreamRole::Ping:
+            return "ping";
+    }
+    return {};
+}
+
+/// Topics that the station sends.
+inline constexpr auto CommandRoles = std::to_array<StreamRole>(
+    {StreamRole::DriveCommand, StreamRole::TrackCommand, StreamRole::StopCommand, StreamRole::ModeCommand,
+     StreamRole::GoalPose, StreamRole::PanTiltCommand, StreamRole::StreamCommand, StreamRole::Ping});
 
 /// Whether the station sends topics of @p role.
 [[nodiscard]] bool isCommand(StreamRole role);
-/// All roles, in the order of their declaration.
+/// All roles, by rising number.
 [[nodiscard]] std::span<const StreamRole> allStreamRoles();
-/// The name of @p role in robot files: "points", "drive_command".
+/// nameOf() as text.
 [[nodiscard]] std::string toString(StreamRole role);
 
 }  // namespace leitstand

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "core/base/known_sentence.h"
+#include "core/base/phrases/known_sentence.h"
 
 namespace leitstand::robot_format {
 namespace {

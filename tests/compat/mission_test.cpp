@@ -165,8 +165,8 @@ TEST_P(CompatMission, AnotherSessionGoesOnWithItAndLeavesItsFiles) {
         const auto mission = LiveMission::open(settings).value();
         const auto resumed = stateText(*mission->state());
         EXPECT_THAT(goneFrom(expected("state.txt"), resumed), testing::Each(isOfTheWhole()));
-        ASSERT_TRUE(mission->record(
-            NoteSample{Time(std::chrono::seconds(1'800'000'000)), "a", "", "gone on"}, station_topic::Notes));
+        ASSERT_TRUE(mission->record(NoteSample{Time(std::chrono::seconds(1'800'000'000)), "a", "", "gone on"},
+                                    station_topic::Notes));
         ASSERT_TRUE(mission->close());
     }
     for (const auto& [name, content] : before)

@@ -16,6 +16,7 @@
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"
 #include "core/mission/state/fold.h"
+#include "core/station/alarms/log_format.h"
 #include "core/station/alarms/logged_alarm.h"
 #include "transport/convert/encode.h"
 #include "transport/convert/message_catalog.h"
@@ -211,7 +212,7 @@ Result<std::unique_ptr<LiveMission>> LiveMission::open(const LiveMissionSettings
     auto bag = BagWriter::open(settings.folder, log,
                                [relay, onAlarm = std::move(listener.onAlarm)](const BagAlarm& alarm) {
                                    relay->raise(alarm);
-                                   if (onAlarm) onAlarm(alarm.text);
+                                   if (onAlarm) onAlarm(log_format::message(alarm.text));
                                });
     if (!bag) return bag.error();
     if (const auto kept = keepRobots(settings.folder, settings.robots); !kept) return kept.error();

@@ -346,8 +346,8 @@ void LiveMapping::followFixes() {
         const bool certain = fix->doubts == 0;
         robot.tracker.correct({fix->stamp, fix->baseInMap, certain ? fix->certainty : 0.0, certain,
                                !certain         ? inWords(fix->doubts)
-                               : fix->part != 0 ? std::string(placement_format::OwnPart)
-                                                : std::string(placement_format::FitsMap)});
+                               : fix->part != 0 ? logged(placement_format::OwnPart)
+                                                : logged(placement_format::FitsMap)});
     }
 }
 

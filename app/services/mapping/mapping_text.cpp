@@ -13,9 +13,8 @@ namespace {
 /// Returns the outcome of looking for the robot; empty: the reason already holds it.
 std::string outcomeOf(const RobotPlaceSample& place) {
     using Cause = RobotPlaceSample::Cause;
-    const bool put = place.how == placement_format::PutUntilScan;
-    if (put || place.how == fmt::format(placement_format::FoundByScan, std::lround(100.0 * place.overlap)))
-        return {};
+    const bool put = placement_format::isPhrase(place.how, placement_format::PutUntilScan);
+    if (put || placement_format::isPhrase(place.how, placement_format::FoundByScan)) return {};
     if (place.cause == Cause::Tracked)
         return place.certain ? translate("leitstand::Station", "its laser fits the map again")
                              : translate("leitstand::Station", "its place in the map is doubted");

@@ -10,7 +10,7 @@ namespace leitstand {
 PlaceOfRobot KeyScanPlaces::Scan::fix(double certainty) const {
     return {robot,
             {end, scanInMap * sensorInBase.inverse(), certainty, counts,
-             counts ? placement_format::FitsMap : placement_format::DoesNotFit}};
+             counts ? logged(placement_format::FitsMap) : logged(placement_format::DoesNotFit)}};
 }
 
 bool KeyScanPlaces::wants(const Event& event) {

@@ -39,9 +39,10 @@ std::vector<Anchor> anchorsOf(const RobotDescription& robot, const MissionState&
         if (scan.entry.robot != robot.name || scan.pose.trust == ScanTrust::SetAside ||
             points == index.keyScans.end() || !points->second.scan->hasOdometry)
             continue;
-        anchors.push_back(
-            {scan.entry.stamp, scan.pose.scanInMap * points->second.scan->sensorInOdom.inverse(),
-             scan.pose.trust == ScanTrust::Certain, scan.pose.certainty, placement_format::NewestKeyScan});
+        anchors.push_back({scan.entry.stamp,
+                           scan.pose.scanInMap * points->second.scan->sensorInOdom.inverse(),
+                           scan.pose.trust == ScanTrust::Certain, scan.pose.certainty,
+                           logged(placement_format::NewestKeyScan)});
     }
     if (const auto places = index.places.find(robot.name); anchors.empty() && places != index.places.end()) {
         for (const RobotPlaceSample& place : places->second) {

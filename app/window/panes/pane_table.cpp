@@ -118,11 +118,11 @@ QWidget& surroundings(PaneMaking& from) {
 QWidget& victims(PaneMaking& from) {
     from.made.victims = new VictimsFeature(*from.live, *from.made.map, *from.made.cameras);
     new FindPointing(*from.live, *from.made.map, *from.made.cameras, *from.made.scan);
-    return from.made.finds->list();
+    return from.made.victims->list();
 }
 
 QWidget& victimForm(PaneMaking& from) {
-    return from.made.finds->form();
+    return from.made.victims->form();
 }
 
 QWidget& finds(PaneMaking& from) {

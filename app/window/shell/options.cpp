@@ -78,9 +78,9 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     };
     onRobots(live, demo);
     onRobots(demo, nullptr);
-    onRobots(
-        app.add_option("--robot", options.robots, "Robot files, or names of shipped ones (kurt3d, crawler)"),
-        demo)
+    onRobots(app.add_option("--robot", options.robots,
+                            "Robot files, or names of shipped ones (kurt3d, crawler, turtlebot)"),
+             demo)
         ->type_name("YAML...");
     auto* mission =
         onRobots(app.add_option(

@@ -40,7 +40,7 @@ struct BagAlarm {
     Kind kind = Kind::DiskFilling;
     bool raised = true;        ///< false: over
     double minutesLeft = 0.0;  ///< until the disk is full; infinite when nothing is written [min]
-    std::string text;          ///< in English, with numbers; states the end when the alarm is over
+    std::string text;          ///< as the log holds it (log_format.h); states the end when the alarm is over
 };
 
 /// State and figures of a writer.

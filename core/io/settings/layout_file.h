@@ -9,8 +9,8 @@
 
 namespace leitstand {
 
-/// Reads a layout (YAML; docs/layouts-and-settings.md lists the keys) and names it after the file. The error has a line
-/// for each mistake: file, line, key and what was expected.
+/// Reads a layout (YAML; docs/layouts-and-settings.md lists the keys) and names it after the file. The error
+/// has a line for each mistake: file, line, key and what was expected.
 [[nodiscard]] Result<WindowLayout> readLayout(const std::filesystem::path& file);
 /// Parses a layout from @p text; errors call the file @p name.
 [[nodiscard]] Result<WindowLayout> parseLayout(std::string_view text, const std::string& name);

@@ -85,7 +85,7 @@ void RobotTracker::refresh() {
         m_now.odomInMap.reset();
         m_now.certain = false;
         m_now.certainty = 0.0;
-        m_now.how = placement_format::OdometryRestarted;
+        m_now.how = logged(placement_format::OdometryRestarted);
         return;
     }
     if (const auto here = baseInMap(*m_newest)) m_now.baseInMap = *here;

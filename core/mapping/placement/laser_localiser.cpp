@@ -69,14 +69,14 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
     const double way = lost() ? m_way : m_drift;
     std::string doubt;
     if (static_cast<int>(view.points.size()) < how.placement.leastPoints) {
-        doubt = placement_format::TooLittle;
+        doubt = logged(placement_format::TooLittle);
     } else if (fit.overlap < how.leastOverlap) {
-        doubt = fmt::format(placement_format::OnlyInMap, std::lround(100.0 * fit.overlap));
+        doubt = logged(placement_format::OnlyInMap, std::lround(100.0 * fit.overlap));
     } else if (jump > (sure ? how.sureJump + how.sureJumpOfWay * way : how.jump + how.jumpOfWay * way) ||
                swing > how.swing + how.swingOfTurn * m_turn + how.swingOfWay * way) {
-        doubt = fmt::format(placement_format::FarFromTracks, std::lround(100.0 * jump));
+        doubt = logged(placement_format::FarFromTracks, std::lround(100.0 * jump));
     } else if (lost() && !meetsAll(view, map, guess, fit.pose)) {
-        doubt = placement_format::LittleInMap;
+        doubt = logged(placement_format::LittleInMap);
     }
     MapFix fix{view.stamp, predicted, 0.0, false, doubt};
     if (doubt.empty()) {
@@ -84,10 +84,10 @@ MapFix LaserLocaliser::follow(const LaserView& view, const LocalMap& local, cons
         fix.baseInMap = fit.pose.standing(map.ground) * view.tilt;
         const double meets = std::clamp(fit.overlap / how.placement.plentyOverlap, 0.0, 1.0);
         if (open) {
-            fix.how = placement_format::DirectionOpen;
+            fix.how = logged(placement_format::DirectionOpen);
             fix.certainty = std::min(meets, m_certainty * std::exp(-m_drift / how.fades));
         } else {
-            fix.how = fmt::format(placement_format::LaserInMap, std::lround(100.0 * fit.overlap));
+            fix.how = logged(placement_format::LaserInMap, std::lround(100.0 * fit.overlap));
             fix.certainty = meets * std::clamp(fit.direction / how.placement.plentyDirection, 0.0, 1.0);
             fix.certain = true;
             m_way = m_turn = m_drift = 0.0;
@@ -155,7 +155,7 @@ MapFix LaserLocaliser::sought(const LaserView& view, const LocalMap& local, MapF
     m_way = m_turn = m_drift = 0.0;
     m_certainty = found.certainty;
     return {view.stamp, found.baseInMap, found.certainty, true,
-            fmt::format(placement_format::FoundAgain, found.how)};
+            logged(placement_format::FoundAgain, found.how)};
 }
 
 }  // namespace leitstand

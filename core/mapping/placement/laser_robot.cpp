@@ -105,7 +105,7 @@ std::optional<RobotPlaceSample> LaserRobot::placeBeside(const Pose& otherInMap, 
     if (found.certain && contradicted(found.baseInMap, others)) {
         found.certain = false;
         found.certainty = 0.0;
-        found.how = placement_format::AgainstMap;
+        found.how = logged(placement_format::AgainstMap);
     }
     ++m_tries;
     if (!found.certain && m_tries != MostTries) return std::nullopt;
@@ -160,20 +160,20 @@ std::optional<RobotPlaceSample> LaserRobot::placeSeen(std::span<const SeenBody> 
     }
     if (!best.certain || second.certainty > AsGood * best.certainty) return std::nullopt;
     const MapFix fix{m_view->stamp, best.baseInMap, best.certainty, true,
-                     fmt::format(placement_format::SeenBy, by, std::lround(100.0 * best.overlap))};
+                     logged(placement_format::SeenBy, by, std::lround(100.0 * best.overlap))};
     m_localiser.begin(fix);
     return taken(fix, RobotPlaceSample::Cause::Seen, best.overlap, now);
 }
 
 RobotPlaceSample LaserRobot::place(const Pose& baseInMap, const LiveMapPtr& map, Time now) {
-    MapFix fix{m_tracker.now().stamp, baseInMap, 0.0, false, placement_format::PutBlindly};
+    MapFix fix{m_tracker.now().stamp, baseInMap, 0.0, false, logged(placement_format::PutBlindly)};
     double overlap = 0.0;
     if (m_view && map && !map->scans.empty()) {
         const Placement found = placeRobot(*m_view, localAt(map, baseInMap), baseInMap,
                                            m_settings.placement.dragged, m_settings.placement);
         overlap = found.overlap;
         fix = {m_view->stamp, found.baseInMap, found.certainty, found.certain,
-               found.certain ? found.how : fmt::format(placement_format::PutBut, found.how)};
+               found.certain ? found.how : logged(placement_format::PutBut, found.how)};
     }
     m_put = true;  // the operator knows better
     m_localiser.begin(fix);
@@ -190,7 +190,7 @@ RobotPlaceSample LaserRobot::putUntilScan(const Pose& baseInMap, Time measured, 
     sample.baseInMap = sample.odomInMap = baseInMap;
     if (const auto motion = m_tracker.motion().at(measured))
         sample.odomInMap = baseInMap * motion->baseInOdom.inverse();
-    sample.how = placement_format::PutUntilScan;
+    sample.how = logged(placement_format::PutUntilScan);
     return sample;
 }
 
@@ -199,13 +199,13 @@ RobotPlaceSample LaserRobot::foundByScan(const Pose& baseInMap, Time measured, d
     RobotPlaceSample sample = putUntilScan(baseInMap, measured, now);
     sample.cause = RobotPlaceSample::Cause::FoundAgain;
     sample.overlap = overlap;  // certain once its next scan fits there
-    sample.how = fmt::format(placement_format::FoundByScan, std::lround(100.0 * overlap));
+    sample.how = logged(placement_format::FoundByScan, std::lround(100.0 * overlap));
     return sample;
 }
 
 void LaserRobot::restore(const RobotPlaceSample& place) {
     m_resumed = place;
-    m_tracker.correct({place.measured, place.baseInMap, 0.0, false, placement_format::WhereLeft});
+    m_tracker.correct({place.measured, place.baseInMap, 0.0, false, logged(placement_format::WhereLeft)});
 }
 
 void LaserRobot::follow(const RobotPlaceSample& place) {
@@ -225,7 +225,7 @@ std::optional<RobotPlaceSample> LaserRobot::resumed(const LiveMapPtr& map, Time 
         if (best.how.empty() || one.certainty > best.certainty) best = one;
     }
     const MapFix fix{m_view->stamp, best.baseInMap, best.certainty, best.certain,
-                     best.certain ? best.how : fmt::format(placement_format::WhereLeftBut, best.how)};
+                     best.certain ? best.how : logged(placement_format::WhereLeftBut, best.how)};
     m_localiser.begin(fix);
     return taken(fix, RobotPlaceSample::Cause::FoundAgain, best.overlap, now);
 }

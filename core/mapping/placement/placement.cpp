@@ -30,7 +30,7 @@ Placement placeRobot(const LaserView& view, const LocalMap& local, const Pose& g
     Placement placed;
     placed.baseInMap = guess;
     if (static_cast<int>(view.points.size()) < settings.leastPoints) {
-        placed.how = fmt::format(placement_format::TooFewPoints, view.points.size());
+        placed.how = logged(placement_format::TooFewPoints, view.points.size());
         return placed;
     }
     const WallMap map = wallMap(local, guess, view.low, view.high);
@@ -45,19 +45,20 @@ Placement placeRobot(const LaserView& view, const LocalMap& local, const Pose& g
     placed.certainty = meets * unique * held;
     std::string doubt;
     if (fit.overlap < settings.leastOverlap) {
-        doubt = placement_format::LittleInMap;
+        doubt = logged(placement_format::LittleInMap);
     } else if (placed.certainty < settings.leastCertainty) {
-        doubt = held <= unique ? placement_format::DirectionOpen : placement_format::Elsewhere;
+        doubt =
+            held <= unique ? logged(placement_format::DirectionOpen) : logged(placement_format::Elsewhere);
     }
     placed.certain = doubt.empty();
     if (!placed.certain) {
         placed.certainty = std::min(placed.certainty, 0.5 * settings.leastCertainty);
-        placed.how = fmt::format(placement_format::Because, doubt,
-                                 fmt::format(placement_format::InMap, percent(fit.overlap)));
+        placed.how =
+            logged(placement_format::Because, doubt, logged(placement_format::InMap, percent(fit.overlap)));
         return placed;
     }
     placed.baseInMap = fit.pose.standing(map.ground) * view.tilt;
-    placed.how = fmt::format(
+    placed.how = logged(
         placement_format::FromGuess, percent(fit.overlap),
         std::lround(100.0 * (fit.pose.place - guess.translation().head<2>()).norm()),
         std::lround(inDegrees(angleBetween(fit.pose.standing(0.0), FlatPose::of(guess).standing(0.0)))));

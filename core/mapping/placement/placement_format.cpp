@@ -1,14 +1,19 @@
 #include "core/mapping/placement/placement_format.h"
 
-#include "core/base/known_sentence.h"
+#include <string_view>
 
 namespace leitstand::placement_format {
 
+bool isPhrase(const std::string& how, const LogPhrase& phrase) {
+    const ReadPhrase read = readPhrase(how, All);
+    return read.phrase != nullptr && read.phrase->code == std::string_view(phrase.code);
+}
+
 std::string inWindowsLanguage(const std::string& how) {
-    KnownSentence reported = knownSentence(how, All);
-    if (reported.words == nullptr) return how;
-    for (std::string& value : reported.values) value = inWindowsLanguage(value);
-    return withValues(translate("leitstand::Station", reported.words), reported.values);
+    ReadPhrase read = readPhrase(how, All);
+    if (read.phrase == nullptr) return how;
+    for (std::string& value : read.values) value = inWindowsLanguage(value);
+    return wordsOf("leitstand::Station", read);
 }
 
 }  // namespace leitstand::placement_format

@@ -41,6 +41,10 @@ public:
     [[nodiscard]] std::span<const std::byte> rest() const { return m_rest; }
     [[nodiscard]] std::vector<std::byte> take() { return std::move(m_bytes); }
     void fail() { m_ok = false; }
+    /// The version of the bytes; a field that is newer is not in them: `if (archive.version() >= 9)
+    /// archive(value.new)`.
+    [[nodiscard]] std::uint32_t version() const { return m_version; }
+    void setVersion(std::uint32_t version) { m_version = version; }
 
     template <class... Fields>
     void operator()(Fields&... fields) {
@@ -199,6 +203,7 @@ private:
     std::vector<std::byte> m_bytes;     // written
     std::span<const std::byte> m_rest;  // to be read
     bool m_ok = true;
+    std::uint32_t m_version = 0;
 };
 
 }  // namespace leitstand

@@ -41,7 +41,9 @@ std::vector<std::byte> serialised(const MissionState& state) {
     Archive</*Writing=*/true> archive;
     std::uint32_t magic = Magic, version = CheckpointVersion;
     MissionState copy = state;  // shares all that is big
-    archive(magic, version, copy);
+    archive(magic, version);
+    archive.setVersion(version);
+    archive(copy);
     std::vector<std::byte> bytes = archive.take();
     std::uint64_t sum = checksum(bytes);
     Archive</*Writing=*/true> tail;
@@ -70,6 +72,7 @@ Result<MissionState> deserialised(std::span<const std::byte> bytes) {
         return Error{"checkpoint: expected bytes that fit their checksum"};
     }
     MissionState state;
+    archive.setVersion(version);
     archive(state);
     if (!archive.ok() || !archive.rest().empty()) {
         return Error{fmt::format("checkpoint: byte {}: expected a mission's state",

@@ -1,13 +1,14 @@
 #pragma once
 
-// The fields of a checkpoint, in the order of its bytes. A change here needs a new CheckpointVersion.
+// The fields of a checkpoint, in the order of its bytes. A change here needs a new CheckpointVersion; a new
+// field stands behind `if (a.version() >= N)`, so that older checkpoints are read.
 
 #include "core/mission/state/mission_state.h"
 
 namespace leitstand {
 
 inline StreamRole lastOf(StreamRole) {
-    return StreamRole::Ping;
+    return allStreamRoles().back();
 }
 inline BatterySample::Status lastOf(BatterySample::Status) {
     return BatterySample::Status::Full;

@@ -28,9 +28,10 @@ struct UndoneThing {
     friend bool operator==(const UndoneThing&, const UndoneThing&) = default;
 };
 
-/// Returns @p thing as the log holds it (UndoSample::text), in English: "undo: 3 scans set aside".
+/// Returns @p thing as the log holds it (UndoSample::text): "undo what=set_aside scans=3".
 [[nodiscard]] std::string undoText(const UndoneThing& thing);
-/// Returns the thing from which undoText() made @p text; empty: it is another text.
+/// Returns the thing from which undoText() made @p text, also of the English sentences of logs from before
+/// there were codes; empty: it is another text.
 [[nodiscard]] std::optional<UndoneThing> undoneThing(const std::string& text);
 
 }  // namespace leitstand

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/robot/link/link_status.h"
 
 namespace leitstand {
 
-/// Reads a reason from its toString() text in an alarm of the log; without the topic, figures as rounded
-/// there. Empty when @p reported is no such text.
+/// Returns @p reason for the log, without the topic: "stale stream=odometry seconds=1.4".
+[[nodiscard]] std::string logged(const LinkReason& reason);
+/// Reads a reason from the log: what logged() wrote, or the English sentence of logs from before there were
+/// codes; figures as rounded there. Empty when @p reported is no such text.
 [[nodiscard]] std::optional<LinkReason> linkReasonFrom(std::string_view reported);
 
 }  // namespace leitstand

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/base/known_sentence.h"
+#include "core/base/phrases/coded_text.h"
 #include "core/robot/link/link_reasons.h"
 #include "core/robot/streams/stream_table.h"
 
@@ -25,6 +25,51 @@ std::string streamOf(const LinkReason& reason) {
                : wordsOf(reason.role);
 }
 
+/// How the log names a kind and its figure, and in what unit.
+struct LoggedKind {
+    LinkReason::Kind kind;
+    const char* code;
+    const char* figure;
+    double unit;
+    int decimals;
+};
+constexpr LoggedKind LoggedKinds[] = {
+    {LinkReason::Kind::Silent, "silent", "seconds", 1.0, 1},
+    {LinkReason::Kind::NoAnswer, "no_answer", "seconds", 1.0, 1},
+    {LinkReason::Kind::Slow, "slow", "round_trip_ms", 1e-3, 0},
+    {LinkReason::Kind::Loss, "loss", "percent", 1e-2, 0},
+    {LinkReason::Kind::Stale, "stale", "seconds", 1.0, 1},
+    {LinkReason::Kind::Late, "late", "seconds", 1.0, 1},
+};
+
+bool isOfStream(LinkReason::Kind kind) {
+    return kind == LinkReason::Kind::Loss || kind == LinkReason::Kind::Stale ||
+           kind == LinkReason::Kind::Late;
+}
+
+std::optional<LinkReason> codedReason(std::string_view reported) {
+    const auto coded = codedText(reported);
+    if (!coded) return std::nullopt;
+    for (const LoggedKind& one : LoggedKinds) {
+        const auto figure = coded->figure(one.figure);
+        if (coded->code != one.code || !figure) continue;
+        LinkReason reason;
+        reason.kind = one.kind;
+        reason.value = *figure * one.unit;
+        if (!isOfStream(one.kind)) return reason;
+        const auto stream = coded->value("stream");
+        const auto roles = allStreamRoles();
+        const auto role =
+            std::ranges::find_if(roles, [&](StreamRole each) { return stream == toString(each); });
+        if (role == roles.end()) return std::nullopt;
+        reason.role = *role;
+        reason.sensor = coded->value("sensor").value_or(std::string());
+        return reason;
+    }
+    return std::nullopt;
+}
+
+/// Of logs from before there were codes.
 constexpr std::pair<LinkReason::Kind, const char*> Sentences[] = {
     {LinkReason::Kind::Silent, "nothing heard for {} s"},
     {LinkReason::Kind::NoAnswer, "no answer to pings for {} s"},
@@ -55,7 +100,20 @@ bool readStream(std::string_view reported, LinkReason& reason) {
 
 }  // namespace
 
+std::string logged(const LinkReason& reason) {
+    const auto* const kind = std::ranges::find(LoggedKinds, reason.kind, &LoggedKind::kind);
+    CodedText coded{kind->code, {}};
+    if (isOfStream(reason.kind)) {
+        coded.values.emplace_back("stream", toString(reason.role));
+        if (streamFacts(reason.role).ofCamera && !reason.sensor.empty())
+            coded.values.emplace_back("sensor", reason.sensor);
+    }
+    coded.values.emplace_back(kind->figure, loggedFigure(reason.value / kind->unit, kind->decimals));
+    return toString(coded);
+}
+
 std::optional<LinkReason> linkReasonFrom(std::string_view reported) {
+    if (auto reason = codedReason(reported)) return reason;
     for (const auto& [kind, words] : Sentences) {
         const KnownSentence found = knownSentence(reported, std::array{words});
         if (found.words == nullptr) continue;

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/base/known_sentence.h"
+#include "core/base/phrases/coded_text.h"
 #include "core/base/words.h"
 #include "core/robot/streams/stream_table.h"
 
@@ -42,17 +42,24 @@ std::string namesOf(const ReceptionFault& fault) {
     return text;
 }
 
-/// Words for @p kind with a place for names; looked up by their English text.
-constexpr const char* wordsOf(ReceptionFault::Kind kind) {
+constexpr LogPhrase Mute = {"announced_no_topics",
+                            translatable("leitstand::Hearing", "announced by {}, but none of its topics are"),
+                            {"names"}};
+constexpr LogPhrase Partial = {
+    "announced_partial", translatable("leitstand::Hearing", "announced, but never came: {}"), {"names"}};
+constexpr LogPhrase Silent = {
+    "announced_silent", translatable("leitstand::Hearing", "announced, but nothing comes: {}"), {"names"}};
+
+const LogPhrase& phraseOf(ReceptionFault::Kind kind) {
     switch (kind) {
         case ReceptionFault::Kind::Mute:
-            return translatable("leitstand::Hearing", "announced by {}, but none of its topics are");
+            return Mute;
         case ReceptionFault::Kind::Partial:
-            return translatable("leitstand::Hearing", "announced, but never came: {}");
+            return Partial;
         case ReceptionFault::Kind::Silent:
             break;
     }
-    return translatable("leitstand::Hearing", "announced, but nothing comes: {}");
+    return Silent;
 }
 
 /// Returns the fault of a robot that was never heard, or is lost. Its nodes are judged separately: a hung one
@@ -140,7 +147,7 @@ bool isOver(const ReceptionFault& fault, LinkState link, const Announced& announ
 }
 
 std::string toString(const ReceptionFault& fault) {
-    return fmt::format(fmt::runtime(wordsOf(fault.kind)), namesOf(fault));
+    return logged(phraseOf(fault.kind), namesOf(fault));
 }
 
 std::string worded(const ReceptionFault& fault) {
@@ -148,11 +155,8 @@ std::string worded(const ReceptionFault& fault) {
 }
 
 std::string receptionText(const std::string& reported) {
-    const KnownSentence found = knownEnding(
-        reported, std::array{wordsOf(ReceptionFault::Kind::Mute), wordsOf(ReceptionFault::Kind::Silent),
-                             wordsOf(ReceptionFault::Kind::Partial)});
-    if (found.words == nullptr) return reported;
-    return withValues(translate("leitstand::Hearing", found.words), found.values);
+    const ReadPhrase read = readPhrase(reported, std::array{Mute, Silent, Partial});
+    return read.phrase == nullptr ? reported : wordsOf("leitstand::Hearing", read);
 }
 
 bool RejoinPlan::isDue(const std::optional<ReceptionFault>& fault, bool may, SteadyTime now) {

@@ -60,7 +60,7 @@ inline constexpr double TopicReceivedWithin = 5.0;
 /// Whether @p fault is over, by what was received since it was found.
 [[nodiscard]] bool isOver(const ReceptionFault& fault, LinkState link, const Announced& announced);
 
-/// For logs: "announced, but nothing comes: /kurt3d/odom, /kurt3d/points".
+/// For logs: `announced_silent names="/kurt3d/odom, /kurt3d/points"`.
 [[nodiscard]] std::string toString(const ReceptionFault& fault);
 /// The same in the window's language.
 [[nodiscard]] std::string worded(const ReceptionFault& fault);

@@ -31,7 +31,7 @@ constexpr Type Velocity[] = {"geometry_msgs/msg/Twist", "geometry_msgs/msg/Twist
 constexpr Type Stop[] = {"leitstand_msgs/msg/StopCommand"};
 constexpr Type ModeRequest[] = {"leitstand_msgs/msg/ModeCommand"};
 constexpr Type Goal[] = {"geometry_msgs/msg/PoseStamped"};
-constexpr Type StreamRequest[] = {"leitstand_msgs/msg/StreamCommand"};
+constexpr Type StreamOrder[] = {"leitstand_msgs/msg/StreamCommand"};
 constexpr Type Question[] = {"leitstand_msgs/msg/Ping"};
 
 constexpr std::string_view OfHeat[] = {"ir", "thermal", "lepton", "flir"};
@@ -289,7 +289,7 @@ constexpr StreamFacts Table[] = {
      .single = true,
      .guessedBy = GuessedBy::Name},
     {.role = StreamRole::StreamCommand,
-     .types = StreamRequest,
+     .types = StreamOrder,
      .topic = "stream_cmd",
      .qos = Command,
      .single = true,
@@ -311,8 +311,8 @@ constexpr bool isInOrder() {
     }
     return true;
 }
-static_assert(std::size(Table) == static_cast<std::size_t>(StreamRole::Ping) + 1, "Ping is the last role");
-static_assert(isInOrder(), "a row for each role, in the order of their declaration");
+static_assert(nameOf(static_cast<StreamRole>(std::size(Table))).empty(), "a row for each role");
+static_assert(isInOrder(), "rows by rising number of their roles, each with types and a topic");
 
 }  // namespace
 

@@ -53,7 +53,7 @@ struct StreamFacts {
 
 inline constexpr const char* StreamTitles = "leitstand::LinkStatus";  ///< context of their translation
 
-/// A row for each role, in the order of their declaration.
+/// A row for each role, by rising number.
 [[nodiscard]] std::span<const StreamFacts> streamTable();
 [[nodiscard]] const StreamFacts& streamFacts(StreamRole role);
 

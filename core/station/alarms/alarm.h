@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/base/time.h"
 
@@ -33,8 +37,8 @@ namespace alarm_key {
 inline constexpr const char* Attitude = "attitude";               ///< value: share of the limit
 inline constexpr const char* RollOver = "roll_over";              ///< value: tilt [rad]
 inline constexpr const char* LinkLost = "link_lost";              ///< value: silence [s]
-inline constexpr const char* LinkDegraded = "link_degraded";      ///< note: why, in words
-inline constexpr const char* NotReceived = "unheard";             ///< note: what is announced, in words
+inline constexpr const char* LinkDegraded = "link_degraded";      ///< note: logged(LinkReason)
+inline constexpr const char* NotReceived = "unheard";             ///< note: toString(ReceptionFault)
 inline constexpr const char* Battery = "battery";                 ///< value: minutes or share left, see note
 inline constexpr const char* Gas = "gas";                         ///< value: [ppm]
 inline constexpr const char* WheelsSpin = "wheels_spin";          ///< value: distance [m]
@@ -47,15 +51,37 @@ inline constexpr const char* ClockOffset = "clock_offset";        ///< value: ro
 inline constexpr const char* UncertainScan = "uncertain_scan";    ///< value: how many
 inline constexpr const char* Log = "log";                         ///< detail: one of log_key; note: its text
 
+/// All of them.
+inline constexpr auto All = std::to_array<std::string_view>({
+    Attitude,
+    RollOver,
+    LinkLost,
+    LinkDegraded,
+    NotReceived,
+    Battery,
+    Gas,
+    WheelsSpin,
+    Bump,
+    Diagnostics,
+    StopUnanswered,
+    FrozenPicture,
+    GrantLost,
+    ClockOffset,
+    UncertainScan,
+    Log,
+});
+
 }  // namespace alarm_key
 
 /// A condition that holds now and that the operator must know.
 struct AlarmCause {
     AlarmId id;
     AlarmSeverity severity = AlarmSeverity::Attention;
-    std::string text = {};  ///< whole, with numbers, in English, for the log
     double value = std::numeric_limits<double>::quiet_NaN();  ///< depends on the key
     std::string note = {};                                    ///< depends on the key; may be empty
+    /// Further figures for the log, each with its name.
+    std::vector<std::pair<std::string, std::string>> more = {};
+    std::string text = {};  ///< as it was logged, if it was read from a log
     std::size_t count = 0;  ///< how many things it stands for; more than were acknowledged raise it again
 };
 

@@ -4,11 +4,9 @@
 #include <chrono>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "core/base/known_sentence.h"
+#include "core/base/phrases/known_sentence.h"
 #include "core/base/time.h"
-#include "core/station/alarms/alarm_format.h"
+#include "core/robot/link/link_reasons.h"
 #include "core/station/robot_figures.h"
 
 namespace leitstand {
@@ -17,13 +15,6 @@ namespace {
 /// Rounded, and never "-0".
 std::string wholeDegrees(double radians) {
     return loggedFigure(std::round(inDegrees(radians)) + 0.0);
-}
-
-std::string batteryText(double share, double minutes) {
-    const std::string percent = loggedFigure(100.0 * share), left = loggedFigure(minutes);
-    if (!std::isfinite(minutes)) return fmt::format(alarm_format::BatteryShare, percent);
-    return std::isfinite(share) ? fmt::format(alarm_format::BatteryBoth, percent, left)
-                                : fmt::format(alarm_format::BatteryMinutes, left);
 }
 
 /// Collects the causes of one robot.
@@ -55,10 +46,9 @@ private:
     [[nodiscard]] AlarmId idOf(const char* key, const std::string& detail = {}) const {
         return {m_robot.description.name, key, detail};
     }
-    void add(AlarmId id, Severity severity, const std::string& text, double value = Unknown,
-             const std::string& note = {}) {
-        m_causes.push_back(
-            {std::move(id), severity, fmt::format("{}: {}", m_robot.description.title, text), value, note});
+    void add(AlarmId id, Severity severity, double value = Unknown, const std::string& note = {},
+             std::vector<std::pair<std::string, std::string>> more = {}) {
+        m_causes.push_back({std::move(id), severity, value, note, std::move(more)});
     }
     /// Returns the severity of @p value, which should stay under @p attention and @p act; empty: none.
     [[nodiscard]] std::optional<Severity> above(const AlarmId& id, double value, double attention,
@@ -80,17 +70,13 @@ private:
     void link() {
         const LinkStatus& link = m_robot.view.link;
         if (link.state == LinkState::Lost) {
-            add(idOf(alarm_key::LinkLost), Severity::Act,
-                fmt::format(alarm_format::LinkLost, loggedFigure(link.silence)), link.silence);
+            add(idOf(alarm_key::LinkLost), Severity::Act, link.silence);
         } else if (link.state == LinkState::Degraded) {
-            const std::string why = link.reasons.empty() ? "degraded" : toString(link.reasons.front());
-            add(idOf(alarm_key::LinkDegraded), Severity::Attention,
-                fmt::format(alarm_format::LinkDegraded, why), Unknown, why);
+            const std::string why = link.reasons.empty() ? "degraded" : logged(link.reasons.front());
+            add(idOf(alarm_key::LinkDegraded), Severity::Attention, Unknown, why);
         }
         if (const auto& notReceived = m_robot.view.reception) {
-            const std::string what = toString(*notReceived);
-            add(idOf(alarm_key::NotReceived), Severity::Attention,
-                fmt::format(alarm_format::NotReceived, what), Unknown, what);
+            add(idOf(alarm_key::NotReceived), Severity::Attention, Unknown, toString(*notReceived));
         }
     }
 
@@ -101,16 +87,13 @@ private:
         const double tilt = std::acos(std::clamp(std::cos(roll) * std::cos(pitch), -1.0, 1.0));
         if (const AlarmId id = idOf(alarm_key::RollOver);
             above(id, tilt, m_limits.rolledOver, m_limits.rolledOver)) {
-            return add(id, Severity::Act,
-                       fmt::format(alarm_format::RolledOver, loggedFigure(inDegrees(tilt))), tilt);
+            return add(id, Severity::Act, tilt);
         }
         const AlarmId id = idOf(alarm_key::Attitude);
         const double share = shareOfLimits(m_robot.description, roll, pitch);
         if (const auto loud = above(id, share, m_limits.attitude, m_limits.attitudeAct)) {
-            add(id, *loud,
-                fmt::format(alarm_format::Tilted, wholeDegrees(roll), wholeDegrees(pitch),
-                            loggedFigure(100.0 * share)),
-                share);
+            add(id, *loud, share, {},
+                {{"roll_degrees", wholeDegrees(roll)}, {"pitch_degrees", wholeDegrees(pitch)}});
         }
     }
 
@@ -131,8 +114,9 @@ private:
         const Severity loud =
             std::max(byTime.value_or(Severity::Attention), byShare.value_or(Severity::Attention));
         const bool timed = std::isfinite(minutes);
-        add(id, loud, batteryText(battery.fraction, minutes), timed ? minutes : battery.fraction,
-            timed ? "minutes" : "share");
+        add(id, loud, timed ? minutes : battery.fraction, timed ? "minutes" : "share",
+            {{"percent",
+              std::isfinite(battery.fraction) ? loggedFigure(100.0 * battery.fraction) : "unknown"}});
     }
 
     void gas() {
@@ -140,37 +124,31 @@ private:
         const double ppm = m_robot.reported.gas->sample.ppm;
         const AlarmId id = idOf(alarm_key::Gas);
         if (above(id, ppm, m_limits.gas, std::numeric_limits<double>::infinity()))
-            add(id, Severity::Attention, fmt::format(alarm_format::Gas, loggedFigure(ppm)), ppm);
+            add(id, Severity::Attention, ppm);
     }
 
     void bump() {
-        if (m_robot.bumpAge && *m_robot.bumpAge < m_limits.bumped) {
-            add(idOf(alarm_key::Bump, m_robot.bumper), Severity::Attention,
-                fmt::format(alarm_format::Bumped, m_robot.bumper));
-        }
+        if (m_robot.bumpAge && *m_robot.bumpAge < m_limits.bumped)
+            add(idOf(alarm_key::Bump, m_robot.bumper), Severity::Attention);
     }
 
     void wheels() {
         if (m_robot.spinning < m_limits.spinning) return;
-        add(idOf(alarm_key::WheelsSpin), Severity::Attention,
-            fmt::format(alarm_format::WheelsSpin, loggedFigure(m_robot.spinning, 1)), m_robot.spinning);
+        add(idOf(alarm_key::WheelsSpin), Severity::Attention, m_robot.spinning);
     }
 
     void diagnostics() {
         if (!m_robot.reported.diagnostics) return;
         for (const DiagnosticStatus& part : m_robot.reported.diagnostics->sample.statuses) {
             if (part.level != DiagnosticStatus::Level::Error) continue;
-            add(idOf(alarm_key::Diagnostics, part.name), Severity::Act,
-                fmt::format(alarm_format::Part, part.name, part.message), Unknown, part.message);
+            add(idOf(alarm_key::Diagnostics, part.name), Severity::Act, Unknown, part.message);
         }
     }
 
     void pictures() {
         for (const CameraView& camera : m_robot.view.cameras) {
             if (!camera.age.isFrozen(m_limits.frozen)) continue;
-            add(idOf(alarm_key::FrozenPicture, camera.sensor), Severity::Attention,
-                fmt::format(alarm_format::Frozen, camera.sensor, loggedFigure(camera.age.content)),
-                camera.age.content);
+            add(idOf(alarm_key::FrozenPicture, camera.sensor), Severity::Attention, camera.age.content);
         }
     }
 
@@ -180,27 +158,21 @@ private:
         const double ahead = toSeconds(clock.ahead);
         const AlarmId id = idOf(alarm_key::ClockOffset);
         if (!above(id, surelyOff(clock), m_limits.clock, std::numeric_limits<double>::infinity())) return;
-        const std::string by = loggedFigure(std::abs(ahead), 1);
-        add(id, Severity::Attention,
-            ahead > 0.0 ? fmt::format(alarm_format::ClockAhead, by)
-                        : fmt::format(alarm_format::ClockBehind, by),
-            ahead);
+        add(id, Severity::Attention, ahead);
     }
 
     void stop() {
         const StopStatus& stop = m_robot.view.stop;
         const double waits = toSeconds(stop.unanswered);
         if (!stop.supported || !stop.sent || stop.acknowledged || waits < m_limits.unanswered) return;
-        add(idOf(alarm_key::StopUnanswered), Severity::Act,
-            fmt::format(alarm_format::StopUnanswered, loggedFigure(waits)), waits);
+        add(idOf(alarm_key::StopUnanswered), Severity::Act, waits);
     }
 
     void grant() {
         const GrantView& grant = m_robot.view.grant;
         if (grant.lostTo.empty() || grant.mine) return;
         const std::string who = grant.holderTitle.empty() ? grant.lostTo : grant.holderTitle;
-        add(idOf(alarm_key::GrantLost), Severity::Attention, fmt::format(alarm_format::GrantLost, who),
-            Unknown, who);
+        add(idOf(alarm_key::GrantLost), Severity::Attention, Unknown, who);
     }
 
     const RobotWatch& m_robot;

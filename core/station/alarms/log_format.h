@@ -1,34 +1,61 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
-#include "core/base/known_sentence.h"
+#include "core/base/phrases/coded_text.h"
 #include "core/base/words.h"
 
-/// Texts of the log's own alarms about the disk. They are logged in English, after a file and ": ", and shown
-/// in the window's language. "{}" stands for a figure.
+/// The log's own alarms about the disk, as the log holds them (AlarmSample::text). The file that is written
+/// follows as a further value.
 namespace leitstand::log_format {
 
-constexpr auto DiskFilling = translatable("leitstand::LogSays", "the disk is full in {} minutes at {} MB/s");
-constexpr auto DiskLasts = translatable("leitstand::LogSays", "the disk lasts {} minutes again");
-constexpr auto DiskLastsForDays = translatable("leitstand::LogSays", "the disk lasts for days again");
-constexpr auto DiskFull = translatable("leitstand::LogSays", "the disk is full; {} MB wait in memory");
-constexpr auto DiskFree = translatable("leitstand::LogSays", "there is space on the disk again");
-constexpr auto DiskSlow = translatable(
-    "leitstand::LogSays", "the disk does not keep up: {} s behind, {} MB wait, {} pictures dropped");
-constexpr auto DiskKeepsUp =
-    translatable("leitstand::LogSays", "the disk keeps up again; {} pictures were dropped");
-constexpr auto EventsLost = translatable("leitstand::LogSays", "{} events that are no pictures are lost");
-constexpr auto EventsKept = translatable("leitstand::LogSays", "no more events are lost; {} were");
-constexpr auto WrittenAgain = translatable("leitstand::LogSays", "is written again");
+inline constexpr LogPhrase DiskFilling = {
+    "disk_filling",
+    translatable("leitstand::LogSays", "the disk is full in {} minutes at {} MB/s"),
+    {"minutes", "megabytes_per_second"}};
+inline constexpr LogPhrase DiskLasts = {
+    "disk_lasts", translatable("leitstand::LogSays", "the disk lasts {} minutes again"), {"minutes"}};
+inline constexpr LogPhrase DiskLastsForDays = {
+    "disk_lasts_for_days", translatable("leitstand::LogSays", "the disk lasts for days again")};
+inline constexpr LogPhrase DiskFull = {
+    "disk_full",
+    translatable("leitstand::LogSays", "the disk is full; {} MB wait in memory"),
+    {"waiting_megabytes"}};
+inline constexpr LogPhrase DiskFree = {
+    "disk_free", translatable("leitstand::LogSays", "there is space on the disk again")};
+inline constexpr LogPhrase DiskSlow = {
+    "disk_slow",
+    translatable("leitstand::LogSays",
+                 "the disk does not keep up: {} s behind, {} MB wait, {} pictures dropped"),
+    {"seconds_behind", "waiting_megabytes", "dropped_pictures"}};
+inline constexpr LogPhrase DiskKeepsUp = {
+    "disk_keeps_up",
+    translatable("leitstand::LogSays", "the disk keeps up again; {} pictures were dropped"),
+    {"dropped_pictures"}};
+inline constexpr LogPhrase EventsLost = {
+    "events_lost", translatable("leitstand::LogSays", "{} events that are no pictures are lost"), {"events"}};
+inline constexpr LogPhrase EventsKept = {
+    "events_kept", translatable("leitstand::LogSays", "no more events are lost; {} were"), {"lost_events"}};
+inline constexpr LogPhrase WrittenAgain = {"written_again",
+                                           translatable("leitstand::LogSays", "is written again")};
 
 inline constexpr auto All =
-    std::to_array<const char*>({DiskFilling, DiskLasts, DiskLastsForDays, DiskFull, DiskFree, DiskSlow,
-                                DiskKeepsUp, EventsLost, EventsKept, WrittenAgain});
+    std::to_array<LogPhrase>({DiskFilling, DiskLasts, DiskLastsForDays, DiskFull, DiskFree, DiskSlow,
+                              DiskKeepsUp, EventsLost, EventsKept, WrittenAgain});
 
-/// Returns which of All an alarm of the log contains, with its figures. Empty when one of them is no number,
-/// and for failures, whose text is the system's.
-[[nodiscard]] KnownSentence newsIn(std::string_view text);
+/// Returns what the log holds of @p phrase about @p file.
+template <class... Values>
+[[nodiscard]] std::string about(const std::string& file, const LogPhrase& phrase, const Values&... values) {
+    return logged(phrase, values...) + toString(CodedText{{}, {{"file", file}}});
+}
+
+/// Returns which of All an alarm of the log is, with its figures; also reads the English sentences, after a
+/// file and ": ", of logs from before there were codes. Empty when a figure is no number, and for failures,
+/// whose text is the system's.
+[[nodiscard]] ReadPhrase newsIn(std::string_view text);
+/// Returns @p text as a message in the window's language, after its file; a failure as it is.
+[[nodiscard]] std::string message(const std::string& text);
 
 }  // namespace leitstand::log_format

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
-#include "core/base/known_sentence.h"
+#include "core/base/phrases/coded_text.h"
 #include "core/base/pose.h"
-#include "core/station/alarms/alarm_format.h"
 
 namespace leitstand {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr std::array LogKeys = {log_key::DiskFilling, log_key::DiskSlow, log_key::DiskFull,
                                 log_key::EventsLost, log_key::Failed};
 
-/// A sentence that contains an alarm's value.
+/// A sentence of old logs that contains an alarm's value.
 struct MeasuredSentence {
     const char* key;
     const char* words;
@@ -25,23 +25,23 @@ struct MeasuredSentence {
 };
 
 constexpr MeasuredSentence MeasuredSentences[] = {
-    {alarm_key::Attitude, alarm_format::Tilted, 0.01, 2},
-    {alarm_key::RollOver, alarm_format::RolledOver, degrees(1.0)},
-    {alarm_key::LinkLost, alarm_format::LinkLost},
-    {alarm_key::Battery, alarm_format::BatteryBoth, 1.0, 1, "minutes"},
-    {alarm_key::Battery, alarm_format::BatteryMinutes, 1.0, 0, "minutes"},
-    {alarm_key::Battery, alarm_format::BatteryShare, 0.01, 0, "share"},
-    {alarm_key::Gas, alarm_format::Gas},
-    {alarm_key::WheelsSpin, alarm_format::WheelsSpin},
-    {alarm_key::StopUnanswered, alarm_format::StopUnanswered},
-    {alarm_key::FrozenPicture, alarm_format::Frozen, 1.0, 1},
-    {alarm_key::ClockOffset, alarm_format::ClockAhead},
-    {alarm_key::ClockOffset, alarm_format::ClockBehind, -1.0},
-    {alarm_key::UncertainScan, alarm_format::UncertainScan},
-    {alarm_key::UncertainScan, alarm_format::UncertainScans},
+    {alarm_key::Attitude, "roll {}, pitch {} degrees: {} % of where it tips over", 0.01, 2},
+    {alarm_key::RollOver, "rolled over, tilted by {} degrees", degrees(1.0)},
+    {alarm_key::LinkLost, "link lost, silent for {} s"},
+    {alarm_key::Battery, "battery {} %, {} min left", 1.0, 1, "minutes"},
+    {alarm_key::Battery, "battery, {} min left", 1.0, 0, "minutes"},
+    {alarm_key::Battery, "battery {} %", 0.01, 0, "share"},
+    {alarm_key::Gas, "CO2 {} ppm"},
+    {alarm_key::WheelsSpin, "its wheels turned for {} m, the map says it stands"},
+    {alarm_key::StopUnanswered, "does not answer the stop for {} s"},
+    {alarm_key::FrozenPicture, "camera {} repeats one picture for {} s", 1.0, 1},
+    {alarm_key::ClockOffset, "its clock is {} s ahead of the station's"},
+    {alarm_key::ClockOffset, "its clock is {} s behind the station's", -1.0},
+    {alarm_key::UncertainScan, "{} uncertain scan to be decided on"},
+    {alarm_key::UncertainScan, "{} uncertain scans to be decided on"},
 };
 
-void readValue(AlarmCause& cause) {
+void readOldValue(AlarmCause& cause) {
     for (const MeasuredSentence& one : MeasuredSentences) {
         if (cause.id.key != one.key) continue;
         const KnownSentence found = knownEnding(cause.text, std::array{one.words});
@@ -62,11 +62,11 @@ std::string messageOf(const std::string& part, const std::string& text) {
     return text.starts_with(name) ? text.substr(name.size()) : std::string();
 }
 
-void readNote(AlarmCause& cause) {
+void readOldNote(AlarmCause& cause) {
     if (cause.id.key == alarm_key::Diagnostics) cause.note = messageOf(cause.id.detail, cause.text);
-    for (const auto& [key, words] : {std::pair(alarm_key::LinkDegraded, alarm_format::LinkDegraded),
-                                     std::pair(alarm_key::GrantLost, alarm_format::GrantLost),
-                                     std::pair(alarm_key::NotReceived, alarm_format::NotReceived)}) {
+    for (const auto& [key, words] : {std::pair(alarm_key::LinkDegraded, "link: {}"),
+                                     std::pair(alarm_key::GrantLost, "the grant to drive was lost to {}"),
+                                     std::pair(alarm_key::NotReceived, "not heard: {}")}) {
         if (cause.id.key != key) continue;
         const KnownSentence found = knownEnding(cause.text, std::array{words});
         if (found.words != nullptr) cause.note = found.values.front();
@@ -78,6 +78,15 @@ void readNote(AlarmCause& cause) {
 bool isAlarmOfLog(std::string_view key) {
     return std::ranges::find(LogKeys, key, [](const char* one) { return std::string_view(one); }) !=
            LogKeys.end();
+}
+
+std::string logText(const AlarmCause& cause) {
+    if (cause.id.key == alarm_key::Log) return cause.note;
+    CodedText coded{cause.id.key, {}};
+    if (std::isfinite(cause.value)) coded.values.emplace_back("value", fmt::format("{:.6g}", cause.value));
+    if (!cause.note.empty()) coded.values.emplace_back("note", cause.note);
+    coded.values.insert(coded.values.end(), cause.more.begin(), cause.more.end());
+    return toString(coded);
 }
 
 AlarmCause loggedCause(const AlarmSample& reported) {
@@ -93,8 +102,13 @@ AlarmCause loggedCause(const AlarmSample& reported) {
     const auto slash = reported.key.find('/');
     cause.id = {reported.robot, reported.key.substr(0, slash),
                 slash == std::string::npos ? std::string() : reported.key.substr(slash + 1)};
-    readValue(cause);
-    readNote(cause);
+    if (const auto coded = codedText(reported.text); coded && coded->code == cause.id.key) {
+        cause.value = coded->figure("value").value_or(cause.value);
+        cause.note = coded->value("note").value_or(std::string());
+        return cause;
+    }
+    readOldValue(cause);
+    readOldNote(cause);
     return cause;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "core/event/station_samples.h"
@@ -20,8 +21,14 @@ inline constexpr const char* Failed = "log_failed";
 
 [[nodiscard]] bool isAlarmOfLog(std::string_view key);
 
+/// Returns what the log holds of @p cause (AlarmSample::text): its key as a code, with value, note and
+/// further figures. An example: `battery value=4 note=minutes percent=12`. Of an alarm of the log itself it
+/// is the note.
+[[nodiscard]] std::string logText(const AlarmCause& cause);
+
 /// Returns the cause that was logged as @p reported. Its value, to the figures that were written, and its
-/// note are read out of the text. What cannot be read stays unknown: NaN, and empty.
+/// note are read out of the text, also out of the English sentences of logs from before there were codes.
+/// What cannot be read stays unknown: NaN, and empty.
 [[nodiscard]] AlarmCause loggedCause(const AlarmSample& reported);
 
 }  // namespace leitstand

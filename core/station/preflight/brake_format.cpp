@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
-#include "core/base/known_sentence.h"
+#include "core/base/phrases/coded_text.h"
 #include "core/base/words.h"
 #include "core/station/preflight/brake_test.h"
 
@@ -13,65 +15,84 @@ namespace {
 using Cause = BrakeResult::Cause;
 using Verdict = BrakeResult::Verdict;
 
-constexpr auto Untested = translatable("leitstand::BrakeSays", "brake not tested");
-constexpr auto Passed =
-    translatable("leitstand::BrakeSays", "brake test passed: it stood after {} ms and {} cm");
-constexpr auto PassedAfter =
+constexpr const char* Context = "leitstand::BrakeSays";
+constexpr LogPhrase Untested = {"brake_untested", translatable("leitstand::BrakeSays", "brake not tested")};
+constexpr LogPhrase Passed = {
+    "brake_passed",
+    translatable("leitstand::BrakeSays", "brake test passed: it stood after {} ms and {} cm"),
+    {"stood_ms", "way_cm"}};
+constexpr LogPhrase PassedAfter = {
+    "brake_passed",
     translatable("leitstand::BrakeSays",
-                 "brake test passed: without commands it braked after {} ms and stood after {} ms and {} cm");
-constexpr auto FailedAfter = translatable(
-    "leitstand::BrakeSays",
-    "brake test FAILED: without commands it braked after {} ms and stood only after {} ms and {} cm");
-constexpr auto Failed = translatable(
-    "leitstand::BrakeSays", "brake test FAILED: without commands it still moved after {} ms and {} cm");
-constexpr auto Inconclusive = translatable("leitstand::BrakeSays", "brake test without result: {}");
-constexpr auto NoRoom = translatable("leitstand::BrakeSays", "only {} cm are free ahead, {} cm are needed");
-constexpr std::array<const char*, 6> Verdicts = {Untested,    Passed, PassedAfter,
-                                                 FailedAfter, Failed, Inconclusive};
+                 "brake test passed: without commands it braked after {} ms and stood after {} ms and {} cm"),
+    {"braked_ms", "stood_ms", "way_cm"}};
+constexpr LogPhrase FailedAfter = {
+    "brake_failed",
+    translatable(
+        "leitstand::BrakeSays",
+        "brake test FAILED: without commands it braked after {} ms and stood only after {} ms and {} cm"),
+    {"braked_ms", "stood_ms", "way_cm"}};
+constexpr LogPhrase Failed = {
+    "brake_failed",
+    translatable("leitstand::BrakeSays",
+                 "brake test FAILED: without commands it still moved after {} ms and {} cm"),
+    {"moved_ms", "way_cm"}};
+constexpr LogPhrase Inconclusive = {
+    "brake_inconclusive", translatable("leitstand::BrakeSays", "brake test without result: {}"), {"why"}};
+constexpr LogPhrase NoRoom = {
+    "no_room",
+    translatable("leitstand::BrakeSays", "only {} cm are free ahead, {} cm are needed"),
+    {"free_cm", "needed_cm"}};
+/// Of one code, the one with the most values first.
+constexpr std::array Verdicts = {Untested, PassedAfter, Passed, FailedAfter, Failed, Inconclusive};
 
-struct CauseWords {
-    Cause cause;
-    const char* words;
-};
 /// The preflight page uses the same words.
-constexpr std::array<CauseWords, 11> Causes = {{
-    {Cause::KeyLetGo, translatable("leitstand::PreflightList", "the key was let go")},
-    {Cause::NotDriven, translatable("leitstand::PreflightList", "the robot was not to be driven any more")},
+constexpr std::array<std::pair<Cause, LogPhrase>, 11> Causes = {{
+    {Cause::KeyLetGo, {"key_released", translatable("leitstand::PreflightList", "the key was let go")}},
+    {Cause::NotDriven,
+     {"not_driven", translatable("leitstand::PreflightList", "the robot was not to be driven any more")}},
     {Cause::RoomUnknown,
-     translatable("leitstand::PreflightList", "nothing tells whether there is room ahead")},
-    {Cause::NotAllowed, translatable("leitstand::PreflightList", "the station may not drive the robot")},
-    {Cause::Deaf, translatable("leitstand::PreflightList", "the robot hears no drive commands")},
-    {Cause::NoOdometry, translatable("leitstand::PreflightList", "no odometry comes")},
-    {Cause::SticksHeld, translatable("leitstand::PreflightList", "the sticks were not let go")},
-    {Cause::NotStanding, translatable("leitstand::PreflightList", "the robot did not stand")},
-    {Cause::TooSlow, translatable("leitstand::PreflightList", "the robot did not come to its speed")},
-    {Cause::OdometryEnded, translatable("leitstand::PreflightList", "no odometry came after the cut")},
-    {Cause::None, translatable("leitstand::PreflightList", "nothing tells why")},
+     {"room_unknown", translatable("leitstand::PreflightList", "nothing tells whether there is room ahead")}},
+    {Cause::NotAllowed,
+     {"not_allowed", translatable("leitstand::PreflightList", "the station may not drive the robot")}},
+    {Cause::Deaf,
+     {"no_commands_received", translatable("leitstand::PreflightList", "the robot hears no drive commands")}},
+    {Cause::NoOdometry, {"no_odometry", translatable("leitstand::PreflightList", "no odometry comes")}},
+    {Cause::SticksHeld,
+     {"sticks_held", translatable("leitstand::PreflightList", "the sticks were not let go")}},
+    {Cause::NotStanding,
+     {"not_standing", translatable("leitstand::PreflightList", "the robot did not stand")}},
+    {Cause::TooSlow,
+     {"too_slow", translatable("leitstand::PreflightList", "the robot did not come to its speed")}},
+    {Cause::OdometryEnded,
+     {"odometry_ended", translatable("leitstand::PreflightList", "no odometry came after the cut")}},
+    {Cause::None, {"unknown", translatable("leitstand::PreflightList", "nothing tells why")}},
 }};
 
 std::string whole(double value) {
     return loggedFigure(std::isfinite(value) ? value : 0.0);
 }
 
-std::string standing(const char* words, const BrakeResult& result) {
-    return leitstand::fill(words, whole(1e3 * result.brakesAfter), whole(1e3 * result.seconds),
-                           whole(100.0 * result.metres));
+std::string standing(const LogPhrase& phrase, const BrakeResult& result) {
+    return logged(phrase, whole(1e3 * result.brakesAfter), whole(1e3 * result.seconds),
+                  whole(100.0 * result.metres));
 }
 
 std::string causeOf(const BrakeResult& result) {
     if (result.cause == Cause::NoRoom)
-        return leitstand::fill(NoRoom, whole(100.0 * result.free), whole(100.0 * result.needed));
-    for (const CauseWords& one : Causes) {
-        if (one.cause == result.cause) return one.words;
+        return logged(NoRoom, whole(100.0 * result.free), whole(100.0 * result.needed));
+    for (const auto& [cause, phrase] : Causes) {
+        if (cause == result.cause) return logged(phrase);
     }
     return {};
 }
 
 std::string causeWorded(const std::string& reported) {
-    const KnownSentence room = knownSentence(reported, std::array{NoRoom});
-    if (room.words != nullptr) return withValues(translate("leitstand::BrakeSays", room.words), room.values);
-    for (const CauseWords& one : Causes) {
-        if (reported == one.words) return translate("leitstand::PreflightList", one.words);
+    const ReadPhrase room = readPhrase(reported, std::array{NoRoom});
+    if (room.phrase != nullptr) return wordsOf(Context, room);
+    for (const auto& [cause, phrase] : Causes) {
+        const ReadPhrase known = readPhrase(reported, std::array{phrase});
+        if (known.phrase != nullptr) return wordsOf("leitstand::PreflightList", known);
     }
     return reported;
 }
@@ -81,24 +102,25 @@ std::string causeWorded(const std::string& reported) {
 std::string toString(const BrakeResult& result) {
     switch (result.verdict) {
         case Verdict::Untested:
-            return Untested;
+            return logged(Untested);
         case Verdict::Passed:
             if (result.brakesAfter > 0.0) return standing(PassedAfter, result);
-            return leitstand::fill(Passed, whole(1e3 * result.seconds), whole(100.0 * result.metres));
+            return logged(Passed, whole(1e3 * result.seconds), whole(100.0 * result.metres));
         case Verdict::Failed:
             if (result.watchdog == BrakeResult::Watchdog::Stops) return standing(FailedAfter, result);
-            return leitstand::fill(Failed, whole(1e3 * result.seconds), whole(100.0 * result.metres));
+            return logged(Failed, whole(1e3 * result.seconds), whole(100.0 * result.metres));
         case Verdict::Inconclusive:
-            return leitstand::fill(Inconclusive, causeOf(result));
+            return logged(Inconclusive, causeOf(result));
     }
     return {};
 }
 
 std::string brakeWorded(const std::string& reported) {
-    KnownSentence sentence = knownSentence(reported, Verdicts);
-    if (sentence.words == nullptr) return reported;
-    if (sentence.words == Inconclusive) sentence.values.front() = causeWorded(sentence.values.front());
-    return withValues(translate("leitstand::BrakeSays", sentence.words), sentence.values);
+    ReadPhrase read = readPhrase(reported, Verdicts);
+    if (read.phrase == nullptr) return reported;
+    if (read.phrase->code == std::string_view(Inconclusive.code))
+        read.values.front() = causeWorded(read.values.front());
+    return wordsOf(Context, read);
 }
 
 }  // namespace leitstand

@@ -6,9 +6,10 @@ namespace leitstand {
 
 struct BrakeResult;
 
-/// Returns the result for the log, in English: "brake test passed: it stood after 310 ms and 2 cm".
+/// Returns the result for the log: "brake_passed stood_ms=310 way_cm=2".
 [[nodiscard]] std::string toString(const BrakeResult& result);
-/// Translates what toString() made of a result into the window's language; returns any other text as it is.
+/// Returns the words for what toString() made of a result, in the window's language; any other text as it is.
+/// Also reads the English sentences of logs from before there were codes.
 [[nodiscard]] std::string brakeWorded(const std::string& reported);
 
 }  // namespace leitstand

@@ -259,8 +259,7 @@ TEST_F(LiveMapOnScreen, APlaceWhereTheMapMayMeetItselfIsAskedAboutAnsweredAndTak
     trigger("loop.refuse");
     EXPECT_TRUE(soon([&] { return !asked->isVisible(); }));
     QAction* const undo = m_window->commands().find("scan.undo");
-    EXPECT_TRUE(soon([&] { return undo->text().contains("kept apart"); }))
-        << undo->text().toStdString();
+    EXPECT_TRUE(soon([&] { return undo->text().contains("kept apart"); })) << undo->text().toStdString();
     trigger("scan.undo");
     EXPECT_TRUE(soon([&] { return asked->isVisible(); })) << "it is asked again";
     const auto seam = [&] {

@@ -60,7 +60,7 @@ TEST_F(LiveReport, OneButtonWritesItAndItIsWrittenAgainUntilTheButtonIsPressedOn
     EXPECT_TRUE(button->isChecked());
     ASSERT_TRUE(soon([&] { return isThere(); })) << m_window->newest().toStdString();
     EXPECT_TRUE(soon([&] {
-        return m_window->recent().join(";").contains("competition or team are not told");
+        return m_window->recent().join(";").contains("competition or team are not given");
     })) << "what is missing in it is said";
     const auto first = written();
     feature().setInterval(Often);

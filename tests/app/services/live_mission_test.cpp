@@ -4,6 +4,8 @@
 #include <fstream>
 #include <future>
 #include <mutex>
+#include <random>
+#include <string>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -12,6 +14,7 @@
 #include "app/services/log/replay/bag_history.h"
 #include "core/event/station_topics.h"
 #include "core/mission/state/fold.h"
+#include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
 #include "transport/convert/encode.h"
 
@@ -114,12 +117,11 @@ TEST_F(LiveMissionTest, AResumeGoesOnFromTheStateThatWas) {
     EXPECT_EQ(mission->state()->robots.at("kurt3d")->odometry->sample.baseInOdom.translation().x(), 50.0);
     EXPECT_TRUE(
         mission
-            ->record(
-                UndoSample{.stamp = {},
-                           .station = "",
-                           .event = mission->state()->finds->at({FindSample::Kind::Victim, 1U}).sequence,
-                           .text = ""},
-                station_topic::Undo)
+            ->record(UndoSample{.stamp = {},
+                                .station = "",
+                                .event = mission->state()->finds->at({FindSample::Kind::Victim, 1U}).sequence,
+                                .text = ""},
+                     station_topic::Undo)
             .ok());
     ASSERT_TRUE(mission->close().ok());
     EXPECT_THAT(*mission->state()->finds, IsEmpty());
@@ -150,6 +152,55 @@ TEST_F(LiveMissionTest, AnyJumpEqualsTheWholeReplay) {
         if (raw.sequence % 13 != 0) continue;
         ASSERT_EQ(serialised(stateAt(history, raw.sequence)), serialised(whole.state())) << raw.sequence;
     }
+}
+
+/// A pose as registration finds them: no quaternion gives back its matrix to the last bit.
+Pose arbitraryPose(std::mt19937& random) {
+    std::normal_distribution<double> any;
+    Pose pose(Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized());
+    pose.translation() = 10.0 * Eigen::Vector3d(any(random), any(random), any(random));
+    return pose;
+}
+
+TEST_F(LiveMissionTest, TheStateOfALiveMissionIsToTheLastBitTheOneThatItsLogGives) {
+    std::vector<std::byte> live;
+    {
+        const auto mission = begin();
+        const auto record = [&](const Sample& sample, std::string_view topic) {
+            ASSERT_TRUE(mission->record(sample, topic).ok());
+        };
+        int ofStations = 0;
+        for (const SampleCase& one : sampleCases()) {
+            if (one.role || std::holds_alternative<CheckpointSample>(one.sample) ||
+                std::holds_alternative<SessionSample>(one.sample))
+                continue;
+            record(one.sample, "/leitstand/test_" + std::to_string(++ofStations));
+        }
+        EXPECT_GE(ofStations, 14);
+        std::mt19937 random(7);
+        for (std::uint64_t scan = 1; scan <= 300; ++scan) {
+            RobotPlaceSample place;
+            place.stamp = at(1.0);
+            place.robot = "kurt3d";
+            place.baseInMap = arbitraryPose(random);
+            place.odomInMap = arbitraryPose(random);
+            record(place, station_topic::RobotPlaces);
+            ScanPosesSample poses{at(2.0), "a", ScanPosesSample::Cause::Registration, {}};
+            poses.poses.push_back({.scan = scan, .scanInMap = arbitraryPose(random)});
+            record(poses, station_topic::ScanPoses);
+            FindSample find = victim(static_cast<std::uint32_t>(scan));
+            find.positionInMap = arbitraryPose(random).translation();
+            record(find, station_topic::Victims);
+            mission->receive(odometryAt(static_cast<double>(scan) / 3.0));
+        }
+        ASSERT_TRUE(mission->close().ok());
+        live = serialised(*mission->state());
+    }
+    EventDecoder decoder({kurt()});
+    Fold fold;
+    for (const RawEvent& raw : events()) decoder.decode(raw, [&](const Event& event) { fold.add(event); });
+    EXPECT_TRUE(serialised(fold.state()) == live);
+    EXPECT_GT(live.size(), 50'000U);
 }
 
 TEST_F(LiveMissionTest, ClosesWhileOthersStillSpeak) {

@@ -80,7 +80,7 @@ TEST_F(ScanningRobots, WhereTheOperatorPutTheOneThatMakesTheMapIsInTheLog) {
     EXPECT_EQ(m_places.front().cause, RobotPlaceSample::Cause::Operator);
     EXPECT_TRUE(m_places.front().baseInMap.isApprox(put));
     EXPECT_FALSE(m_places.front().certain);
-    EXPECT_EQ(m_places.front().how, placement_format::PutUntilScan);
+    EXPECT_EQ(m_places.front().how, logged(placement_format::PutUntilScan));
     EXPECT_EQ(m_places.front().measured, m_time);
     const Pose there = KurtBegins * poseFrom({0.5, 0, 0}, 0, 0, 0);
     scan("kurt3d", there);  // carried: its odometry does not know of it
@@ -129,7 +129,7 @@ TEST_F(ScanningRobots, OneThatIsNowhereInTheMapForLongGoesOnInAPartOfItsOwn) {
     m_room.width = 3.4;
     m_room.height = 3.3;
     m_room.furnished = false;
-    const auto ownPart = [&] { return placeOf("kurt3d").how == placement_format::OwnPart; };
+    const auto ownPart = [&] { return placeOf("kurt3d").how == logged(placement_format::OwnPart); };
     int scans = 0;
     double ahead = 0.0;  // of where it was put down [m]
     for (; scans < 20 && !ownPart(); ++scans) {

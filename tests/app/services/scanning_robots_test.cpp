@@ -72,7 +72,7 @@ TEST_F(ScanningRobots, ARobotThatIsNowhereToBeFoundMapsAPartUntilSomebodySaysHow
     scan("crawler", far);
     ASSERT_TRUE(enters("crawler"));
     ASSERT_TRUE(waitUntil([&] { return placeOf("crawler").certain; }, 20s));
-    EXPECT_EQ(placeOf("crawler").how, placement_format::OwnPart);
+    EXPECT_EQ(placeOf("crawler").how, logged(placement_format::OwnPart));
     EXPECT_GT(distanceBetween(placeOf("crawler").baseInMap, inMap(far)), 10.0) << "aside";
     m_mapping->lookFor("crawler");
     const auto asked = [&] {
@@ -88,7 +88,7 @@ TEST_F(ScanningRobots, ARobotThatIsNowhereToBeFoundMapsAPartUntilSomebodySaysHow
     }
     m_mapping->adopt(answer);
     EXPECT_TRUE(stands("crawler", far)) << placeOf("crawler").baseInMap.matrix();
-    EXPECT_EQ(placeOf("crawler").how, placement_format::FitsMap);
+    EXPECT_EQ(placeOf("crawler").how, logged(placement_format::FitsMap));
 }
 
 TEST_F(ScanningRobots, OneThatDroveOnWhileTheStationWasAwayIsFoundWhereItsOdometryWentTo) {

@@ -67,7 +67,7 @@ TEST_F(ReviewReportTest, TheButtonWritesTheJudgesFolderWithWhatWasCorrectedInThe
               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_J))
         << "as in the live window";
     ASSERT_NO_FATAL_FAILURE(report("before"));
-    EXPECT_TRUE(messages().contains("competition or team are not told")) << messages().toStdString();
+    EXPECT_TRUE(messages().contains("competition or team are not given")) << messages().toStdString();
     EXPECT_TRUE(fs::exists(m_folder / "before" / "SHA256SUMS"));
     EXPECT_NE(victims("before").find("V1"), std::string::npos) << victims("before");
     EXPECT_EQ(button.text().toStdString(), "Report");

@@ -1,4 +1,4 @@
-#include "core/base/known_sentence.h"
+#include "core/base/phrases/known_sentence.h"
 
 #include <array>
 
@@ -76,10 +76,17 @@ TEST(PlacementSays, SentencesWithinSentencesAreTranslatedToo) {
     EXPECT_EQ(inWindowsLanguage("Kurt3D sees it: 90 % of what its laser sees there is in the map"),
               "Kurt3D SEES IT: 90 % OF WHAT ITS LASER SEES THERE IS IN THE MAP");
     EXPECT_EQ(inWindowsLanguage("as it was said"), "as it was said");
-    for (const std::string words : placement_format::All) {
-        const std::string how = withValues(words, {"1", "2", "3"});
-        EXPECT_TRUE(inWindowsLanguage(how) != how || words == placement_format::Because) << how;
+    for (const LogPhrase& phrase : placement_format::All) {
+        const std::string how = withValues(phrase.words, {"1", "2", "3"});
+        EXPECT_TRUE(inWindowsLanguage(how) != how || phrase.words == placement_format::Because.words) << how;
     }
+    const std::string doubt = logged(placement_format::Because, logged(placement_format::LittleInMap),
+                                     logged(placement_format::InMap, 34));
+    EXPECT_EQ(logged(placement_format::PutBut, doubt),
+              R"(put_but how="because doubt=too_little_in_map why=\"in_map percent=34\"")");
+    EXPECT_EQ(inWindowsLanguage(logged(placement_format::PutBut, doubt)),
+              "PUT THERE BY THE OPERATOR, BUT TOO LITTLE OF WHAT IT SEES IS IN THE MAP: "
+              "34 % OF WHAT IT SEES IS IN THE MAP");
     setTranslator(nullptr);
 }
 

@@ -35,9 +35,12 @@ TEST(UndoSays, WhatIsWrittenIsReadAgain) {
         {{.kind = Undone::ReviewNote}, "a note of a review"},
     };
     for (const auto& [thing, text] : known) {
-        EXPECT_EQ(undoText(thing), text);
-        EXPECT_EQ(undoneThing(text), thing) << text;
+        EXPECT_EQ(undoneThing(undoText(thing)), thing) << undoText(thing);
+        EXPECT_EQ(undoneThing(text), thing) << "as logs of before have it: " << text;
     }
+    EXPECT_EQ(undoText(known[0].first), "undo what=set_aside scans=1 scan=7");
+    EXPECT_EQ(undoText(known[2].first), "redo what=taken scans=3");
+    EXPECT_EQ(undoText(known[12].first), "undo what=find find=H12");
 }
 
 TEST(UndoSays, WhatSomebodyElseWroteIsNotUnderstood) {
@@ -69,7 +72,16 @@ TEST(UndoSays, WhatSomebodyElseWroteIsNotUnderstood) {
                                    "undo: a note of a review",
                                    "redo: V1 as corrected in a review",
                                    "door as corrected in a review",
-                                   "undo: was im Bild ist"})
+                                   "undo: was im Bild ist",
+                                   "undo what=",
+                                   "undo what=everything",
+                                   "undo what=find",
+                                   "undo what=find find=door",
+                                   "undo what=taken scans=01",
+                                   "undo what=taken scans=1",
+                                   "undo what=taken scans=2 scan=9",
+                                   "undo scans=2 what=taken",
+                                   "undo what=taken scans=\"2"})
         EXPECT_EQ(undoneThing(text), std::nullopt) << '"' << text << '"';
 }
 

@@ -51,9 +51,9 @@ TEST_F(UndoOnMap, NamesWhatItTakesBack) {
     decide({1, 2}, ScanTrust::SetAside);
     EXPECT_EQ(undoable(state(), "us")->kind, Kind::SetAside);
     EXPECT_EQ(undoable(state(), "us")->scans.size(), 2U);
-    EXPECT_EQ(undoOnMap(state(), "us", at(0))->text, "undo: 2 scans set aside");
+    EXPECT_EQ(undoOnMap(state(), "us", at(0))->text, "undo what=set_aside scans=2");
     ASSERT_TRUE(takeBack());
-    EXPECT_EQ(redoOnMap(state(), "us", at(0))->text, "redo: 2 scans set aside");
+    EXPECT_EQ(redoOnMap(state(), "us", at(0))->text, "redo what=set_aside scans=2");
     EXPECT_EQ(undoable(state(), "us")->kind, Kind::Taken);
     EXPECT_THAT(undoable(state(), "us")->scans, testing::ElementsAre(2));
     EXPECT_EQ(redoable(state(), "us")->kind, Kind::SetAside);
@@ -99,7 +99,7 @@ TEST_F(UndoOnMap, AClosedLoopIsTakenBackApartFromDecisionsAndClosedAgain) {
     EXPECT_TRUE(loopsOf(state()).front().active);
     const auto undo = undoLoop(state(), "us", at(0));
     ASSERT_TRUE(undo.has_value());
-    EXPECT_EQ(undo->text, "undo: a closed loop");
+    EXPECT_EQ(undo->text, "undo what=loop");
     add(*undo);
     EXPECT_TRUE(state().loops->empty());
     ASSERT_EQ(loopsOf(state()).size(), 1U);
@@ -125,7 +125,7 @@ TEST_F(UndoOnMap, AnAnswerOfTheOperatorIsTakenBackAsADecision) {
     answer.links.front().kind = LinkKind::Operator;
     add(answer);
     EXPECT_EQ(undoable(state(), "us")->kind, Kind::Refused);
-    EXPECT_EQ(undoOnMap(state(), "us", at(0))->text, "undo: a place told from another");
+    EXPECT_EQ(undoOnMap(state(), "us", at(0))->text, "undo what=refused_loop");
     ASSERT_TRUE(takeBack());
     answer.links.front().active = true;
     add(answer);

@@ -37,7 +37,7 @@ TEST(Reception, TopicsThatAreAnnouncedAndDoNotComeAreAFaultAfterTwoSeconds) {
     ASSERT_TRUE(fault);
     EXPECT_EQ(fault->kind, ReceptionFault::Kind::Silent);
     EXPECT_THAT(fault->names, ElementsAre("/kurt3d/odom", "/kurt3d/points"));
-    EXPECT_EQ(toString(*fault), "announced, but nothing comes: /kurt3d/odom, /kurt3d/points");
+    EXPECT_EQ(worded(*fault), "announced, but nothing comes: /kurt3d/odom, /kurt3d/points");
 }
 
 TEST(Reception, ARobotOfWhichAllIsHeardHasNone) {
@@ -70,7 +70,7 @@ TEST(Reception, ATopicThatNeverCameWhileOthersDoIsAFaultAfterFiveSeconds) {
     const auto fault = receptionFaultOf(kurt3d(), LinkState::Degraded, announced);
     ASSERT_TRUE(fault);
     EXPECT_EQ(fault->kind, ReceptionFault::Kind::Partial);
-    EXPECT_EQ(toString(*fault), "announced, but never came: /kurt3d/odom");
+    EXPECT_EQ(worded(*fault), "announced, but never came: /kurt3d/odom");
     EXPECT_FALSE(isOver(*fault, LinkState::Connected, announced));
     announced.writers = {writer("/kurt3d/odom", 9.0, true), writer("/kurt3d/points", 9.0)};
     EXPECT_FALSE(receptionFaultOf(kurt3d(), LinkState::Connected, announced))
@@ -105,13 +105,13 @@ TEST(Reception, AProcessWithoutTopicsIsAFaultWhileNothingElseOfTheRobotIsThere) 
     announced.mute = {{"kurt3d", 2.5}};
     const auto fault = receptionFaultOf(kurt3d(), LinkState::NeverSeen, announced);
     ASSERT_TRUE(fault);
-    EXPECT_EQ(toString(*fault), "announced by kurt3d, but none of its topics are");
+    EXPECT_EQ(worded(*fault), "announced by kurt3d, but none of its topics are");
     EXPECT_FALSE(receptionFaultOf(kurt3d(), LinkState::Connected, announced));
 }
 
 TEST(Reception, ListsOfManyTopicsAreCut) {
     const ReceptionFault fault{ReceptionFault::Kind::Silent, {"/a", "/b", "/c", "/d", "/e"}};
-    EXPECT_EQ(toString(fault), "announced, but nothing comes: /a, /b, /c, /d, ...");
+    EXPECT_EQ(worded(fault), "announced, but nothing comes: /a, /b, /c, /d, ...");
 }
 
 const ReceptionFault Silent{ReceptionFault::Kind::Silent, {"/kurt3d/odom"}, 2.0};

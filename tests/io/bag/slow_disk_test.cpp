@@ -86,8 +86,8 @@ TEST_F(SlowDisk, DropsPicturesFirstCountsThemAndNeverBlocks) {
     EXPECT_LT(std::chrono::steady_clock::now() - before, 2s);  // the disk stands still all the while
     const auto slow = alarm(BagAlarm::Kind::DiskSlow, true);
     ASSERT_TRUE(slow.has_value());
-    EXPECT_THAT(slow->text, HasSubstr("does not keep up"));
-    EXPECT_STREQ(log_format::newsIn(slow->text).words, log_format::DiskSlow) << "to be told in any language";
+    EXPECT_THAT(log_format::message(slow->text), HasSubstr("does not keep up"));
+    EXPECT_STREQ(log_format::newsIn(slow->text).phrase->code, log_format::DiskSlow.code);
     m_disk->hold(false);
     ASSERT_TRUE(m_writer->flush().ok());
     EXPECT_EQ(stored("/kurt3d/points"), 40U);
@@ -97,8 +97,8 @@ TEST_F(SlowDisk, DropsPicturesFirstCountsThemAndNeverBlocks) {
     EXPECT_EQ(stored(Pictures) + dropped.at(Pictures), 40U);
     const auto over = alarm(BagAlarm::Kind::DiskSlow, false);
     ASSERT_TRUE(over.has_value());
-    EXPECT_THAT(over->text, HasSubstr("keeps up again"));
-    EXPECT_STREQ(log_format::newsIn(over->text).words, log_format::DiskKeepsUp);
+    EXPECT_THAT(log_format::message(over->text), HasSubstr("keeps up again"));
+    EXPECT_STREQ(log_format::newsIn(over->text).phrase->code, log_format::DiskKeepsUp.code);
 }
 
 TEST_F(SlowDisk, WhatAPersonDidWaitsForNoInterval) {
@@ -214,7 +214,7 @@ TEST_F(SlowDisk, ABrokenDiskIsToldAndTriedAgain) {
     EXPECT_EQ(stored("/kurt3d/points"), 1U);
     const auto over = alarm(BagAlarm::Kind::Failed, false);
     ASSERT_TRUE(over.has_value());
-    EXPECT_THAT(over->text, HasSubstr("written again"));
+    EXPECT_THAT(log_format::message(over->text), HasSubstr("written again"));
 }
 
 TEST_F(SlowDisk, AnEventThatCannotBeWrittenCostsNoOther) {

@@ -20,17 +20,25 @@ protected:
     void SetUp() override { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
     [[nodiscard]] static std::string textOf(const char* key, double value, const char* detail = "",
                                             const char* note = "") {
-        return alarmText({{"kurt3d", key, detail}, AlarmSeverity::Act, "Kurt3D: in English", value, note})
+        return alarmText({{"kurt3d", key, detail}, AlarmSeverity::Act, value, note, {}, "Kurt3D: in English"})
             .toStdString();
     }
     [[nodiscard]] static Alarm alarm(AlarmSeverity severity, const char* robot = "kurt3d") {
         Alarm one;
-        one.cause = {{robot, alarm_key::LinkLost, ""}, severity, "text", 4.4, ""};
+        one.cause = {{robot, alarm_key::LinkLost, ""}, severity, 4.4};
         one.since = at(-12.0);
         return one;
     }
     const std::vector<RobotFace> faces{{"kurt3d", "K", "Kurt3D", 0}, {"crawler", "C", "Crawler", 1}};
 };
+
+TEST_F(AlarmWords, NoKeyIsForgotten) {
+    for (const std::string_view key : alarm_key::All) {
+        const AlarmCause cause{
+            {"kurt3d", std::string(key), "part"}, AlarmSeverity::Act, 1.0, "note", {}, "as logged"};
+        EXPECT_NE(alarmText(cause), QStringLiteral("as logged")) << key << " has no words: alarm_text.cpp";
+    }
+}
 
 TEST_F(AlarmWords, EachKeyHasItsOwn) {
     EXPECT_EQ(textOf(alarm_key::Attitude, 0.72), "tilted: 72 % of where it tips over");
@@ -96,9 +104,9 @@ TEST_F(AlarmWords, WithoutItsNumbersAnAlarmSaysWhatWasLogged) {
                             alarm_key::LinkDegraded, alarm_key::Diagnostics, alarm_key::GrantLost})
         EXPECT_EQ(textOf(key, Nan), "in English") << key << ": the robot is named beside it";
     EXPECT_EQ(textOf("what_is_this", Nan), "Kurt3D: in English");
-    EXPECT_EQ(alarmText({{"", alarm_key::LinkLost, ""}, AlarmSeverity::Act, "link: gone", Nan, ""}),
+    EXPECT_EQ(alarmText({{"", alarm_key::LinkLost, ""}, AlarmSeverity::Act, Nan, "", {}, "link: gone"}),
               QStringLiteral("link: gone"));
-    EXPECT_EQ(alarmText({{"kurt3d", alarm_key::LinkLost, ""}, AlarmSeverity::Act, "", Nan, ""}),
+    EXPECT_EQ(alarmText({{"kurt3d", alarm_key::LinkLost, ""}, AlarmSeverity::Act, Nan}),
               QStringLiteral("link lost"));
 }
 

@@ -142,7 +142,7 @@ TEST_F(LiveWords, OnlyTheHolderReleasesAndIsToldWhyNot) {
     setStop(robot, true, true);
     robot.view.grant.mine = false;
     EXPECT_FALSE(stopLineOf(robot.face, robot.view).releasable);
-    EXPECT_THAT(stopLineOf(robot.face, robot.view).details.toStdString(), HasSubstr("grant"));
+    EXPECT_THAT(stopLineOf(robot.face, robot.view).details.toStdString(), HasSubstr("drive control"));
     robot.view.grant.mine = true;
     robot.view.stop.sent = robot.view.stop.acknowledged = false;
     robot.view.stop.stoppedBy = "other";

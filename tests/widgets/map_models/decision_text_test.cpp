@@ -14,7 +14,7 @@ TEST(DecisionText, TellsOneScanByItsNumberAndManyByTheirCount) {
     EXPECT_EQ(decisionText({Kind::Tried, {4}, 1}), "scan 4 tried again");
     EXPECT_EQ(decisionText({Kind::Crop, {}, 1}), "what belongs into the map");
     EXPECT_EQ(decisionText({Kind::Loop, {}, 1}), "a closed loop");
-    EXPECT_EQ(decisionText({Kind::Refused, {}, 1}), "a place told from another");
+    EXPECT_EQ(decisionText({Kind::Refused, {}, 1}), "two places kept apart");
 }
 
 }  // namespace

@@ -16,11 +16,11 @@ namespace {
 
 std::vector<Alarm> alarms() {
     Alarm link, battery, gas, bump;
-    link.cause = {{"kurt3d", alarm_key::LinkLost, ""}, AlarmSeverity::Act, "", 4.2, ""};
-    battery.cause = {{"crawler", alarm_key::Battery, ""}, AlarmSeverity::Attention, "", 7.0, "minutes"};
-    gas.cause = {{"kurt3d", alarm_key::Gas, ""}, AlarmSeverity::Attention, "", 2'345.0, ""};
+    link.cause = {{"kurt3d", alarm_key::LinkLost, ""}, AlarmSeverity::Act, 4.2};
+    battery.cause = {{"crawler", alarm_key::Battery, ""}, AlarmSeverity::Attention, 7.0, "minutes"};
+    gas.cause = {{"kurt3d", alarm_key::Gas, ""}, AlarmSeverity::Attention, 2'345.0};
     gas.acknowledged = true;
-    bump.cause = {{"kurt3d", alarm_key::Bump, "front_left"}, AlarmSeverity::Attention, "", 1.0, ""};
+    bump.cause = {{"kurt3d", alarm_key::Bump, "front_left"}, AlarmSeverity::Attention, 1.0};
     link.since = at(-4);
     battery.since = at(-130);
     gas.since = at(-45);

@@ -25,30 +25,30 @@ const std::vector<RobotFace>& team() {
 std::vector<Alarm> everyAlarm() {
     using Severity = AlarmSeverity;
     std::vector<AlarmCause> causes = {
-        {{"kurt3d", alarm_key::Attitude, ""}, Severity::Attention, "", 0.97, ""},
-        {{"kurt3d", alarm_key::RollOver, ""}, Severity::Act, "", 3.1, ""},
-        {{"kurt3d", alarm_key::LinkLost, ""}, Severity::Act, "", 98.0, ""},
-        {{"kurt3d", alarm_key::Battery, ""}, Severity::Attention, "", 10.0, "minutes"},
-        {{"crawler", alarm_key::Battery, ""}, Severity::Act, "", 0.18, "share"},
-        {{"crawler", alarm_key::Gas, ""}, Severity::Attention, "", 12'345.0, ""},
-        {{"crawler", alarm_key::Bump, "front_left"}, Severity::Attention, "", 0.3, ""},
-        {{"kurt3d", alarm_key::WheelsSpin, ""}, Severity::Attention, "", 98.7, ""},
-        {{"kurt3d", alarm_key::Diagnostics, "motor_driver"}, Severity::Act, "", 0.0, "hot, 87 degrees"},
-        {{"kurt3d", alarm_key::StopUnanswered, ""}, Severity::Act, "", 98.0, ""},
-        {{"kurt3d", alarm_key::FrozenPicture, "left"}, Severity::Attention, "", 98.0, ""},
-        {{"crawler", alarm_key::FrozenPicture, "ir"}, Severity::Attention, "", 98.0, ""},
-        {{"kurt3d", alarm_key::GrantLost, ""}, Severity::Attention, "", 0.0, "Second station"},
-        {{"kurt3d", alarm_key::ClockOffset, ""}, Severity::Attention, "", 3'600.4, ""},
-        {{"crawler", alarm_key::ClockOffset, ""}, Severity::Attention, "", -3'600.4, ""},
-        {{"", alarm_key::UncertainScan, ""}, Severity::Attention, "", 12.0, ""},
+        {{"kurt3d", alarm_key::Attitude, ""}, Severity::Attention, 0.97, ""},
+        {{"kurt3d", alarm_key::RollOver, ""}, Severity::Act, 3.1, ""},
+        {{"kurt3d", alarm_key::LinkLost, ""}, Severity::Act, 98.0, ""},
+        {{"kurt3d", alarm_key::Battery, ""}, Severity::Attention, 10.0, "minutes"},
+        {{"crawler", alarm_key::Battery, ""}, Severity::Act, 0.18, "share"},
+        {{"crawler", alarm_key::Gas, ""}, Severity::Attention, 12'345.0, ""},
+        {{"crawler", alarm_key::Bump, "front_left"}, Severity::Attention, 0.3, ""},
+        {{"kurt3d", alarm_key::WheelsSpin, ""}, Severity::Attention, 98.7, ""},
+        {{"kurt3d", alarm_key::Diagnostics, "motor_driver"}, Severity::Act, 0.0, "hot, 87 degrees"},
+        {{"kurt3d", alarm_key::StopUnanswered, ""}, Severity::Act, 98.0, ""},
+        {{"kurt3d", alarm_key::FrozenPicture, "left"}, Severity::Attention, 98.0, ""},
+        {{"crawler", alarm_key::FrozenPicture, "ir"}, Severity::Attention, 98.0, ""},
+        {{"kurt3d", alarm_key::GrantLost, ""}, Severity::Attention, 0.0, "Second station"},
+        {{"kurt3d", alarm_key::ClockOffset, ""}, Severity::Attention, 3'600.4, ""},
+        {{"crawler", alarm_key::ClockOffset, ""}, Severity::Attention, -3'600.4, ""},
+        {{"", alarm_key::UncertainScan, ""}, Severity::Attention, 12.0, ""},
     };
     const std::string reasons[] = {"round trip 380 ms", "left pictures 2.0 s late", "odometry 1.4 s old"};
     for (const std::string& reason : reasons)
-        causes.push_back({{"kurt3d", alarm_key::LinkDegraded, reason}, Severity::Attention, "", 0.0, reason});
-    for (const char* reported : log_format::All) {
+        causes.push_back({{"kurt3d", alarm_key::LinkDegraded, reason}, Severity::Attention, 0.0, reason});
+    for (const LogPhrase& phrase : log_format::All) {
         const QString note =
-            QString::fromUtf8(reported).replace(QStringLiteral("{}"), QStringLiteral("128.5"));
-        causes.push_back({{"", alarm_key::Log, reported}, Severity::Act, "", 0.0, note.toStdString()});
+            QString::fromUtf8(phrase.words).replace(QStringLiteral("{}"), QStringLiteral("128.5"));
+        causes.push_back({{"", alarm_key::Log, phrase.code}, Severity::Act, 0.0, note.toStdString()});
     }
     std::vector<Alarm> alarms;
     for (const AlarmCause& cause : causes) {

@@ -140,7 +140,7 @@ struct ModelFormat {
     bool showsMap = false;  ///< needs a scan that counts
     Result<ExportOutcome> (*write)(const fs::path& out, const Exported& from);
 };
-constexpr std::array<ModelFormat, 4> ModelFormats = {{
+constexpr auto ModelFormats = std::to_array<ModelFormat>({
     {".bt", "OctoMap", true,
      [](const fs::path& out, const Exported& from) {
          return oneFile(again(writeOctomap(out, from.model.evidence), out));
@@ -151,7 +151,7 @@ constexpr std::array<ModelFormat, 4> ModelFormats = {{
          return exportTrajectories(out, from.model, from.options.robot);
      }},
     {".csv", "list", false, &exportList},
-}};
+});
 
 const ModelFormat* modelFormatOf(const fs::path& out) {
     const std::string ending = endingOf(out);

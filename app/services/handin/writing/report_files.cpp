@@ -169,7 +169,7 @@ bool isSearchList(const fs::path& file) {
 }
 
 Result<std::string> checkFile(const fs::path& file, const FileContents& expected) {
-    static constexpr std::array<FileCheck, 6> Checks = {{
+    static constexpr auto Checks = std::to_array<FileCheck>({
         {".tif", &checkTiff},
         {".csv",
          [](const fs::path& list, const FileContents& contents) {
@@ -179,7 +179,7 @@ Result<std::string> checkFile(const fs::path& file, const FileContents& expected
         {".ply", &checkCloud},
         {".tum", &checkTrajectory},
         {".pdf", &checkPdf},
-    }};
+    });
     const std::string ending = detail::lowerCase(file.extension().string());
     for (const FileCheck& one : Checks) {
         if (one.ending == ending) return one.check(file, expected);

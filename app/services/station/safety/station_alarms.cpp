@@ -5,12 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
 #include <pthread.h>
 
 #include "app/services/log/sequencer.h"
 #include "core/base/time.h"
-#include "core/station/alarms/alarm_format.h"
 #include "core/station/alarms/logged_alarm.h"
 
 namespace leitstand {
@@ -90,8 +88,6 @@ void StationAlarms::addOfStation(const MissionState& mission, std::vector<AlarmC
     if (const std::size_t scans = m_setup.scans ? uncertain(*m_setup.scans()) : 0; scans > 0) {
         causes.push_back({.id = {{}, alarm_key::UncertainScan, {}},
                           .severity = AlarmSeverity::Attention,
-                          .text = scans == 1 ? fmt::format(alarm_format::UncertainScan, scans)
-                                             : fmt::format(alarm_format::UncertainScans, scans),
                           .value = static_cast<double>(scans),
                           .count = scans});
     }
@@ -156,7 +152,7 @@ void StationAlarms::log(const std::vector<AlarmChange>& changes, Time now) const
                        .key = ofLog ? change.cause.id.detail : logKey(change.cause.id),
                        .severity = act ? AlarmSample::Severity::Critical : AlarmSample::Severity::Warning,
                        .state = stateOf(change.kind),
-                       .text = change.cause.text});
+                       .text = logText(change.cause)});
     }
 }
 

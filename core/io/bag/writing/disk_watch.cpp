@@ -2,9 +2,6 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "core/base/known_sentence.h"
 #include "core/station/alarms/log_format.h"
 
 namespace leitstand::detail {
@@ -19,9 +16,9 @@ constexpr double Least = 1.0;         // [s], since commits come in bursts
 constexpr auto Calm = seconds(5);     // an alarm ends after this time without drops
 constexpr double Behind = 2.0;        // [s]
 
-std::string lastsAgain(double minutes) {
-    return minutes < 6'000.0 ? fmt::format(log_format::DiskLasts, loggedFigure(minutes))
-                             : log_format::DiskLastsForDays;
+std::string lastsAgain(const std::string& file, double minutes) {
+    return minutes < 6'000.0 ? log_format::about(file, log_format::DiskLasts, loggedFigure(minutes))
+                             : log_format::about(file, log_format::DiskLastsForDays);
 }
 
 }  // namespace
@@ -59,12 +56,12 @@ std::vector<BagAlarm> DiskWatch::update(const DiskReading& reading) {
     using Kind = BagAlarm::Kind;
     // An alarm that is nearly over must not end and begin again with every reading.
     const double margin = m_raised[Kind::DiskFilling] ? 1.2 : 1.0;
-    const auto textOf = [&]<class... T>(fmt::format_string<T...> text, T&&... values) {
-        return reading.where + ": " + fmt::format(text, std::forward<T>(values)...);
+    const auto textOf = [&](const LogPhrase& phrase, const auto&... values) {
+        return log_format::about(reading.where, phrase, values...);
     };
     judge(Kind::DiskFilling, m_minutesLeft < m_alarmMinutes * margin,
           textOf(log_format::DiskFilling, loggedFigure(m_minutesLeft), loggedFigure(m_rate * 1e-6, 1)),
-          textOf("{}", lastsAgain(m_minutesLeft)), changed);
+          lastsAgain(reading.where, m_minutesLeft), changed);
     judge(Kind::DiskFull, reading.full, textOf(log_format::DiskFull, megabytes), textOf(log_format::DiskFree),
           changed);
     judge(Kind::DiskSlow, !reading.full && (dropping || reading.secondsBehind > Behind),

@@ -157,7 +157,7 @@ TEST(SeenRobot, OfTwoThingsThatLookLikeItTheOneWhereItsLaserFitsIsIt) {
     EXPECT_TRUE(place->certain);
     EXPECT_LT(distanceBetween(place->baseInMap, sought.there), 0.04);
     EXPECT_LT(inDegrees(angleBetween(place->baseInMap, sought.there)), 2.0);
-    EXPECT_THAT(place->how, HasSubstr("Kurt3D sees it"));
+    EXPECT_THAT(place->how, HasSubstr("seen_by robot=Kurt3D"));
     EXPECT_TRUE(sought.tracker.now().certain);
     EXPECT_FALSE(sought.seen({itself})) << "it is known now";
 }

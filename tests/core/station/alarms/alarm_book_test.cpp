@@ -11,10 +11,10 @@ using Kind = AlarmChange::Kind;
 const AlarmId Link{"kurt3d", "link_lost", ""}, Battery{"kurt3d", "battery", ""};
 
 AlarmCause act(const AlarmId& id = Link) {
-    return {id, AlarmSeverity::Act, "Kurt3D: link lost"};
+    return {id, AlarmSeverity::Act};
 }
 AlarmCause look(const AlarmId& id = Battery) {
-    return {id, AlarmSeverity::Attention, "Kurt3D: battery low"};
+    return {id, AlarmSeverity::Attention};
 }
 
 /// A book that is told five times a second.
@@ -108,9 +108,9 @@ TEST_F(AlarmBookTest, TheNewestIsAcknowledgedFirst) {
 TEST_F(AlarmBookTest, TextsFollowTheirNumbersWithoutBeingRaisedAgain) {
     until(1'000, {act()});
     AlarmCause later = act();
-    later.text = "Kurt3D: link lost for longer";
+    later.value = 7.0;
     EXPECT_TRUE(until(2'000, {later}).empty());
-    EXPECT_EQ(m_book.alarms()[0].cause.text, later.text);
+    EXPECT_EQ(m_book.alarms()[0].cause.value, 7.0);
     EXPECT_EQ(m_book.alarms()[0].since, wallAt(400));
 }
 

@@ -78,21 +78,37 @@ TEST(LoggedAlarm, ThoseOfTheLogAreOfTheStation) {
     EXPECT_FALSE(isAlarmOfLog(""));
 }
 
+TEST(LoggedAlarm, CodesAreReadAgain) {
+    const AlarmCause battery = read("battery", "battery value=7.5 note=minutes percent=12");
+    EXPECT_DOUBLE_EQ(battery.value, 7.5);
+    EXPECT_EQ(battery.note, "minutes");
+    EXPECT_EQ(read("diagnostics/motor", R"(diagnostics note="motor: \"hot\"")").note, "motor: \"hot\"");
+    EXPECT_TRUE(std::isnan(read("gas", "gas value=nan").value));
+    EXPECT_TRUE(std::isnan(read("gas", "battery value=7").value)) << "of another alarm";
+    EXPECT_TRUE(std::isnan(read("gas", "gas value=\"7").value));
+}
+
 TEST(LogSays, NewsAreKnownAgainWithTheirFigures) {
-    for (const char* words : log_format::All) {
-        const std::string reported = withValues(words, {"1", "2.5", "3"});
-        EXPECT_STREQ(log_format::newsIn("/a: b/c.db3: " + reported).words, words);
-        EXPECT_STREQ(log_format::newsIn(reported).words, words);
+    for (const LogPhrase& phrase : log_format::All) {
+        const std::string old = withValues(phrase.words, {"1", "2.5", "3"});
+        EXPECT_STREQ(log_format::newsIn("/a: b/c.db3: " + old).phrase->code, phrase.code);
+        EXPECT_STREQ(log_format::newsIn(old).phrase->code, phrase.code);
     }
     EXPECT_THAT(log_format::newsIn("/a.db3: the disk is full in 8 minutes at 3.2 MB/s").values,
                 ElementsAre("8", "3.2"));
+    const std::string coded = log_format::about("/a b.db3", log_format::DiskFilling, "8", "3.2");
+    EXPECT_EQ(coded, "disk_filling minutes=8 megabytes_per_second=3.2 file=\"/a b.db3\"");
+    EXPECT_THAT(log_format::newsIn(coded).values, ElementsAre("8", "3.2"));
+    EXPECT_EQ(log_format::message(coded), "/a b.db3: the disk is full in 8 minutes at 3.2 MB/s");
+    EXPECT_EQ(log_format::message("/a.db3: disk I/O error"), "/a.db3: disk I/O error");
 }
 
 TEST(LogSays, OthersAreNone) {
     for (const char* reported : {"", "/a.db3", "/a.db3: disk I/O error", "/a.db3: the disk is full",
                                  "/a.db3: the disk is full in nan minutes at 1 MB/s",
-                                 "/a.db3: the disk is full in 8 minutes at  MB/s"})
-        EXPECT_EQ(log_format::newsIn(reported).words, nullptr) << reported;
+                                 "/a.db3: the disk is full in 8 minutes at  MB/s", "disk_filling minutes=8",
+                                 "disk_filling minutes=soon megabytes_per_second=1"})
+        EXPECT_EQ(log_format::newsIn(reported).phrase, nullptr) << reported;
 }
 
 }  // namespace

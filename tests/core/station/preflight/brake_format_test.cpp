@@ -21,12 +21,12 @@ std::string reported(const BrakeResult& result) {
     return worded;
 }
 
-TEST(BrakeSays, TheLogIsEnglishAndTheWindowHasItsOwnLanguage) {
+TEST(BrakeSays, TheLogHasCodesAndTheWindowItsOwnLanguage) {
     BrakeResult passed;
     passed.verdict = BrakeResult::Verdict::Passed;
     passed.seconds = 0.312;
     passed.metres = 0.021;
-    EXPECT_EQ(toString(passed), "brake test passed: it stood after 312 ms and 2 cm");
+    EXPECT_EQ(toString(passed), "brake_passed stood_ms=312 way_cm=2");
     EXPECT_EQ(reported(passed), "[brake test passed: it stood after 312 ms and 2 cm]");
     passed.verdict = BrakeResult::Verdict::Failed;
     EXPECT_EQ(reported(passed), "[brake test FAILED: without commands it still moved after 312 ms and 2 cm]");
@@ -40,16 +40,16 @@ TEST(BrakeSays, WhatTheWatchdogDoesIsTold) {
     result.seconds = 0.312;
     result.metres = 0.021;
     result.brakesAfter = 0.204;
-    EXPECT_EQ(toString(result),
-              "brake test passed: without commands it braked after 204 ms and stood after 312 ms and 2 cm");
-    EXPECT_EQ(reported(result), '[' + toString(result) + ']');
+    EXPECT_EQ(toString(result), "brake_passed braked_ms=204 stood_ms=312 way_cm=2");
+    EXPECT_EQ(reported(result),
+              "[brake test passed: without commands it braked after 204 ms and stood after 312 ms and 2 cm]");
     result.verdict = BrakeResult::Verdict::Failed;
+    EXPECT_EQ(toString(result), "brake_failed braked_ms=204 stood_ms=312 way_cm=2");
     EXPECT_EQ(
-        toString(result),
-        "brake test FAILED: without commands it braked after 204 ms and stood only after 312 ms and 2 cm");
-    EXPECT_EQ(reported(result), '[' + toString(result) + ']');
+        reported(result),
+        "[brake test FAILED: without commands it braked after 204 ms and stood only after 312 ms and 2 cm]");
     result.watchdog = BrakeResult::Watchdog::None;
-    EXPECT_EQ(toString(result), "brake test FAILED: without commands it still moved after 312 ms and 2 cm");
+    EXPECT_EQ(toString(result), "brake_failed moved_ms=312 way_cm=2");
 }
 
 TEST(BrakeSays, EveryCauseIsToldInTheWindowsLanguage) {
@@ -64,6 +64,22 @@ TEST(BrakeSays, EveryCauseIsToldInTheWindowsLanguage) {
         EXPECT_TRUE(text.starts_with("[brake test without result: [")) << text;
         EXPECT_TRUE(text.ends_with("]]")) << text;
         EXPECT_EQ(text.find("{}"), std::string::npos) << text;
+    }
+}
+
+TEST(BrakeSays, SentencesOfOldLogsAreReadToo) {
+    for (const char* sentence :
+         {"brake not tested", "brake test passed: it stood after 312 ms and 2 cm",
+          "brake test passed: without commands it braked after 204 ms and stood after 312 ms and 2 cm",
+          "brake test FAILED: without commands it braked after 204 ms and stood only after 312 ms and 2 cm",
+          "brake test FAILED: without commands it still moved after 312 ms and 2 cm"}) {
+        setTranslator(&inBrackets);
+        EXPECT_EQ(brakeWorded(sentence), '[' + std::string(sentence) + ']');
+        EXPECT_EQ(brakeWorded("brake test without result: only 40 cm are free ahead, 120 cm are needed"),
+                  "[brake test without result: [only 40 cm are free ahead, 120 cm are needed]]");
+        EXPECT_EQ(brakeWorded("brake test without result: the key was let go"),
+                  "[brake test without result: [the key was let go]]");
+        setTranslator(nullptr);
     }
 }
 

@@ -1,10 +1,10 @@
 #include "widgets/models/live/texts/alarm_text.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <span>
+#include <cstdint>
+#include <iterator>
 #include <string_view>
 
 #include <QCoreApplication>
@@ -44,24 +44,6 @@ QString clockText(double ahead) {
                        : AlarmTexts::tr("its clock is %1 s behind").arg(by);
 }
 
-/// Keys whose words need the value, and those that need the note.
-constexpr std::array<std::string_view, 10> Measured = {
-    alarm_key::Attitude,      alarm_key::RollOver,       alarm_key::LinkLost,      alarm_key::Battery,
-    alarm_key::Gas,           alarm_key::StopUnanswered, alarm_key::FrozenPicture, alarm_key::ClockOffset,
-    alarm_key::UncertainScan, alarm_key::WheelsSpin};
-constexpr std::array<std::string_view, 3> Noted = {alarm_key::LinkDegraded, alarm_key::GrantLost,
-                                                   alarm_key::NotReceived};
-
-bool isOneOf(std::span<const std::string_view> keys, std::string_view key) {
-    return std::ranges::find(keys, key) != keys.end();
-}
-
-/// Whether what its words need could not be read out of the log.
-bool lacksFigures(const AlarmCause& cause) {
-    return (isOneOf(Measured, cause.id.key) && !std::isfinite(cause.value)) ||
-           (isOneOf(Noted, cause.id.key) && cause.note.empty());
-}
-
 /// Returns the text as logged, without the title of its robot; the key when there is none.
 QString loggedText(const AlarmCause& cause) {
     const QString text = QString::fromStdString(cause.text);
@@ -78,16 +60,93 @@ QString withoutFile(const QString& text) {
     return colon < 0 ? text : text.mid(colon + 2);
 }
 
-QString logText(const std::string& note, const QString& detail) {
-    const KnownSentence news = log_format::newsIn(note);
-    if (news.words == nullptr)
+QString diskText(const std::string& note, const QString& detail) {
+    const ReadPhrase news = log_format::newsIn(note);
+    if (news.phrase == nullptr)
         return AlarmTexts::tr("log: %1").arg(note.empty() ? detail
                                                           : withoutFile(QString::fromStdString(note)));
     std::vector<std::string> figures;
     for (const std::string& figure : news.values) figures.push_back(loggedFigureText(figure).toStdString());
-    const QString words = QCoreApplication::translate("leitstand::LogSays", news.words);
+    const QString words = QCoreApplication::translate("leitstand::LogSays", news.phrase->words);
     return AlarmTexts::tr("log: %1").arg(QString::fromStdString(withValues(words.toStdString(), figures)));
 }
+
+QString detailOf(const AlarmCause& cause) {
+    return QString::fromStdString(cause.id.detail).replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+QString diagnosticsText(const AlarmCause& cause) {
+    const QString part = robotReasonText(detailOf(cause).toStdString());
+    if (!cause.note.empty()) return AlarmTexts::tr("%1: %2").arg(part, robotReasonText(cause.note));
+    return cause.id.detail.empty() ? loggedText(cause) : part;  // parts may have no message
+}
+
+QString degradedText(const AlarmCause& cause) {
+    const auto reason = linkReasonFrom(cause.note);
+    return AlarmTexts::tr("link: %1")
+        .arg(reason ? linkReasonText(*reason) : QString::fromStdString(cause.note));
+}
+
+/// What the words of an alarm need of its cause. Without it they are shown as logged.
+enum class Needs : std::uint8_t { Nothing, Value, Note };
+
+struct Row {
+    const char* key;
+    Needs needs;
+    QString (*text)(const AlarmCause& cause);
+};
+constexpr Row Rows[] = {
+    {alarm_key::Attitude, Needs::Value,
+     [](const AlarmCause& cause) {
+         return AlarmTexts::tr("tilted: %1 % of where it tips over").arg(numberText(100.0 * cause.value, 0));
+     }},
+    {alarm_key::RollOver, Needs::Value,
+     [](const AlarmCause& cause) {
+         return AlarmTexts::tr("rolled over, tilted by %1°").arg(numberText(inDegrees(cause.value), 0));
+     }},
+    {alarm_key::LinkLost, Needs::Value,
+     [](const AlarmCause& cause) {
+         return AlarmTexts::tr("link lost, silent for %1").arg(wholeSeconds(cause.value));
+     }},
+    {alarm_key::LinkDegraded, Needs::Note, &degradedText},
+    {alarm_key::NotReceived, Needs::Note,
+     [](const AlarmCause& cause) {
+         return AlarmTexts::tr("not heard: %1").arg(QString::fromStdString(receptionText(cause.note)));
+     }},
+    {alarm_key::Battery, Needs::Value, &batteryText},
+    {alarm_key::Gas, Needs::Value,
+     [](const AlarmCause& cause) { return AlarmTexts::tr("CO₂ %1 ppm").arg(numberText(cause.value, 0)); }},
+    {alarm_key::Bump, Needs::Nothing,
+     [](const AlarmCause& cause) {
+         return AlarmTexts::tr("bumped: %1").arg(robotReasonText(detailOf(cause).toStdString()));
+     }},
+    {alarm_key::WheelsSpin, Needs::Value,
+     [](const AlarmCause& cause) {
+         return AlarmTexts::tr("wheels turned for %1 m, the map says it stands")
+             .arg(numberText(cause.value, 1));
+     }},
+    {alarm_key::Diagnostics, Needs::Nothing, &diagnosticsText},
+    {alarm_key::StopUnanswered, Needs::Value,
+     [](const AlarmCause& cause) {
+         return AlarmTexts::tr("does not answer STOP for %1").arg(wholeSeconds(cause.value));
+     }},
+    {alarm_key::FrozenPicture, Needs::Value,
+     [](const AlarmCause& cause) {
+         return AlarmTexts::tr("camera %1 repeats one picture for %2")
+             .arg(sensorText(cause.id.detail), wholeSeconds(cause.value));
+     }},
+    {alarm_key::GrantLost, Needs::Note,
+     [](const AlarmCause& cause) {
+         return AlarmTexts::tr("drive control was lost to %1").arg(QString::fromStdString(cause.note));
+     }},
+    {alarm_key::ClockOffset, Needs::Value, [](const AlarmCause& cause) { return clockText(cause.value); }},
+    {alarm_key::UncertainScan, Needs::Value,
+     [](const AlarmCause& cause) {
+         return AlarmTexts::tr("uncertain scans to be decided on: %1").arg(numberText(cause.value, 0));
+     }},
+    {alarm_key::Log, Needs::Nothing,
+     [](const AlarmCause& cause) { return diskText(cause.note, detailOf(cause)); }},
+};
 
 Tone toneOf(const AlarmLine& line) {
     if (line.stage == AlarmStage::Standing)
@@ -98,47 +157,13 @@ Tone toneOf(const AlarmLine& line) {
 }  // namespace
 
 QString alarmText(const AlarmCause& cause) {
-    if (lacksFigures(cause)) return loggedText(cause);
-    const std::string& key = cause.id.key;
-    const QString detail =
-        QString::fromStdString(cause.id.detail).replace(QLatin1Char('_'), QLatin1Char(' '));
-    const QString note = QString::fromStdString(cause.note);
-    if (key == alarm_key::Attitude)
-        return AlarmTexts::tr("tilted: %1 % of where it tips over").arg(numberText(100.0 * cause.value, 0));
-    if (key == alarm_key::RollOver)
-        return AlarmTexts::tr("rolled over, tilted by %1°").arg(numberText(inDegrees(cause.value), 0));
-    if (key == alarm_key::LinkLost)
-        return AlarmTexts::tr("link lost, silent for %1").arg(wholeSeconds(cause.value));
-    if (key == alarm_key::LinkDegraded) {
-        const auto reason = linkReasonFrom(cause.note);
-        return AlarmTexts::tr("link: %1").arg(reason ? linkReasonText(*reason) : note);
-    }
-    if (key == alarm_key::NotReceived)
-        return AlarmTexts::tr("not heard: %1").arg(QString::fromStdString(receptionText(cause.note)));
-    if (key == alarm_key::Battery) return batteryText(cause);
-    if (key == alarm_key::Gas) return AlarmTexts::tr("CO₂ %1 ppm").arg(numberText(cause.value, 0));
-    if (key == alarm_key::Bump)
-        return AlarmTexts::tr("bumped: %1").arg(robotReasonText(detail.toStdString()));
-    if (key == alarm_key::WheelsSpin)
-        return AlarmTexts::tr("wheels turned for %1 m, the map says it stands")
-            .arg(numberText(cause.value, 1));
-    // Parts may have no message.
-    if (key == alarm_key::Diagnostics && cause.note.empty())
-        return detail.isEmpty() ? loggedText(cause) : robotReasonText(detail.toStdString());
-    if (key == alarm_key::Diagnostics)
-        return AlarmTexts::tr("%1: %2").arg(robotReasonText(detail.toStdString()),
-                                            robotReasonText(cause.note));
-    if (key == alarm_key::StopUnanswered)
-        return AlarmTexts::tr("does not answer STOP for %1").arg(wholeSeconds(cause.value));
-    if (key == alarm_key::FrozenPicture)
-        return AlarmTexts::tr("camera %1 repeats one picture for %2")
-            .arg(sensorText(cause.id.detail), wholeSeconds(cause.value));
-    if (key == alarm_key::GrantLost) return AlarmTexts::tr("drive control was lost to %1").arg(note);
-    if (key == alarm_key::ClockOffset) return clockText(cause.value);
-    if (key == alarm_key::UncertainScan)
-        return AlarmTexts::tr("uncertain scans to be decided on: %1").arg(numberText(cause.value, 0));
-    if (key == alarm_key::Log) return logText(cause.note, detail);
-    return cause.text.empty() ? loggedText(cause) : QString::fromStdString(cause.text);
+    const auto* const row = std::ranges::find(Rows, std::string_view(cause.id.key),
+                                              [](const Row& one) { return std::string_view(one.key); });
+    if (row == std::end(Rows))
+        return cause.text.empty() ? loggedText(cause) : QString::fromStdString(cause.text);
+    const bool lacks = (row->needs == Needs::Value && !std::isfinite(cause.value)) ||
+                       (row->needs == Needs::Note && cause.note.empty());
+    return lacks ? loggedText(cause) : row->text(cause);
 }
 
 std::vector<AlarmLine> alarmLinesOf(const std::vector<Alarm>& alarms, const std::vector<RobotFace>& faces,

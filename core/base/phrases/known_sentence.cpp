@@ -1,4 +1,4 @@
-#include "core/base/known_sentence.h"
+#include "core/base/phrases/known_sentence.h"
 
 #include <algorithm>
 #include <charconv>
