@@ -56,13 +56,21 @@ QStringList placeholdersOf(const QString& text) {
     return all;
 }
 
-class Translation : public testing::TestWithParam<const char*> {
+/// The languages of the window that texts are translated into.
+std::vector<std::string> translated() {
+    std::vector<std::string> codes;
+    for (const Language& one : languages())
+        if (one.code != QLatin1String("en")) codes.push_back(one.code.toStdString());
+    return codes;
+}
+
+class Translation : public testing::TestWithParam<std::string> {
 protected:
     ~Translation() override { useLanguage(QStringLiteral("en")); }
     [[nodiscard]] static QString file() {
-        return QString::fromStdString(sourceFolder() + "/translations/leitstand_%1.ts")
-            .arg(QLatin1String(GetParam()));
+        return QString::fromStdString(sourceFolder() + "/translations/leitstand_%1.ts").arg(code());
     }
+    [[nodiscard]] static QString code() { return QString::fromStdString(GetParam()); }
 };
 
 TEST_P(Translation, IsWholeAndKeepsWhatIsFilledIn) {
@@ -87,7 +95,7 @@ TEST_P(Translation, HasEveryTextOfTheProgram) {
     update.start(lupdate,
                  {"-silent", "-no-obsolete", "-locations", "none", "-I", ".", "app", "core", "widgets",
                   "-extensions", "cpp,h", "-tr-function-alias", "QT_TRANSLATE_NOOP+=translatable",
-                  "-source-language", "en", "-target-language", QLatin1String(GetParam()), "-ts", copy});
+                  "-source-language", "en", "-target-language", code(), "-ts", copy});
     ASSERT_TRUE(update.waitForFinished(120'000));
     ASSERT_EQ(update.exitCode(), 0);
     for (const Text& one : textsOf(copy))
@@ -100,7 +108,7 @@ TEST_P(Translation, IsWhatTheStationItselfSpeaks) {
         return fill(translate("leitstand::Station", "{} filed: press again to confirm"), std::string("V1"));
     };
     EXPECT_EQ(reported(), "V1 filed: press again to confirm");
-    ASSERT_TRUE(useLanguage(QLatin1String(GetParam())));
+    ASSERT_TRUE(useLanguage(code()));
     EXPECT_NE(reported(), "V1 filed: press again to confirm");
     EXPECT_NE(reported().find("V1"), std::string::npos);
 }
@@ -108,15 +116,42 @@ TEST_P(Translation, IsWhatTheStationItselfSpeaks) {
 TEST_P(Translation, IsSpokenAtOnceAndLeftAgain) {
     const auto text = [] { return QCoreApplication::translate("leitstand::AlarmPanel", "No alarms"); };
     EXPECT_EQ(text(), QStringLiteral("No alarms"));
-    ASSERT_TRUE(useLanguage(QLatin1String(GetParam())));
+    ASSERT_TRUE(useLanguage(code()));
     EXPECT_NE(text(), QStringLiteral("No alarms"));
-    EXPECT_EQ(presentLanguage(), QLatin1String(GetParam()));
+    EXPECT_EQ(presentLanguage(), code());
     useLanguage(QStringLiteral("en"));
     EXPECT_EQ(text(), QStringLiteral("No alarms"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, Translation, testing::Values("de", "ja"),
-                         [](const auto& one) { return std::string(one.param); });
+INSTANTIATE_TEST_SUITE_P(Languages, Translation, testing::ValuesIn(translated()),
+                         [](const auto& one) { return one.param; });
+
+TEST(Languages, AreThoseThatThereIsAFileOf) {
+    std::vector<std::string> files;
+    for (const auto& one : std::filesystem::directory_iterator(sourceFolder() + "/translations"))
+        if (one.path().extension() == ".ts") files.push_back(one.path().stem().string());
+    std::vector<std::string> expected;
+    for (const std::string& code : translated()) expected.push_back("leitstand_" + code);
+    EXPECT_THAT(files, testing::UnorderedElementsAreArray(expected));
+}
+
+TEST(Languages, AreAllSpokenByTheDesktop) {
+    const auto times = [](const QString& text, const std::string& code) {
+        const QString one = QString::fromStdString(code);
+        return text.count(QStringLiteral("[%1]=").arg(one)) +
+               text.count(QStringLiteral("xml:lang=\"%1\"").arg(one));
+    };
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(sourceFolder() + "/packaging/desktop")) {
+        if (entry.path().extension() == ".cpp") continue;
+        const QString text = QString::fromStdString(readText(entry.path()));
+        EXPECT_GT(times(text, "de"), 0) << entry.path();
+        for (const std::string& code : translated())
+            EXPECT_EQ(times(text, code), times(text, "de")) << entry.path() << ": " << code;
+        ++files;
+    }
+    EXPECT_GE(files, 4);
+}
 
 TEST(Languages, NumbersFollow) {
     useLanguage(QStringLiteral("de"));

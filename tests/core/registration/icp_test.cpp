@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -23,6 +25,15 @@ std::vector<Minimizer> allMinimizers() {
 IcpResult aligned(const PointCloud& target, const PointCloud& source, const IcpSettings& settings,
                   const Pose& guess = Pose::Identity()) {
     return align(target, *makeSearch(target, SearchMethod::KdTree), source, guess, settings);
+}
+
+TEST(Minimizers, HaveAWordForFilesWordsForOperatorsAndOneFunction) {
+    std::set<std::string> keys;
+    for (const MinimizerRow& row : minimizers()) {
+        ASSERT_TRUE(row.key != nullptr && row.name != nullptr && row.hint != nullptr);
+        EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+        EXPECT_NE(row.closedForm == nullptr, row.equations == nullptr) << row.key;
+    }
 }
 
 class EveryMinimizer : public testing::TestWithParam<Minimizer> {};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/robot/shipped_robots.h"
+#include "tests/io/robot/robot_texts.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::test {
@@ -32,7 +33,9 @@ TEST(FindRobotFile, TakesTheFirstFolderThatKnowsAName) {
 
 /// This test stands in bin/ like the programs.
 TEST(FindRobotFile, KnowsTheRobotsThatCameWithTheProgram) {
-    for (const char* name : {"kurt3d", "crawler", "turtlebot"}) {
+    const auto names = shippedRobots({ShippedRobots});
+    EXPECT_GE(names.size(), 3U);
+    for (const std::string& name : names) {
         const auto file = findRobotFile(name, {robotFolders().back()});
         ASSERT_TRUE(file.ok()) << file.error().text;
         EXPECT_TRUE(std::filesystem::exists(*file)) << *file;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/robot/robot_file.h"
+#include "core/io/robot/shipped_robots.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "core/robot/streams/stream_table.h"
 #include "tests/io/robot/robot_texts.h"
@@ -129,10 +130,10 @@ TEST(RobotFile, WhatProbeWritesHasAPlaceForEachCamera) {
     EXPECT_TRUE(robot->sensors.contains("front"));
 }
 
-class ShippedRobot : public testing::TestWithParam<const char*> {};
+class ShippedRobot : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedRobot, IsReadAndWrittenWithoutALoss) {
-    const auto robot = readRobot(ShippedRobots / (std::string(GetParam()) + ".yaml"));
+    const auto robot = readRobot(ShippedRobots / (GetParam() + ".yaml"));
     ASSERT_TRUE(robot.ok()) << robot.error().text;
     EXPECT_EQ(robot->name, GetParam());
     const auto again = parseRobot(writeRobot(*robot), "again");
@@ -140,7 +141,7 @@ TEST_P(ShippedRobot, IsReadAndWrittenWithoutALoss) {
     expectSame(*robot, *again);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedRobot, testing::Values("kurt3d", "crawler", "turtlebot"));
+INSTANTIATE_TEST_SUITE_P(All, ShippedRobot, testing::ValuesIn(shippedRobots({ShippedRobots})));
 
 TEST(ShippedRobots, SayWhatDesignSays) {
     const auto robot = readRobot(ShippedRobots / "kurt3d.yaml");

@@ -4,20 +4,23 @@
 #include <gtest/gtest.h>
 
 #include "core/io/robot/robot_file.h"
+#include "core/io/robot/shipped_robots.h"
 #include "core/robot/team.h"
-#include "tests/support/places.h"
+#include "tests/io/robot/robot_texts.h"
 
 namespace leitstand::test {
 namespace {
 
 RobotDescription shipped(const std::string& name) {
-    auto robot = readRobot(std::filesystem::path(sourceFolder()) / "resources/robots" / (name + ".yaml"));
+    auto robot = readRobot(ShippedRobots / (name + ".yaml"));
     EXPECT_TRUE(robot) << robot.error().text;
     return robot ? std::move(robot).value() : RobotDescription{};
 }
 
 TEST(ShippedRobots, AreWholeAndGetOnWithEachOther) {
-    const std::vector<RobotDescription> team = {shipped("kurt3d"), shipped("crawler"), shipped("turtlebot")};
+    std::vector<RobotDescription> team;
+    for (const std::string& name : shippedRobots({ShippedRobots})) team.push_back(shipped(name));
+    EXPECT_GE(team.size(), 3U);
     for (const RobotDescription& robot : team) {
         EXPECT_NE(robot.stream(StreamRole::Odometry), nullptr) << robot.name;
         EXPECT_NE(robot.stream(StreamRole::DriveCommand), nullptr) << robot.name;
@@ -43,7 +46,7 @@ TEST(ShippedRobots, SpeakTheTopicsOfTheDesign) {
 }
 
 TEST(ShippedRobots, AreWrittenAsTheyAreRead) {
-    for (const char* name : {"kurt3d", "crawler", "turtlebot"}) {
+    for (const std::string& name : shippedRobots({ShippedRobots})) {
         const RobotDescription robot = shipped(name);
         const auto again = parseRobot(writeRobot(robot), name);
         ASSERT_TRUE(again) << again.error().text;

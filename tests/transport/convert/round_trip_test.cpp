@@ -1,6 +1,11 @@
+#include <algorithm>
+#include <set>
+#include <string_view>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/robot/streams/stream_table.h"
 #include "tests/transport/convert/conversion.h"
 #include "transport/convert/message_catalog.h"
 
@@ -43,6 +48,19 @@ TEST(RoundTrip, EveryTypeIsInTheCatalogAndHasASample) {
     for (const MessageType& type : messageTypes()) {
         const auto empty = recoded(type.rosName, {}, std::endian::little);
         EXPECT_THAT(empty.error().text, HasSubstr("encapsulation")) << type.rosName;
+    }
+}
+
+TEST(RoundTrip, EveryTypeOfTheTableOfStreamsIsTried) {
+    const std::set<std::string_view> poorer = {"std_msgs/msg/Float64"};  // read as another kind of gas
+    for (const StreamFacts& row : streamTable()) {
+        for (const std::string_view type : row.types) {
+            if (poorer.contains(type)) continue;
+            const auto cases = sampleCases();
+            EXPECT_TRUE(std::any_of(cases.begin(), cases.end(),
+                                    [&](const SampleCase& one) { return one.type == type; }))
+                << toString(row.role) << ": tests/support/samples.cpp has no " << type;
+        }
     }
 }
 
