@@ -147,27 +147,27 @@ void Station::State::watch() {
 }
 
 void Station::State::share() {
-    SharedIntakeSetup reception;
-    reception.me = senderOf(node->guid());
-    reception.mission = [this] { return mission->state(); };
-    reception.holdsMap = [this] { return grants->mayAct(MapGrant); };
-    reception.enter = [this](RawEvent event) { mission->receive(std::move(event)); };
-    reception.notify = [this](const std::string& text) { notify(text); };
-    reception.station = memory->identity().id;
-    reception.onJoined = [this] {
+    SharedIntakeSetup intakeSetup;
+    intakeSetup.me = senderOf(node->guid());
+    intakeSetup.mission = [this] { return mission->state(); };
+    intakeSetup.holdsMap = [this] { return grants->mayAct(MapGrant); };
+    intakeSetup.enter = [this](RawEvent event) { mission->receive(std::move(event)); };
+    intakeSetup.notify = [this](const std::string& text) { notify(text); };
+    intakeSetup.station = memory->identity().id;
+    intakeSetup.onJoined = [this] {
         if (open) sharing->publishFindsAgain();
     };
-    reception.fileAgain = [this](const FindSample& find) { fileAgain(find); };
-    MissionSharingSetup publishing;
-    publishing.station = memory->identity().id;
-    publishing.folder = settings.mission.folder;
-    publishing.holdsMap = reception.holdsMap;
-    publishing.notify = reception.notify;
-    publishing.robots = [this] { return mapping->robots(); };
-    intake = std::make_unique<SharedIntake>(std::move(reception));
-    publishing.sharesMap = [this] { return intake->sharesMap(); };
-    publishing.isAdopted = [this](std::uint64_t scan) { return intake->isAdopted(scan); };
-    sharing = std::make_unique<MissionSharing>(*node, *mission, std::move(publishing));
+    intakeSetup.fileAgain = [this](const FindSample& find) { fileAgain(find); };
+    MissionSharingSetup sharingSetup;
+    sharingSetup.station = memory->identity().id;
+    sharingSetup.folder = settings.mission.folder;
+    sharingSetup.holdsMap = intakeSetup.holdsMap;
+    sharingSetup.notify = intakeSetup.notify;
+    sharingSetup.robots = [this] { return mapping->robots(); };
+    intake = std::make_unique<SharedIntake>(std::move(intakeSetup));
+    sharingSetup.sharesMap = [this] { return intake->sharesMap(); };
+    sharingSetup.isAdopted = [this](std::uint64_t scan) { return intake->isAdopted(scan); };
+    sharing = std::make_unique<MissionSharing>(*node, *mission, std::move(sharingSetup));
 }
 
 void Station::State::follow() {
