@@ -216,11 +216,12 @@ void LiveMapping::registerDone(Time now) {
                 followFixes();
                 seekLost(name, robot, update);
                 if (m_listener.onUpdate) m_listener.onUpdate(update);
+                // Before the map: whoever is notified of it asks where robots are, and about scanners.
+                if (update.keyScan) publishScanner(name, robot);
                 if (update.keyScan || update.poses) {
-                    publishRobots();  // before the map: whoever is notified of it asks where they are in it
+                    publishRobots();
                     publishMap();
                 }
-                if (update.keyScan) publishScanner(name, robot);
                 if (update.keyScan && (!m_listener.makesMap || m_listener.makesMap()))
                     m_entered.push_back(update.keyScan->id);
                 placeOthers(now);  // also while this one stands: the others' lasers may have come since
@@ -235,7 +236,7 @@ void LiveMapping::publishScanner(const std::string& name, Robot& robot) {
     const auto more = m_mapper.calibration(name).advised(robot.advised, robot.leftAsIs);
     if (more.has_value() == robot.advised.has_value() && (!more || asksAlike(*more, *robot.advised))) return;
     robot.advised = more;
-    m_listener.onScanner(name, more);
+    m_listener.onScanner(name, {robot.poses.correctionOf(robot.scanner, robot.scanner), more});
 }
 
 void LiveMapping::correct(const std::string& name, const ScannerCorrection& correction) {
@@ -248,7 +249,7 @@ void LiveMapping::correct(const std::string& name, const ScannerCorrection& corr
         robot.poses.setCorrection(robot.scanner, robot.scanner, correction);
         robot.advised.reset();
         mapper.recalibrate(name);
-        if (m_listener.onScanner) m_listener.onScanner(name, std::nullopt);
+        if (m_listener.onScanner) m_listener.onScanner(name, {correction});
     });
 }
 

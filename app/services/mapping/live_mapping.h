@@ -46,10 +46,8 @@ struct LiveMappingListener {
     std::function<void(ScanBodiesSample)> onBodies = {};
     /// A search for a robot in the whole map failed: @p alike places look like what it sees, or none.
     std::function<void(const std::string& robot, std::size_t alike)> onLookedFor = {};
-    /// The correction that the map advises for a robot's scanner, in addition to the present one; empty: none
-    /// any more. Called when it changes noticeably.
-    std::function<void(const std::string& robot, const std::optional<ScannerCorrection>& more)> onScanner =
-        {};
+    /// What the map advises about a robot's scanner. Called when it changes noticeably.
+    std::function<void(const std::string& robot, const ScannerFinding&)> onScanner = {};
     std::function<bool()> makesMap = {};  ///< whether our poses of scans are valid; empty: they are
     std::function<void(const LiveMapPtr&)> onMap = {};  ///< after a scan entered or moved, or was decided on
 };

@@ -64,17 +64,19 @@ std::vector<RobotDescription>::iterator ScannerAdvice::find(const std::string& r
                         [&](const RobotDescription& one) { return one.name == robot; });
 }
 
-bool ScannerAdvice::follow(const std::string& robot, const std::optional<ScannerCorrection>& more) {
+bool ScannerAdvice::follow(const std::string& robot, const ScannerFinding& finding) {
     const std::lock_guard lock(m_mutex);
-    m_advised.erase(robot);
     const auto described = find(robot);
-    if (!more || described == m_robots.end()) return false;
+    if (described == m_robots.end()) return false;
     const auto sensor = described->sensors.find(onlyScanner(*described));
     const ScannerCorrection now =
         sensor == described->sensors.end() ? ScannerCorrection{} : sensor->second.correction;
-    if (now.with(*more) == now) return false;  // the correction is at its limits
-    m_advised.emplace(robot, *more);
-    return m_reported.emplace(robot, faultOf(*more)).second;
+    // On its way while the operator answered: it advises what use() already did.
+    if (finding.present != now) return false;
+    m_advised.erase(robot);
+    if (!finding.more || now.with(*finding.more) == now) return false;  // none, or at the limits
+    m_advised.emplace(robot, *finding.more);
+    return m_reported.emplace(robot, faultOf(*finding.more)).second;
 }
 
 std::optional<ScannerQuestion> ScannerAdvice::question() const {

@@ -31,9 +31,9 @@ public:
     /// @p mission: the folder that keeps the robots' files beside the log; empty: none.
     ScannerAdvice(std::vector<RobotDescription> robots, std::filesystem::path mission);
 
-    /// Takes the present advice @p more of the map for @p robot's scanner, or none. Returns whether to notify
-    /// the operator: only of the first question of its kind.
-    bool follow(const std::string& robot, const std::optional<ScannerCorrection>& more);
+    /// Takes what the map finds about @p robot's scanner, unless it was measured with another correction than
+    /// the present one. Returns whether to notify the operator: only of the first question of its kind.
+    bool follow(const std::string& robot, const ScannerFinding& finding);
     /// The first question without an answer.
     [[nodiscard]] std::optional<ScannerQuestion> question() const;
     /// Dismisses the question. LiveMapping remembers what was left, and does not advise it again.

@@ -140,8 +140,8 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     listening.onLookedFor = [&state](const std::string& robot, std::size_t alike) {
         state.notify(mapping_words::lookedFor(state.log.titleOf(robot), alike));
     };
-    listening.onScanner = [&state](const std::string& robot, const std::optional<ScannerCorrection>& more) {
-        if (state.scanners.follow(robot, more))
+    listening.onScanner = [&state](const std::string& robot, const ScannerFinding& finding) {
+        if (state.scanners.follow(robot, finding))
             state.notify(mapping_words::scannerIsOff(state.log.titleOf(robot)));
     };
     listening.makesMap = [&state] { return state.mayMap(); };

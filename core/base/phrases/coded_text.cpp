@@ -101,7 +101,7 @@ ReadPhrase readPhrase(std::string_view text, std::span<const LogPhrase> known) {
     if (const auto coded = codedText(text)) {
         for (const LogPhrase& one : known) {
             if (coded->code != one.code) continue;
-            if (auto values = valuesOf(one, *coded)) return {&one, std::move(*values)};
+            if (auto values = valuesOf(one, *coded)) return {one, std::move(*values)};
         }
     }
     std::vector<const char*> sentences;
@@ -109,7 +109,7 @@ ReadPhrase readPhrase(std::string_view text, std::span<const LogPhrase> known) {
     KnownSentence old = knownSentence(text, sentences);
     if (old.words == nullptr) return {};
     const auto row = std::ranges::find(known, old.words, &LogPhrase::words);
-    return {&*row, std::move(old.values)};
+    return {*row, std::move(old.values)};
 }
 
 std::string wordsOf(const char* context, const ReadPhrase& read) {

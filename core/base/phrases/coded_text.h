@@ -49,7 +49,7 @@ template <class... Values>
 
 /// A phrase as it was read.
 struct ReadPhrase {
-    const LogPhrase* phrase = nullptr;  ///< one of the known; null: none
+    std::optional<LogPhrase> phrase = {};  ///< one of the known; empty: none
     std::vector<std::string> values = {};
 };
 /// Returns which of @p known @p text is: by its code, or, in logs from before there were codes, by its

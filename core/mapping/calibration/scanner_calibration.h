@@ -19,6 +19,12 @@ enum class ScannerFault : std::uint8_t { Range, Lean, Clock, Mount };
 /// Returns whether both ask the operator the same.
 [[nodiscard]] bool asksAlike(const ScannerCorrection& a, const ScannerCorrection& b);
 
+/// What the map finds about a scanner whose measurements have the correction @p present.
+struct ScannerFinding {
+    ScannerCorrection present;
+    std::optional<ScannerCorrection> more = {};  ///< advised in addition; empty: none, or none any more
+};
+
 /// What the map shows of a scanner, compared with its configuration.
 struct ScannerCalibration {
     std::optional<Estimated> range;  ///< its ranges are too long by [m]

@@ -156,7 +156,7 @@ std::string worded(const ReceptionFault& fault) {
 
 std::string receptionText(const std::string& reported) {
     const ReadPhrase read = readPhrase(reported, std::array{Mute, Silent, Partial});
-    return read.phrase == nullptr ? reported : wordsOf("leitstand::Hearing", read);
+    return read.phrase ? wordsOf("leitstand::Hearing", read) : reported;
 }
 
 bool RejoinPlan::isDue(const std::optional<ReceptionFault>& fault, bool may, SteadyTime now) {

@@ -15,7 +15,7 @@ ReadPhrase newsIn(std::string_view text) {
         std::ranges::transform(All, sentences.begin(), &LogPhrase::words);
         KnownSentence old = knownEnding(text, sentences);
         if (old.words != nullptr)
-            news = {std::ranges::find(All, old.words, &LogPhrase::words), std::move(old.values)};
+            news = {*std::ranges::find(All, old.words, &LogPhrase::words), std::move(old.values)};
     }
     const auto isFigure = [](const std::string& value) { return figureIn(value).has_value(); };
     return std::ranges::all_of(news.values, isFigure) ? news : ReadPhrase();
@@ -24,7 +24,7 @@ ReadPhrase newsIn(std::string_view text) {
 std::string message(const std::string& text) {
     const auto coded = codedText(text);
     const ReadPhrase news = newsIn(text);
-    if (!coded || news.phrase == nullptr) return text;
+    if (!coded || !news.phrase) return text;
     return coded->value("file").value_or(std::string()) + ": " + wordsOf("leitstand::LogSays", news);
 }
 

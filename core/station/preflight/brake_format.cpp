@@ -89,10 +89,10 @@ std::string causeOf(const BrakeResult& result) {
 
 std::string causeWorded(const std::string& reported) {
     const ReadPhrase room = readPhrase(reported, std::array{NoRoom});
-    if (room.phrase != nullptr) return wordsOf(Context, room);
+    if (room.phrase) return wordsOf(Context, room);
     for (const auto& [cause, phrase] : Causes) {
         const ReadPhrase known = readPhrase(reported, std::array{phrase});
-        if (known.phrase != nullptr) return wordsOf("leitstand::PreflightList", known);
+        if (known.phrase) return wordsOf("leitstand::PreflightList", known);
     }
     return reported;
 }
@@ -117,7 +117,7 @@ std::string toString(const BrakeResult& result) {
 
 std::string brakeWorded(const std::string& reported) {
     ReadPhrase read = readPhrase(reported, Verdicts);
-    if (read.phrase == nullptr) return reported;
+    if (!read.phrase) return reported;
     if (read.phrase->code == std::string_view(Inconclusive.code))
         read.values.front() = causeWorded(read.values.front());
     return wordsOf(Context, read);

@@ -33,7 +33,9 @@ protected:
 
 TEST_F(LinkAndPreflight, TThinsTheLinkAndThePreflightPageTellsHowThingsAre) {
     static constexpr const char* Right = "/kurt3d/right/image/compressed";
-    ASSERT_TRUE(soon([&] { return rate(Right) > 6.0; }));
+    // Of ten pictures a second, a busy machine makes and shows fewer; a thin link lets under two through.
+    static constexpr double Whole = 3.0;  // [Hz]
+    ASSERT_TRUE(soon([&] { return rate(Right) > Whole; }));
     QLabel* const badge = m_window->findChild<QLabel*>("thinBadge");
     ASSERT_NE(badge, nullptr);
     EXPECT_FALSE(badge->isVisible());
@@ -52,7 +54,7 @@ TEST_F(LinkAndPreflight, TThinsTheLinkAndThePreflightPageTellsHowThingsAre) {
     lookAt("link");
     press(Qt::Key_T);
     EXPECT_FALSE(badge->isVisible());
-    EXPECT_TRUE(soon([&] { return rate(Right) > 6.0; }));
+    EXPECT_TRUE(soon([&] { return rate(Right) > Whole; }));
 
     press(Qt::Key_F9);
     auto* const page = m_window->findChild<PreflightPage*>();

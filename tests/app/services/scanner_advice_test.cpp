@@ -78,6 +78,19 @@ TEST_F(ScannerAdviceTest, AScannerThatMeasuresTooFarIsAskedAboutAndCorrectedForG
         << "who registers the mission's scans again needs it";
 }
 
+TEST_F(ScannerAdviceTest, AFindingThatWasOnItsWayDuringTheAnswerDoesNotAskAgain) {
+    ScannerAdvice advice({kurt()}, {});
+    const ScannerFinding found{{}, ScannerCorrection{.range = -0.04}};
+    EXPECT_TRUE(advice.follow("kurt3d", found));
+    const auto question = advice.question();
+    ASSERT_TRUE(question);
+    const ScannerCorrection total = advice.use(*question).total;
+    EXPECT_FALSE(advice.follow("kurt3d", found));
+    EXPECT_FALSE(advice.question()) << "it would be corrected twice";
+    EXPECT_TRUE(advice.follow("kurt3d", {total, ScannerCorrection{.range = 0.02}}));
+    EXPECT_TRUE(advice.question()) << "what is measured with the correction does ask";
+}
+
 TEST_F(ScannerAdviceTest, AScannerThatIsLeftAsItIsIsNotAskedAboutAgain) {
     const std::uint64_t asked = driveUntilAsked();
     const auto question = m_mapping->scannerQuestion();

@@ -50,19 +50,31 @@ TEST(CodedText, SentencesAreNone) {
     EXPECT_FALSE(codedText(huge + "x"));
 }
 
+/// The words that @p text was read as; null: none of the known.
+const char* wordsIn(std::string_view text) {
+    const ReadPhrase read = readPhrase(text, Known);
+    return read.phrase ? read.phrase->words : nullptr;
+}
+
 TEST(LogPhrases, AreReadByCodeOrByTheSentenceOfOldLogs) {
     EXPECT_EQ(logged(Known[1], 0.5, 3), "moved metres=0.5 seconds=3");
-    EXPECT_EQ(readPhrase("moved metres=0.5 seconds=3", Known).phrase, &Known[1]);
-    EXPECT_EQ(readPhrase("moved metres=0.5", Known).phrase, &Known[2]);
-    EXPECT_EQ(readPhrase("moved 0.5 m in 3 s", Known).phrase, &Known[1]);
+    EXPECT_STREQ(wordsIn("moved metres=0.5 seconds=3"), Known[1].words);
+    EXPECT_STREQ(wordsIn("moved metres=0.5"), Known[2].words);
+    EXPECT_STREQ(wordsIn("moved 0.5 m in 3 s"), Known[1].words);
     EXPECT_THAT(readPhrase("stopped by Kurt 3D", Known).values, ElementsAre("Kurt 3D"));
     EXPECT_THAT(readPhrase(logged(Known[0], "Kurt 3D"), Known).values, ElementsAre("Kurt 3D"));
-    EXPECT_EQ(readPhrase("does nothing", Known).phrase, &Known[3]);
-    EXPECT_EQ(readPhrase("idle", Known).phrase, &Known[3]);
+    EXPECT_STREQ(wordsIn("does nothing"), Known[3].words);
+    EXPECT_STREQ(wordsIn("idle"), Known[3].words);
     for (const char* text : {"", "stopped", "moved", "moved seconds=3", "walked metres=1", "moved by"})
-        EXPECT_EQ(readPhrase(text, Known).phrase, nullptr) << text;
+        EXPECT_EQ(wordsIn(text), nullptr) << text;
     EXPECT_EQ(wordsOf("none", readPhrase("moved seconds=3 metres=1", Known)), "moved 1 m in 3 s")
         << "names decide, not their order";
+}
+
+TEST(LogPhrases, OutliveTheTableTheyWereReadWith) {
+    const ReadPhrase read = readPhrase("idle", std::array{Known[0], Known[3]});
+    ASSERT_TRUE(read.phrase);
+    EXPECT_EQ(wordsOf("none", read), "does nothing");
 }
 
 }  // namespace

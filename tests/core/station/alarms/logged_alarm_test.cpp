@@ -108,7 +108,7 @@ TEST(LogSays, OthersAreNone) {
                                  "/a.db3: the disk is full in nan minutes at 1 MB/s",
                                  "/a.db3: the disk is full in 8 minutes at  MB/s", "disk_filling minutes=8",
                                  "disk_filling minutes=soon megabytes_per_second=1"})
-        EXPECT_EQ(log_format::newsIn(reported).phrase, nullptr) << reported;
+        EXPECT_FALSE(log_format::newsIn(reported).phrase) << reported;
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ QString withoutFile(const QString& text) {
 
 QString diskText(const std::string& note, const QString& detail) {
     const ReadPhrase news = log_format::newsIn(note);
-    if (news.phrase == nullptr)
+    if (!news.phrase)
         return AlarmTexts::tr("log: %1").arg(note.empty() ? detail
                                                           : withoutFile(QString::fromStdString(note)));
     std::vector<std::string> figures;
