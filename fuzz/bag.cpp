@@ -1,3 +1,4 @@
+#include "core/event/raw_event.h"
 #include "core/io/bag/bag_reader.h"
 #include "fuzz/input_file.h"
 

@@ -1,4 +1,4 @@
-#include "core/mission/state/checkpoint.h"
+#include "core/mission/state/checkpoint/checkpoint.h"
 #include "fuzz/input_file.h"
 
 /// The bytes of a checkpoint: what can be read is written the same, and reads the same.

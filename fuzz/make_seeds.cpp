@@ -6,6 +6,7 @@
 #include <sqlite3.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/event/stream_role.h"
 #include "core/io/bag/bag_writer.h"
 #include "core/io/clouds/pcd.h"
 #include "core/io/clouds/ply.h"
@@ -14,7 +15,7 @@
 #include "core/io/clouds/xyz.h"
 #include "core/io/pad/pad_file.h"
 #include "core/io/settings/comparison_file.h"
-#include "core/mission/state/checkpoint.h"
+#include "core/mission/state/checkpoint/checkpoint.h"
 #include "core/mission/state/fold.h"
 #include "fuzz/small_bag.h"
 #include "tests/support/samples.h"

@@ -1,4 +1,5 @@
 
+#include "core/event/stream_role.h"
 #include "fuzz/input_file.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"

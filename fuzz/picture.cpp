@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/event/picture_samples.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "fuzz/input_file.h"
 

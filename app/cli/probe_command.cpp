@@ -18,6 +18,7 @@
 #include "app/services/domain/domain_probe.h"
 #include "app/services/interrupt.h"
 #include "core/base/printable.h"
+#include "core/event/stream_role.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/robot/robot_file.h"
 

@@ -21,7 +21,7 @@
 #include "core/io/clouds/cloud_writer.h"
 #include "core/io/clouds/tum.h"
 #include "core/io/graph/given_links.h"
-#include "core/mapping/mapper.h"
+#include "core/mapping/offline_mapper.h"
 #include "core/mapping/relaxation/closed_map.h"
 
 namespace leitstand::cli {
@@ -138,7 +138,7 @@ int runRegister(const RegisterOptions& options) {
         complain(line, links.error().text);
         return 1;
     }
-    Mapper mapper(chosen);
+    OfflineMapper mapper(chosen);
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const auto show = [&](double fraction) {
             line.show("registering " + scans[i].scan->name, (double(i) + fraction) / double(scans.size()));

@@ -15,6 +15,8 @@
 #include "app/report/score_html.h"
 #include "app/report/work_html.h"
 #include "app/services/handin/report_text.h"
+#include "core/event/find_sample.h"
+#include "core/mission/state/find_state.h"
 
 namespace leitstand {
 namespace {

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "app/report/report_numbers.h"
+#include "core/mission/state/find_state.h"
 
 namespace leitstand {
 namespace {

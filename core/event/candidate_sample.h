@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
+#include "core/base/unknown.h"
 #include "core/event/find_sample.h"
-#include "core/event/status_samples.h"
 
 namespace leitstand {
 

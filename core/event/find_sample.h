@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
-#include "core/event/status_samples.h"
+#include "core/base/unknown.h"
 
 namespace leitstand {
 
@@ -28,15 +28,18 @@ struct VictimEvidence {
     Time stamp{};  ///< sample's own
 };
 
+/// What was found.
+enum class FindKind : std::uint8_t {
+    Victim,
+    Hazard,  ///< a hazard sign
+    Code,    ///< a QR code; its content is the tag
+    Object,  ///< of interest
+};
+
 /// A victim, or another thing that judges want to know of, as filed or changed. It is always the whole form;
 /// the newest of a kind and number counts.
 struct FindSample {
-    enum class Kind : std::uint8_t {
-        Victim,
-        Hazard,  ///< a hazard sign
-        Code,    ///< a QR code; its content is the tag
-        Object,  ///< of interest
-    };
+    using Kind = FindKind;
     enum class Status : std::uint8_t { Hypothesis, Confirmed, Discarded };
     Time stamp{};  ///< station's clock, of this entry
     std::string station;
@@ -61,6 +64,6 @@ struct FindSample {
 };
 
 /// Name of a find for the operator: "V1", "H1" (hazard), "Q1" (QR code), "O1" (object).
-[[nodiscard]] std::string nameOf(FindSample::Kind kind, std::uint32_t number);
+[[nodiscard]] std::string nameOf(FindKind kind, std::uint32_t number);
 
 }  // namespace leitstand

@@ -10,6 +10,7 @@
 #include "core/base/pose.h"
 #include "core/base/time.h"
 #include "core/cloud/scan.h"
+#include "core/event/scan_pose.h"
 
 namespace leitstand {
 
@@ -22,42 +23,6 @@ struct KeyScanSample {
     Pose scanInMap = Pose::Identity();     ///< when it entered the map; ScanPosesSample corrects it
     std::uint64_t matched = 0;             ///< id of the scan it was registered against; 0: none
 };
-
-/// Whether a key scan counts.
-enum class ScanTrust : std::uint8_t {
-    Certain,    ///< part of the map, others are registered against it
-    Uncertain,  ///< shown, but nothing is built on it until the operator decides
-    SetAside,   ///< rejected or rewound: not shown
-};
-
-/// Why a scan is uncertain, and remarks on it: bits of ScanPose::doubts.
-enum class ScanDoubt : std::uint8_t {
-    Overlap = 1 << 0,    ///< too few of its points meet the map
-    Residual = 1 << 1,   ///< those that do are too far from it
-    Jump = 1 << 2,       ///< it would have moved differently from the odometry
-    Certainty = 1 << 3,  ///< it could be shifted or turned in some direction
-    Diverged = 1 << 4,   ///< the registration did not converge
-    Odometry = 1 << 5,   ///< it is unknown how the robot came there
-    Points = 1 << 6,     ///< it has too few points
-    Guessed = 1 << 7,    ///< odometry was missing within it; this alone makes no scan uncertain
-};
-
-/// Pose of a key scan and how certain it is.
-struct ScanPose {
-    std::uint64_t scan = 0;  ///< KeyScanSample::id
-    Pose scanInMap = Pose::Identity();
-    double rms = 0.0;          ///< of paired points [m]
-    double inlierRatio = 0.0;  ///< 0 to 1
-    double overlap = 0.0;      ///< 0 to 1
-    double certainty = 0.0;    ///< 0 to 1
-    bool converged = false;
-    ScanTrust trust = ScanTrust::Certain;
-    std::uint8_t doubts = 0;  ///< bits of ScanDoubt
-};
-
-[[nodiscard]] constexpr bool has(std::uint8_t doubts, ScanDoubt doubt) {
-    return (doubts & static_cast<std::uint8_t>(doubt)) != 0;
-}
 
 /// Poses that a registration or a correction changed, all at once; also the operator's decisions on them.
 struct ScanPosesSample {
@@ -74,32 +39,6 @@ struct MapCropSample {
     std::string station;
     std::vector<Eigen::Vector2d> polygon;                      ///< corners, map frame [m]; empty: everything
     double ceiling = std::numeric_limits<double>::infinity();  ///< points above are left out, map frame [m]
-};
-
-/// Where another robot was, or may have been, at a moment of a key scan.
-struct BodyInScan {
-    std::string robot;
-    std::vector<Eigen::Vector2d> footprint;  ///< of that robot, its base frame, counter-clockwise [m]
-    double height = 0.0;                     ///< of that robot [m]
-    Pose baseInScan = Pose::Identity();      ///< in the frame of the scan's points
-    double margin = 0.0;                     ///< the robot may be this far from there [m]
-    friend bool operator==(const BodyInScan& a, const BodyInScan& b) {
-        return a.robot == b.robot && a.footprint == b.footprint && a.height == b.height &&
-               a.baseInScan.matrix() == b.baseInScan.matrix() && a.margin == b.margin;
-    }
-};
-
-/// Other robots among the points of a key scan; they do not belong in the map.
-struct BodiesOfScan {
-    std::uint64_t scan = 0;          ///< KeyScanSample::id
-    std::vector<BodyInScan> bodies;  ///< all known; empty: none after all
-};
-
-/// Replaces what was known of these scans before: a robot may be placed long after it was scanned.
-struct ScanBodiesSample {
-    Time stamp{};  ///< station's clock
-    std::string station;
-    std::vector<BodiesOfScan> scans;
 };
 
 /// Place of a robot in the map that another one's scans made, and how its laser keeps it there.

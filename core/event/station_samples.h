@@ -6,12 +6,13 @@
 
 #include "core/base/shared_bytes.h"
 #include "core/base/time.h"
+#include "core/event/grant_kind.h"
 
 namespace leitstand {
 
 /// Who holds a grant: heartbeat of the holder at 1 Hz, and the requests and answers of stations about it.
 struct GrantSample {
-    enum class Kind : std::uint8_t { Drive, Camera, Map };
+    using Kind = GrantKind;
     enum class Action : std::uint8_t {
         Hold,     ///< heartbeat: the station has it
         Request,  ///< the station requests it from the holder

@@ -1,19 +1,16 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "core/base/unknown.h"
 #include "core/event/sample_header.h"
 
 namespace leitstand {
-
-/// Value of numbers that a sender does not know.
-inline constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Concentration of a gas (leitstand_msgs/msg/GasConcentration; std_msgs/msg/Float32 without stamp and name).
 struct GasSample {

@@ -1,5 +1,6 @@
 #include "core/handin/report_model.h"
 #include "core/base/rotation/heading.h"
+#include "core/event/find_sample.h"
 #include "core/mission/finds/find_book.h"
 
 #include <algorithm>
@@ -9,7 +10,10 @@
 #include <fmt/format.h>
 
 #include "core/handin/file_names.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/mission_clock.h"
+#include "core/mission/state/session_state.h"
 
 namespace leitstand {
 namespace {

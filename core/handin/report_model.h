@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "core/base/progress.h"
+#include "core/event/find_sample.h"
 #include "core/handin/map/map_drawing.h"
 #include "core/handin/map/robot_path.h"
 #include "core/handin/map/voxel_evidence.h"

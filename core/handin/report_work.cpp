@@ -3,7 +3,13 @@
 #include <algorithm>
 #include <variant>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
 #include "core/mission/finds/find_book.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
 
 namespace leitstand {
 namespace {

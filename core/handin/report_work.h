@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
-#include "core/mission/state/mission_state.h"
-
 namespace leitstand {
+
+struct MissionState;
 
 /// How people, robots and stations contributed to the results of a mission.
 struct ReportWork {

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/event/cloud_sample.h"
+
 namespace leitstand {
 namespace {
 

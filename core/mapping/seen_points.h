@@ -9,11 +9,13 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/event/cloud_sample.h"
 #include "core/mapping/live/scan_cleaning.h"
 #include "core/perception/pictures/pixel_ray.h"
 
 namespace leitstand {
+
+struct CloudSample;
+struct RangesSample;
 
 /// Where a ray meets what a scanner saw.
 struct RayHit {

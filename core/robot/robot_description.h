@@ -10,11 +10,12 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
-#include "core/event/stream_role.h"
 #include "core/robot/scanner_correction.h"
 #include "core/robot/streams/qos.h"
 
 namespace leitstand {
+
+enum class StreamRole : std::uint8_t;
 
 /// Clock that stamps commands are set by.
 enum class StampSource : std::uint8_t { Robot, Zero, Station };
@@ -30,7 +31,7 @@ struct ThermalScale {
 
 /// One topic of a robot.
 struct StreamDescription {
-    StreamRole role = StreamRole::Points;
+    StreamRole role{};
     std::string sensor;  ///< key of RobotDescription::sensors that it belongs to, "left"; may be empty
     std::string topic;   ///< ROS name, "/kurt3d/points"
     std::string type;    ///< "sensor_msgs/msg/PointCloud2"

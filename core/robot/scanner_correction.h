@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/base/pose.h"
-#include "core/event/cloud_sample.h"
 
 namespace leitstand {
+
+struct CloudSample;
 
 /// Corrections of a 3D scanner's measurements and of its stated mount.
 struct ScannerCorrection {

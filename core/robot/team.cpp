@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "core/event/stream_role.h"
+
 namespace leitstand {
 namespace {
 

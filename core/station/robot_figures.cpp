@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+
 namespace leitstand {
 
 std::optional<std::pair<double, double>> rollAndPitch(const RobotDescription& description,

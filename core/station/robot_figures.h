@@ -26,7 +26,7 @@ inline constexpr double BatteryAge = 10.0;
 
 /// Whether @p latest was received within @p seconds before @p now, station's clock.
 template <class T>
-[[nodiscard]] bool isFresh(const std::optional<Latest<T>>& latest, Time now, double seconds) {
+[[nodiscard]] bool isFresh(const LatestPtr<T>& latest, Time now, double seconds) {
     return latest && toSeconds(now - latest->received) < seconds;
 }
 

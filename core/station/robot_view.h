@@ -1,21 +1,23 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/event/motion_samples.h"
 #include "core/perception/pictures/picture_watch.h"
 #include "core/perception/surroundings/virtual_scan_view.h"
 #include "core/robot/control/drive_setpoint.h"
-#include "core/robot/control/grant_book.h"
-#include "core/robot/control/stop/stop_control.h"
+#include "core/robot/control/grant_view.h"
+#include "core/robot/control/stop/stop_status.h"
 #include "core/robot/link/link_status.h"
 #include "core/robot/link/reception.h"
 #include "core/station/sight_cap.h"
 
 namespace leitstand {
+
+struct JointSample;
 
 /// How the operator drives a robot now.
 struct DriveView {
@@ -42,9 +44,9 @@ struct RobotView {
     GrantView grant;
     StopStatus stop;
     DriveView drive;
-    std::optional<VirtualScanView> around;  ///< when it was requested
-    std::vector<CameraView> cameras;        ///< those that sent pictures; not the thermal ones
-    std::optional<JointSample> joints;      ///< newest: chains, pan and tilt
+    std::optional<VirtualScanView> around;      ///< when it was requested
+    std::vector<CameraView> cameras;            ///< those that sent pictures; not the thermal ones
+    std::shared_ptr<const JointSample> joints;  ///< newest: chains, pan and tilt; null: none
     double jointsAge = std::numeric_limits<double>::infinity();  ///< of them [s]
 };
 

@@ -7,11 +7,15 @@
 #include <limits>
 #include <tuple>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 
 #include "core/base/time.h"
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/robot_format.h"
 
 namespace leitstand {
@@ -104,30 +108,29 @@ void RobotAgent::receiveRequest(StreamRole role, const Sample& requested, const 
         m_early.push_back({role, requested, from, m_hardware.now()});
         return;
     }
-    if (const auto* mode = std::get_if<ModeCommandSample>(&requested)) askForMode(*mode);
-    if (const auto* goal = std::get_if<PoseSample>(&requested)) goTo(*goal);
+    if (const auto* mode = requested.as<ModeCommandSample>()) askForMode(*mode);
+    if (const auto* goal = requested.as<PoseSample>()) goTo(*goal);
 }
 
 void RobotAgent::receive(StreamRole role, const Sample& command, const Sender& from) {
     const bool holder = m_rules.grant().obeys(from, steady());
     if (holder) m_machine.receivedStation(m_hardware.now());
-    if (const auto* twist = std::get_if<TwistSample>(&command)) {
+    if (const auto* twist = command.as<TwistSample>()) {
         m_twist = m_hardware.now();
         drive(velocityOf(*twist), from);
-    } else if (const auto* stop = std::get_if<StopCommandSample>(&command)) {
+    } else if (const auto* stop = command.as<StopCommandSample>()) {
         static_cast<void>(m_rules.receive(*stop, from, steady()));
         m_stopPublished.reset();  // every command is answered
         publishStopState();
-    } else if (std::holds_alternative<ModeCommandSample>(command) ||
-               std::holds_alternative<PoseSample>(command)) {
+    } else if (command.is<ModeCommandSample>() || command.is<PoseSample>()) {
         receiveRequest(role, command, from);
-    } else if (const auto* joints = std::get_if<JointSample>(&command)) {
+    } else if (const auto* joints = command.as<JointSample>()) {
         const bool mayLook = m_cameras.holder(steady()).empty() ? holder : m_cameras.obeys(from, steady());
         if (role == StreamRole::TrackCommand) driveTracks(*joints, from);
         if (role == StreamRole::PanTiltCommand && mayLook) turnCameras(*joints);
-    } else if (const auto* stream = std::get_if<StreamCommandSample>(&command)) {
+    } else if (const auto* stream = command.as<StreamCommandSample>()) {
         if (holder || m_rules.grant().holder(steady()).empty()) setStream(*stream);
-    } else if (const auto* ping = std::get_if<PingSample>(&command)) {
+    } else if (const auto* ping = command.as<PingSample>()) {
         const Time now = m_hardware.now();
         publish(StreamRole::Pong, PongSample{ping->number, ping->station, ping->sent, now, now});
     }
@@ -224,7 +227,7 @@ std::vector<HardwareSample> RobotAgent::step() {
     std::vector<HardwareSample> sensed = m_hardware.take();
     for (HardwareSample& sample : sensed) {
         if (sample.reach == Reach::Sent) continue;
-        if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample))
+        if (const auto* odometry = sample.sample.as<OdometrySample>())
             m_rules.moved(odometry->linear.head<2>().norm(), odometry->angular.z(), steady());
         sense(sample);
     }

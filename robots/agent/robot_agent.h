@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
 #include "core/robot/control/grant_arbiter.h"
 #include "core/robot/control/robot_rules.h"
 #include "core/robot/robot_description.h"
@@ -15,6 +17,12 @@
 #include "robots/hardware/robot_hardware.h"
 
 namespace leitstand {
+
+struct GrantSample;
+struct JointSample;
+struct ModeCommandSample;
+struct PoseSample;
+struct StreamCommandSample;
 
 /// What an agent of any robot needs to know about its robot.
 struct AgentSettings {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
 #include "core/perception/surroundings/robot_profile.h"
 #include "core/robot/robot_format.h"
 
@@ -46,14 +47,14 @@ SelfDrivingAgent::SelfDrivingAgent(RobotHardware& hardware, const RobotDescripti
 
 void SelfDrivingAgent::sense(HardwareSample& sample) {
     const auto then = [this](Time at) { return m_odometry.at(at); };
-    if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample)) {
+    if (const auto* odometry = sample.sample.as<OdometrySample>()) {
         m_odometry.add(odometry->header.stamp, odometry->baseInOdom);
-    } else if (const auto* transforms = std::get_if<TransformsSample>(&sample.sample)) {
+    } else if (const auto* transforms = sample.sample.as<TransformsSample>()) {
         for (const FrameTransform& one : transforms->transforms)
             m_frames[one.childFrame] = {one.header.frame, one.childInParent};
-    } else if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) {
+    } else if (const auto* cloud = sample.sample.as<CloudSample>()) {
         if (const auto place = inBase(cloud->header.frame, sample.sensor)) m_scan.add(*cloud, *place, then);
-    } else if (const auto* ranges = std::get_if<RangesSample>(&sample.sample)) {
+    } else if (const auto* ranges = sample.sample.as<RangesSample>()) {
         // A plane that a unit turns upright measures heights; its points also come as clouds.
         const auto place = inBase(ranges->header.frame, sample.sensor);
         if (place && std::abs(place->linear()(2, 2)) > std::cos(LevelPlane))

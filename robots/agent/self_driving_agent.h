@@ -14,6 +14,8 @@
 
 namespace leitstand {
 
+struct PoseSample;
+
 /// How a robot looks and drives by itself. Its body is filled in from its description.
 struct SelfDrivingSettings {
     std::chrono::nanoseconds thinks = std::chrono::milliseconds(50);  ///< period of its own drivers

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/event/scan_links.h"
+
 namespace leitstand {
 namespace {
 

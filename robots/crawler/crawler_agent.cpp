@@ -6,11 +6,12 @@
 #include <cstddef>
 #include <numbers>
 #include <string_view>
-#include <variant>
 
 #include <fmt/format.h>
 
 #include "core/base/time.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/robot_format.h"
 
 namespace leitstand {
@@ -85,9 +86,9 @@ CrawlerAgent::CrawlerAgent(RobotHardware& hardware, const RobotDescription& robo
 
 void CrawlerAgent::sense(HardwareSample& sample) {
     SelfDrivingAgent::sense(sample);
-    if (const auto* imu = std::get_if<ImuSample>(&sample.sample)) feel(*imu);
-    if (const auto* bumps = std::get_if<BumpSample>(&sample.sample)) feel(*bumps);
-    if (auto* diagnostics = std::get_if<DiagnosticsSample>(&sample.sample))
+    if (const auto* imu = sample.sample.as<ImuSample>()) feel(*imu);
+    if (const auto* bumps = sample.sample.as<BumpSample>()) feel(*bumps);
+    if (auto* diagnostics = sample.sample.edit<DiagnosticsSample>())
         diagnostics->statuses.push_back(warning());
 }
 

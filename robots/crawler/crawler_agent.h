@@ -12,6 +12,8 @@
 
 namespace leitstand {
 
+struct ImuSample;
+
 /// How the Crawler drives and how it warns of rolling over.
 struct CrawlerSettings {
     CrawlerSettings();  ///< as it was built

@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "core/base/time.h"
-#include "core/event/event.h"
+#include "core/event/sample.h"
+#include "core/event/stream_role.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct TwistSample;
 
 /// Who receives a sample: the robot's own drivers get what they need, even when a stream is sent less often.
 enum class Reach : std::uint8_t { Everywhere, OnBoard, Sent };

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "core/base/time.h"
+#include "core/event/all_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/stream_role.h"
 #include "core/perception/heat/heat.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "core/robot/control/pan_tilt.h"
@@ -53,9 +55,9 @@ Kurt3dAgent::Kurt3dAgent(RobotHardware& hardware, const RobotDescription& robot,
 
 void Kurt3dAgent::sense(HardwareSample& sample) {
     SelfDrivingAgent::sense(sample);
-    if (const auto* info = std::get_if<CameraInfoSample>(&sample.sample)) {
+    if (const auto* info = sample.sample.as<CameraInfoSample>()) {
         m_cameras[sample.sensor] = *info;
-    } else if (const auto* picture = std::get_if<PictureSample>(&sample.sample)) {
+    } else if (const auto* picture = sample.sample.as<PictureSample>()) {
         if (sample.role == StreamRole::Thermal) see(sample, *picture);
     }
 }

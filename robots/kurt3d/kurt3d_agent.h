@@ -7,11 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "core/event/picture_samples.h"
 #include "robots/agent/self_driving_agent.h"
 #include "robots/control/driving/passed_heat.h"
 #include "robots/control/driving/victim_approach.h"
 
 namespace leitstand {
+
+struct PictureSample;
 
 /// How Kurt3D drives.
 struct Kurt3dSettings {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/event/stream_role.h"
 #include "robots/simulation/sensors/state/bumpers.h"
 #include "robots/simulation/sensors/state/diagnostics.h"
 #include "robots/simulation/sensors/state/inertial_unit.h"

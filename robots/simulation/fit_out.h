@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/event/motion_samples.h"
 #include "robots/simulation/sensors/camera/camera.h"
 #include "robots/simulation/sensors/noise.h"
 #include "robots/simulation/sensors/sensor_place.h"

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/event/stream_role.h"
 #include "robots/simulation/fit_out.h"
 #include "robots/simulation/sensors/camera/infrared_camera.h"
 #include "robots/simulation/sensors/laser/plane_laser.h"

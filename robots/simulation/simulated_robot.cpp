@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
+
+#include "core/event/all_samples.h"
 
 namespace leitstand::simulation {
 namespace {
 
 Time stampOf(const HardwareSample& sample) {
-    return std::visit(
+    return visit(
         [](const auto& kind) -> Time {
             if constexpr (requires { kind.header.stamp; }) {
                 return kind.header.stamp;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/event/motion_samples.h"
 #include "robots/hardware/robot_hardware.h"
 #include "robots/simulation/sensors/sensor.h"
 #include "robots/simulation/sensors/state/joints.h"

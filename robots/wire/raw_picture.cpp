@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/event/picture_samples.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 
 namespace leitstand {

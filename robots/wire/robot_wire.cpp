@@ -7,7 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/sample.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 #include "robots/wire/raw_picture.h"
 #include "transport/convert/decode.h"
@@ -61,7 +67,7 @@ struct RobotWire::State {
 void RobotWire::State::put(ReceivedCommand command) {
     const std::lock_guard lock(mutex);
     ++counts.accepted;
-    if (waiting.size() >= MostWaiting && !std::holds_alternative<StopCommandSample>(command.sample)) {
+    if (waiting.size() >= MostWaiting && !command.sample.is<StopCommandSample>()) {
         ++counts.dropped;
         return;
     }
@@ -83,7 +89,7 @@ void RobotWire::State::receive(const StreamDescription& stream, const ReceivedSa
 
 void RobotWire::State::receiveGrant(const ReceivedSample& sample) {
     const auto event = decodeStationEvent(sample.event);
-    if (!event || !std::holds_alternative<GrantSample>(event->sample)) return countBroken();
+    if (!event || !event->sample.is<GrantSample>()) return countBroken();
     put({{}, true, event->sample, senderOf(sample.writer), sample.event.received});
 }
 
@@ -128,7 +134,7 @@ std::vector<ReceivedCommand> RobotWire::take() {
 
 Result<void> RobotWire::State::publish(const StreamDescription& stream, const Sample& sample) const {
     Publisher& publisher = *publishers.at(stream.topic);
-    const auto* picture = std::get_if<PictureSample>(&sample);
+    const auto* picture = sample.as<PictureSample>();
     if (picture == nullptr || !picture->compressed || stream.type != RawPictures) {
         const auto cdr = encode(sample, stream.type);
         return cdr ? publisher.write(*cdr) : Result<void>(cdr.error());

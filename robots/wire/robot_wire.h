@@ -2,10 +2,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <variant>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/event/sample.h"
+#include "core/event/stream_role.h"
 #include "core/robot/control/grants.h"
 #include "core/robot/robot_description.h"
 #include "robots/hardware/robot_hardware.h"

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/raw_event.h"
 #include "core/io/bag/bag_reader.h"
 #include "tests/support/child_process.h"
 #include "tests/support/dds/test_domain.h"

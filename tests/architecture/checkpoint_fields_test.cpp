@@ -74,7 +74,7 @@ std::set<std::string> fieldsIn(const std::string& body) {
 /// Fields by type, as checkpoint_fields.h describes them.
 std::map<std::string, std::set<std::string>> described() {
     static const std::regex head(R"(void describe\(A& a, (\w+)& v\) \{)"), field(R"(\bv\.(\w+))");
-    const std::string text = content("core/mission/state/checkpoint_fields.h");
+    const std::string text = content("core/mission/state/checkpoint/checkpoint_fields.h");
     std::map<std::string, std::set<std::string>> all;
     for (std::sregex_iterator one(text.begin(), text.end(), head), none; one != none; ++one) {
         const auto from = static_cast<std::size_t>(one->position());

@@ -13,6 +13,7 @@
 #include "app/services/pad/pad_memory.h"
 #include "app/services/station/last_station.h"
 #include "app/window/scans/scans_window.h"
+#include "core/event/station_samples.h"
 #include "core/io/pad/pad_file.h"
 #include "core/io/robot/brake_file.h"
 #include "core/io/robot/robot_file.h"

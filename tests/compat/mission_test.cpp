@@ -16,10 +16,12 @@
 #include "app/services/log/live_mission.h"
 #include "app/services/log/mission_robots.h"
 #include "app/services/log/replay/bag_history.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/settings/comparison_file.h"
-#include "core/mission/state/checkpoint.h"
+#include "core/mission/state/checkpoint/checkpoint.h"
+#include "core/mission/state/find_state.h"
 #include "tests/compat/expected.h"
 #include "tests/compat/lines.h"
 #include "tests/compat/state_text.h"
@@ -113,7 +115,7 @@ TEST_P(CompatMission, CheckpointsAreReadAndTellTheSame) {
     int checkpoints = 0;
     while (const auto event = events.next()) {
         decoder.decode(*event, [&](const Event& one) {
-            const auto state = stateOf(std::get<CheckpointSample>(one.sample));
+            const auto state = stateOf(one.sample.get<CheckpointSample>());
             ASSERT_TRUE(state) << "checkpoint " << event->sequence << ": " << state.error().text;
             ++checkpoints;
         });
@@ -191,7 +193,7 @@ TEST_P(CompatMission, CheckpointsOfEarlierVersionsAreRead) {
     while (const auto raw = cursor.next()) {
         const auto event = decodeStationEvent(*raw);
         ASSERT_TRUE(event) << event.error().text;
-        const auto& checkpoint = std::get<CheckpointSample>(event->sample);
+        const auto& checkpoint = event->sample.get<CheckpointSample>();
         EXPECT_LE(checkpoint.version, CheckpointVersion);
         const auto state = stateOf(checkpoint);
         EXPECT_TRUE(state.ok()) << "version " << checkpoint.version << ": "

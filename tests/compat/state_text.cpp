@@ -8,6 +8,25 @@
 
 #include <fmt/format.h>
 
+#include "core/event/all_samples.h"
+#include "core/event/candidate_sample.h"
+#include "core/event/command_samples.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample_header.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_links.h"
+#include "core/event/scan_pose.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
+#include "core/mission/state/session_state.h"
+
 namespace leitstand::test {
 namespace {
 
@@ -63,6 +82,10 @@ void put(const Lines& to, const Pose& value) {
 }
 template <class T>
 void put(const Lines& to, const std::optional<T>& value) {
+    if (value) to("is", *value);
+}
+template <class T>
+void put(const Lines& to, const std::shared_ptr<const T>& value) {
     if (value) to("is", *value);
 }
 template <class T>

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
 #include "core/io/bag/topic_info.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "core/robot/streams/stream_table.h"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "core/mapping/mapper.h"
+#include "core/mapping/offline_mapper.h"
 #include "core/mapping/scan_preparation.h"
 #include "tests/hall/hall.h"
 #include "tests/support/shared_data.h"
@@ -24,7 +24,7 @@ RegistrationSettings allPoints() {
 }
 
 MapPtr mapOf(const std::vector<ScanPtr>& scans, const RegistrationSettings& settings) {
-    Mapper mapper(settings);
+    OfflineMapper mapper(settings);
     for (const ScanPtr& scan : scans) EXPECT_TRUE(mapper.add(scan));
     return mapper.map();
 }

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/event/station_samples.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::test {

@@ -6,9 +6,10 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "robots/hardware/robot_hardware.h"
 #include "tests/support/test_station.h"
 

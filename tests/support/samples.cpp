@@ -2,6 +2,21 @@
 
 #include <numeric>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/command_samples.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/sample_header.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_links.h"
+#include "core/event/scan_pose.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+
 namespace leitstand::test {
 namespace {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/event/event.h"
-#include "core/event/raw_event.h"
+#include "core/base/shared_bytes.h"
+#include "core/event/sample.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand::test {

@@ -3,9 +3,13 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/control/grants.h"
 #include "robots/agent/robot_agent.h"
 
@@ -45,7 +49,7 @@ public:
     [[nodiscard]] std::vector<Kind> all() const {
         std::vector<Kind> found;
         for (const HardwareSample& sample : reported) {
-            if (const auto* one = std::get_if<Kind>(&sample.sample)) found.push_back(*one);
+            if (const auto* one = sample.sample.as<Kind>()) found.push_back(*one);
         }
         return found;
     }

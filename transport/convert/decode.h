@@ -5,10 +5,11 @@
 
 #include "core/base/result.h"
 #include "core/event/event.h"
-#include "core/event/raw_event.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct RawEvent;
 
 /// Decodes a sample on @p stream of a robot and checks it from end to end: its bytes against its counts, its
 /// fields and dimensions, its numbers. The error names topic, type and expectation. Frames stay as they were

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "core/event/event.h"
 #include "core/event/raw_event.h"
+#include "core/event/sample.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {

@@ -7,11 +7,11 @@
 #include <optional>
 #include <set>
 #include <utility>
-#include <variant>
 
 #include <poll.h>
 #include <sys/socket.h>
 
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "transport/convert/decode.h"
 #include "transport/link/grant_keeper.h"
@@ -85,7 +85,7 @@ Result<void> DriveGuard::State::open() {
         {std::string(station_topic::Grants), "leitstand_msgs/msg/Grant", grantQos(), Lane::Small},
         [this](const ReceivedSample& sample) {
             const auto event = decodeStationEvent(sample.event);
-            const auto* grant = event ? std::get_if<GrantSample>(&event->sample) : nullptr;
+            const auto* grant = event ? event->sample.as<GrantSample>() : nullptr;
             if (grant == nullptr) return;
             const std::lock_guard lock(mutex);
             // The station has joined the domain again, as another participant. A restarted station is another

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
+#include "core/event/stream_role.h"
 #include "transport/convert/encode.h"
 
 namespace leitstand {

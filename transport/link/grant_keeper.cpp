@@ -5,9 +5,9 @@
 #include <mutex>
 #include <thread>
 #include <utility>
-#include <variant>
 
 #include "core/base/time.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
@@ -43,7 +43,7 @@ struct GrantKeeper::State {
     void receive(const ReceivedSample& sample) {
         const auto event = decodeStationEvent(sample.event);
         if (!event) return;
-        if (const auto* decoded = std::get_if<GrantSample>(&event->sample)) {
+        if (const auto* decoded = event->sample.as<GrantSample>()) {
             change(
                 [&](GrantBook& one, SteadyTime now) { one.receive(*decoded, senderOf(sample.writer), now); });
         }

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "core/event/stream_role.h"
+
 namespace leitstand {
 namespace {
 

@@ -7,8 +7,10 @@
 #include <optional>
 #include <thread>
 #include <utility>
-#include <variant>
 
+#include "core/event/command_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 
@@ -87,7 +89,7 @@ void LinkClient::State::sendPing() {
 void LinkClient::State::takePong(const ReceivedSample& sample) {
     const SteadyTime now = receivedAt(sample.event.received);
     const auto decoded = decode(sample.event, *pong);
-    const auto* answer = decoded ? std::get_if<PongSample>(&*decoded) : nullptr;
+    const auto* answer = decoded ? decoded->as<PongSample>() : nullptr;
     if (answer == nullptr) ++broken;
     {
         const std::lock_guard lock(mutex);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/event/station_samples.h"
 #include "core/robot/link/link_monitor.h"
 #include "core/robot/robot_description.h"
 #include "transport/dds/node.h"

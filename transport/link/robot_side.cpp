@@ -4,13 +4,17 @@
 #include <limits>
 #include <mutex>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/base/time.h"
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
@@ -92,7 +96,7 @@ void RobotCommands::State::publishWhenItStands() {
 
 void RobotCommands::State::receiveGrant(const ReceivedSample& sample) {
     const auto event = decodeStationEvent(sample.event);
-    const auto* grantSample = event ? std::get_if<GrantSample>(&event->sample) : nullptr;
+    const auto* grantSample = event ? event->sample.as<GrantSample>() : nullptr;
     const std::lock_guard lock(mutex);
     if (grantSample == nullptr) {
         ++counts.broken;
@@ -102,11 +106,11 @@ void RobotCommands::State::receiveGrant(const ReceivedSample& sample) {
 }
 
 DriveVelocity RobotCommands::State::velocityOf(const Sample& command) const {
-    if (const auto* twist = std::get_if<TwistSample>(&command)) {
+    if (const auto* twist = command.as<TwistSample>()) {
         return {twist->linear.x(), twist->linear.y(), twist->angular.z()};
     }
     std::pair<double, double> tracks{NoNumber, NoNumber};  // a track without a speed does not turn
-    const auto& joints = std::get<TrackCommand>(command);
+    const auto& joints = command.get<TrackCommand>();
     for (std::size_t i = 0; i < std::min(joints.names.size(), joints.velocities.size()); ++i) {
         if (joints.names[i] == settings.leftTrack) tracks.first = joints.velocities[i];
         if (joints.names[i] == settings.rightTrack) tracks.second = joints.velocities[i];
@@ -117,10 +121,10 @@ DriveVelocity RobotCommands::State::velocityOf(const Sample& command) const {
 void RobotCommands::State::receive(const StreamDescription& stream, const ReceivedSample& sample) {
     const Sender from = senderOf(sample.writer);
     const auto decoded = decode(sample.event, stream);
-    if (decoded && std::holds_alternative<StopCommandSample>(*decoded)) {
+    if (decoded && decoded->is<StopCommandSample>()) {
         return publishAfter([&] {
             ++counts.stops;
-            static_cast<void>(rules.receive(std::get<StopCommandSample>(*decoded), from, steadyNow()));
+            static_cast<void>(rules.receive(decoded->get<StopCommandSample>(), from, steadyNow()));
         });
     }
     const std::lock_guard lock(mutex);

@@ -5,12 +5,13 @@
 #include <mutex>
 #include <thread>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 #include <pthread.h>
 
 #include "core/base/time.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 
@@ -75,9 +76,9 @@ void StopSender::State::receive(const std::string& robot, const StreamDescriptio
                                 const ReceivedSample& sample) {
     const auto decoded = decode(sample.event, stream);
     if (!decoded) return;
-    if (const auto* state = std::get_if<StopStateSample>(&*decoded)) {
+    if (const auto* state = decoded->as<StopStateSample>()) {
         change(robot, [&](StopControl& control) { control.receive(*state); });
-    } else if (const auto* odometry = std::get_if<OdometrySample>(&*decoded)) {
+    } else if (const auto* odometry = decoded->as<OdometrySample>()) {
         // Reported with the next tick: the thread is not woken 50 times a second for it.
         const std::lock_guard lock(mutex);
         robots.at(robot).control.moved(odometry->linear.norm(), odometry->angular.norm(), steadyNow());

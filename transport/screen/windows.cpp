@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/event/sample.h"
+
 namespace leitstand::screen {
 
 bool CountWindow::admits(std::uint32_t count, bool leads, Moment now) {

@@ -8,6 +8,7 @@
 #include <QPainterPath>
 #include <QPolygonF>
 
+#include "core/event/station_samples.h"
 #include "widgets/camera/pan_overlay.h"
 #include "widgets/models/camera/mode_badge.h"
 #include "widgets/models/camera/ring_layout.h"

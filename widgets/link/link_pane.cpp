@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/event/stream_role.h"
 #include "widgets/link/stream_list.h"
 #include "widgets/painting/number_box.h"
 #include "widgets/tables/fields.h"

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include <QHelpEvent>
+#include <QMouseEvent>
 #include <QPainter>
+#include <QRegularExpression>
+#include <QToolTip>
+#include <QWheelEvent>
 
-#include "widgets/map_view/map_view_state.h"
-#include "widgets/map_view/overlays/floor_overlay.h"
-#include "widgets/map_view/overlays/hint.h"
-#include "widgets/map_view/overlays/legend.h"
-#include "widgets/map_view/overlays/map_marks.h"
-#include "widgets/map_view/overlays/scale_overlays.h"
-#include "widgets/map_view/overlays/scan_outlines.h"
+#include "widgets/map_view/map_overlay.h"
+#include "widgets/map_view/map_pointer.h"
+#include "widgets/map_view/map_scenery.h"
 #include "widgets/map_view/picking.h"
-#include "widgets/map_view/robots/robot_overlay.h"
-#include "widgets/map_view/victims/victim_overlay.h"
 #include "widgets/painting/theme.h"
 
 namespace leitstand {
@@ -30,6 +29,27 @@ void paintFailure(QPainter& painter, const QRect& area, const QString& why, cons
 
 }  // namespace
 
+struct MapView::State {
+    explicit State(MapView& mapView) : view(mapView), scenery(mapView), pointer(mapView, scenery, overlay) {}
+
+    [[nodiscard]] OverlayStyle style(Theme theme) const {
+        return {mapColours(theme), &coloursOf(theme), view.font(), view.locale()};
+    }
+    void paintOverlay(QPainter& painter) {
+        const SceneContent& content = *scenery.picture().content;
+        overlay.paint(painter, scenery.projection(), content, style(content.settings.theme));
+    }
+    void describe();  ///< updates the text for screen readers
+    void showGhosts();
+
+    MapView& view;
+    MapScenery scenery;
+    MapOverlay overlay;
+    MapPointer pointer;
+    std::map<std::uint64_t, Pose> ghosts, draggedScans;  ///< setGhosts(), setDragged()
+    bool stale = false;                                  ///< the map is greyed
+};
+
 MapView::MapView(QWidget* parent) : QWidget(parent), m_state(std::make_unique<State>(*this)) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
@@ -44,7 +64,6 @@ MapView::MapView(QWidget* parent) : QWidget(parent), m_state(std::make_unique<St
         update();
         emit failed(why);
     });
-    connect(&m_state->hover, &QTimer::timeout, this, [this] { emit hovered(pick(m_state->cursor)); });
 }
 
 MapView::~MapView() = default;
@@ -64,7 +83,7 @@ void MapView::setSettings(const MapViewSettings& settings) {
 
 void MapView::recall(const MapViewSettings& settings) {
     m_state->scenery.recall(settings);
-    for (const RobotMark& robot : m_state->robots) {
+    for (const RobotMark& robot : m_state->overlay.robots) {
         if (robot.selected) m_state->scenery.aim(robot.baseInMap);
     }
     update();
@@ -81,7 +100,7 @@ void MapView::setCamera(CameraPreset preset) {
 }
 
 void MapView::setHighlighted(std::uint64_t id) {
-    m_state->highlighted = id;
+    m_state->overlay.highlighted = id;
     m_state->scenery.setHighlighted(id);
     update();
 }
@@ -118,20 +137,17 @@ void MapView::showPlace(const Eigen::Vector3d& place) {
 }
 
 void MapView::setFloorTint(FloorTintPtr tint) {
-    m_state->floor.setTint(std::move(tint));
+    m_state->overlay.floor.setTint(std::move(tint));
     update();
 }
 
 void MapView::setMeasuring(bool on) {
-    m_state->measuring = on;
-    m_state->ruler.clear();
-    setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
-    update();
+    m_state->pointer.setMeasuring(on);
 }
 
 std::optional<Measurement> MapView::measurement() const {
     const SceneContentPtr& content = m_state->scenery.picture().content;
-    return content ? m_state->ruler.measurement(*content) : std::nullopt;
+    return content ? m_state->overlay.ruler.measurement(*content) : std::nullopt;
 }
 
 std::optional<PickedPoint> MapView::pick(const QPoint& position) const {
@@ -152,7 +168,7 @@ QImage MapView::picture() {
     QImage image = scenery.picture().image;
     if (image.isNull()) return image;
     QPainter painter(&image);
-    m_state->paintOverlays(painter);
+    m_state->paintOverlay(painter);
     return image;
 }
 
@@ -183,7 +199,7 @@ void MapView::paintEvent(QPaintEvent* /*event*/) {
         veil.setAlphaF(StaleVeil);
         painter.fillRect(rect(), veil);
     }
-    m_state->paintOverlays(painter);
+    m_state->paintOverlay(painter);
 }
 
 void MapView::resizeEvent(QResizeEvent* event) {
@@ -196,48 +212,134 @@ void MapView::showEvent(QShowEvent* event) {
     m_state->scenery.refresh();
 }
 
-MapView::State::State(MapView& mapView) : view(mapView), scenery(mapView) {
-    hover.setSingleShot(true);
-    hover.setInterval(HoverInterval);
+void MapView::setRobots(std::vector<RobotMark> robots) {
+    for (const RobotMark& robot : robots) {
+        if (robot.selected) m_state->scenery.aim(robot.baseInMap);
+    }
+    const bool same = std::equal(robots.begin(), robots.end(), m_state->overlay.robots.begin(),
+                                 m_state->overlay.robots.end(), sameMark);
+    m_state->overlay.robots = std::move(robots);
+    m_state->describe();
+    if (same) return;
+    std::vector<SceneRobot> team;
+    for (const RobotMark& robot : m_state->overlay.robots)
+        team.push_back({robot.face.name.toStdString(), robot.face.title.toStdString(), robot.face.place,
+                        robot.face.letter.toStdString()});
+    m_state->scenery.setTeam(std::move(team));
+    update();
 }
 
-OverlayStyle MapView::State::style(Theme theme) const {
-    return {mapColours(theme), &coloursOf(theme), view.font(), view.locale()};
+void MapView::setFinds(std::vector<VictimRow> finds, const std::optional<FindKey>& chosen) {
+    if (finds == m_state->overlay.finds && chosen == m_state->overlay.chosenFind) return;
+    m_state->overlay.finds = std::move(finds);
+    m_state->overlay.chosenFind = chosen;
+    update();
 }
 
-void MapView::State::paintOverlays(QPainter& painter) {
-    const SceneContent& content = *scenery.picture().content;
-    if (content.scans.empty() && robots.empty()) return;
-    const MapProjection projection = scenery.projection();
-    const OverlayStyle overlay = style(content.settings.theme);
-    painter.setRenderHint(QPainter::Antialiasing);
-    double gridStep = 0.0;
-    if (content.settings.look == MapLook::Top) {
-        gridStep = paintGroundGrid(painter, projection, content, overlay);
-    }
-    floor.paint(painter, projection, overlay);
-    paintScanOutlines(painter, projection, content, overlay);
-    const bool trails = std::any_of(robots.begin(), robots.end(), [](const auto& one) { return one.trail; });
-    paintScanPositions(painter, projection, content, !trails, overlay);
-    paintLinks(painter, projection, content, links, overlay);
-    if (highlighted != 0) paintHighlight(painter, projection, content, highlighted, overlay);
-    paintArea(painter, projection, area, ground, overlay);
-    paintTrails(painter, projection, robots, overlay);
-    paintRobots(painter, projection, robots, overlay);
-    paintVictims(painter, projection, finds, chosenFind, overlay);
-    tools.paint(painter, projection, overlay);
-    if (content.settings.follow == MapFollow::Free) {
-        for (const MapCaption& caption : captions)
-            paintCaption(painter, projection, caption.places, caption.text, overlay);
-    }
-    if (seam) paintMeasurement(painter, projection, seam->from, seam->to, overlay);
-    if (const auto from = ruler.from(content))
-        paintMeasurement(painter, projection, *from, ruler.to(content), overlay);
-    const QRect scaleBar = paintScaleBar(painter, projection, gridStep, overlay);
-    const QRect legend = paintLegend(painter, content, projection.size(), scaleBar, overlay);
-    if (floor.tint()) paintFloorLegend(painter, *floor.tint(), projection.size(), legend, overlay);
-    paintAxes(painter, projection, overlay);
-    if (!hint.isEmpty()) paintHint(painter, hint, projection.size(), overlay);
+void MapView::setStale(bool stale) {
+    if (std::exchange(m_state->stale, stale) != stale) update();
+}
+
+void MapView::setArea(std::vector<Eigen::Vector2d> area) {
+    m_state->overlay.area = std::move(area);
+    update();
+}
+
+void MapView::setGround(double height) {
+    m_state->overlay.ground = height;
+}
+
+void MapView::setHint(const QString& text) {
+    if (text == m_state->overlay.hint) return;
+    m_state->overlay.hint = text;
+    m_state->describe();
+    update();
+}
+
+void MapView::setSeam(const std::optional<Measurement>& seam) {
+    m_state->overlay.seam = seam;
+    update();
+}
+
+void MapView::setCaptions(std::vector<MapCaption> captions) {
+    m_state->overlay.captions = std::move(captions);
+    update();
+}
+
+void MapView::setLinks(std::vector<MapLink> links) {
+    if (links == m_state->overlay.links) return;
+    m_state->overlay.links = std::move(links);
+    update();
+}
+
+void MapView::State::describe() {
+    const QString text = overlay.description();
+    // Percentages change all the time: screen readers are notified only when the words change.
+    static const QRegularExpression figures(QStringLiteral("\\d[\\d.,]*"));
+    const auto words = [](QString reported) { return reported.remove(figures); };
+    if (words(text) != words(view.accessibleDescription())) view.setAccessibleDescription(text);
+}
+
+bool MapView::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    const auto& help = static_cast<const QHelpEvent&>(*event);
+    const RobotMark* const robot =
+        m_state->overlay.robotAt(QPointF(help.pos()), m_state->scenery.projection());
+    QToolTip::showText(help.globalPos(), robot != nullptr ? robot->details : QString(), this);
+    return true;
+}
+
+void MapView::startPose(const RobotMark& robot) {
+    m_state->overlay.tools.startPose(robot);
+    setCursor(Qt::CrossCursor);
+}
+
+void MapView::startArea() {
+    m_state->overlay.tools.startArea();
+    setCursor(Qt::CrossCursor);
+}
+
+void MapView::startGrab() {
+    m_state->overlay.tools.startGrab();
+    setCursor(Qt::SizeAllCursor);
+}
+
+void MapView::endGesture() {
+    m_state->pointer.endGesture();
+}
+
+bool MapView::drawing() const {
+    return m_state->pointer.drawing();
+}
+
+void MapView::mousePressEvent(QMouseEvent* event) {
+    m_state->pointer.press(*event);
+}
+
+void MapView::mouseMoveEvent(QMouseEvent* event) {
+    m_state->pointer.move(*event);
+}
+
+void MapView::mouseReleaseEvent(QMouseEvent* event) {
+    m_state->pointer.release(*event);
+}
+
+void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
+    m_state->pointer.doubleClick(*event);
+}
+
+void MapView::wheelEvent(QWheelEvent* event) {
+    m_state->pointer.roll(*event);
+    event->accept();
+}
+
+void MapView::keyPressEvent(QKeyEvent* event) {
+    if (!m_state->pointer.pressKey(*event)) event->ignore();
+}
+
+void MapView::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    m_state->pointer.leave();
 }
 
 }  // namespace leitstand

@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "core/mission/state/find_state.h"
 #include "widgets/tables/button_flow.h"
 #include "widgets/tables/command_buttons.h"
 

@@ -21,6 +21,7 @@
 #include "app/report/map_callouts.h"
 #include "app/report/pdf/pdf_identity.h"
 #include "app/report/report_html.h"
+#include "core/mission/state/find_state.h"
 
 namespace leitstand {
 namespace {

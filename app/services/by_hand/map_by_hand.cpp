@@ -9,7 +9,9 @@
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/recorded_map.h"
 #include "core/base/words.h"
+#include "core/event/event.h"
 #include "core/io/page_file.h"
+#include "core/mission/state/decision.h"
 
 namespace leitstand {
 

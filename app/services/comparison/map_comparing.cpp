@@ -12,8 +12,12 @@
 #include "app/services/job_queue.h"
 #include "app/services/recorded/review_log.h"
 #include "core/base/words.h"
+#include "core/event/find_sample.h"
+#include "core/event/scan_pose.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/settings/comparison_file.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
 
 namespace leitstand {
 namespace {

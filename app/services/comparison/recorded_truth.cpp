@@ -1,8 +1,11 @@
 #include "app/services/comparison/recorded_truth.h"
 
 #include <algorithm>
-#include <variant>
 
+#include "core/event/motion_samples.h"
+#include "core/event/raw_event.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/raw_events.h"
 #include "core/robot/robot_description.h"
@@ -41,12 +44,12 @@ RecordedTruth readTruth(BagReader& bag, const Progress& progress) {
         stream.type = raw.type;
         const auto sample = decode(raw, stream);
         if (!sample) return true;
-        if (const auto* pose = std::get_if<OdometrySample>(&*sample)) {
+        if (const auto* pose = sample->as<OdometrySample>()) {
             const std::string robot = robotOf(raw.topic, *pose);
             if (robot.empty() || !pose->baseInOdom.matrix().allFinite()) return true;
             const Time at = pose->header.stamp == Time{} ? raw.received : pose->header.stamp;
             truth.robots[robot].push_back({at, pose->baseInOdom});
-        } else if (const auto* all = std::get_if<SightingSample>(&*sample)) {
+        } else if (const auto* all = sample->as<SightingSample>()) {
             truth.victims.clear();  // a sample always holds all of them
             for (const Sighting& one : all->sightings) {
                 if (one.position.allFinite()) truth.victims.push_back(one.position);

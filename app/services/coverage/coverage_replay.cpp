@@ -8,7 +8,9 @@
 #include "app/services/coverage/logged_views.h"
 #include "app/services/coverage/searched_scans.h"
 #include "app/services/places/mission_map.h"
+#include "core/event/scan_pose.h"
 #include "core/mission/coverage/search_book.h"
+#include "core/mission/state/scan_state.h"
 
 namespace leitstand {
 namespace {

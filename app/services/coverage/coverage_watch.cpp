@@ -4,11 +4,13 @@
 #include <map>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "app/services/coverage/searched_scans.h"
 #include "app/services/coverage/view_search.h"
 #include "core/base/words.h"
+#include "core/event/map_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/scan_pose.h"
 #include "core/mission/coverage/search_book.h"
 
 namespace leitstand {
@@ -21,7 +23,7 @@ constexpr std::chrono::seconds Longest(30);  ///< between two computations, on a
 constexpr double Moved = 0.1;                ///< a robot that moved this far may reach more [m]
 
 bool isPicture(const Event& event) {
-    return std::holds_alternative<PictureSample>(event.sample);
+    return event.sample.is<PictureSample>();
 }
 
 /// Whether the scans lie where they did, as far as a grid of decimetres resolves it.
@@ -51,7 +53,7 @@ struct CoverageWatch::Work {
     }
 
     void onEvent(const Event& event) {
-        if (const auto* scan = std::get_if<KeyScanSample>(&event.sample)) {
+        if (const auto* scan = event.sample.as<KeyScanSample>()) {
             book.add(scanOf(*scan));
             changed = true;
         }
@@ -152,7 +154,7 @@ void CoverageWatch::onEvent(const Event& event) {
             m_waiting.push_back(event);
             if (picture) {
                 ++m_pictures;
-                std::get<PictureSample>(m_waiting.back().sample).content = {};  // only its time counts
+                m_waiting.back().sample.edit<PictureSample>()->content = {};  // only its time counts
             }
             return m_came.notify_all();
         }

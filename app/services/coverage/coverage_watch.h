@@ -16,6 +16,8 @@
 
 #include "app/services/log/event_sink.h"
 #include "core/event/event.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mission/coverage/search_view.h"
 #include "core/mission/coverage/searched_floor.h"

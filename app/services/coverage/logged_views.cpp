@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <variant>
 
 #include "app/services/coverage/view_search.h"
 #include "app/services/log/mission_robots.h"
 #include "app/services/places/mission_map.h"
+#include "core/event/map_samples.h"
+#include "core/event/raw_event.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
+#include "core/event/stream_role.h"
 #include "core/io/bag/raw_events.h"
 #include "core/mission/coverage/search_book.h"
 #include "core/mission/state/fold.h"
@@ -24,9 +27,8 @@ public:
     explicit LoggedSearch(const std::vector<RobotDescription>& robots) : m_search(robots) {}
 
     void onEvent(const Event& event) {
-        const bool undo = std::holds_alternative<UndoSample>(event.sample);
-        if (undo || std::holds_alternative<KeyScanSample>(event.sample) ||
-            std::holds_alternative<ScanPosesSample>(event.sample))
+        const bool undo = event.sample.is<UndoSample>();
+        if (undo || event.sample.is<KeyScanSample>() || event.sample.is<ScanPosesSample>())
             m_decisions.add(event);
         if (undo) return m_search.follow(posesOf(m_decisions.state()));
         m_search.onEvent(event);

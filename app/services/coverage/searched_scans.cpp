@@ -1,5 +1,7 @@
 #include "app/services/coverage/searched_scans.h"
 
+#include "core/event/map_samples.h"
+
 namespace leitstand {
 
 ReportScan scanOf(const KeyScanSample& sample) {

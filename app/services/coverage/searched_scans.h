@@ -2,11 +2,12 @@
 
 #include <vector>
 
-#include "core/event/map_samples.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mapping/report_scan.h"
 
 namespace leitstand {
+
+struct KeyScanSample;
 
 /// A key scan as SearchBook takes it.
 [[nodiscard]] ReportScan scanOf(const KeyScanSample& sample);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 
 #include "core/base/time.h"
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand {
 namespace {
@@ -22,11 +25,11 @@ std::vector<FoundView> ViewFinder::found() {
 
 void ViewFinder::onEvent(const Event& event) {
     m_places.onEvent(event);
-    if (std::holds_alternative<OdometrySample>(event.sample)) {
+    if (event.sample.is<OdometrySample>()) {
         look(event.received);
-    } else if (const auto* info = std::get_if<CameraInfoSample>(&event.sample)) {
+    } else if (const auto* info = event.sample.as<CameraInfoSample>()) {
         m_cameras[event.sensor].field = fieldOf(*info);
-    } else if (const auto* picture = std::get_if<PictureSample>(&event.sample)) {
+    } else if (const auto* picture = event.sample.as<PictureSample>()) {
         const bool thermal = event.role == StreamRole::Thermal;
         if (!thermal && event.role != StreamRole::Picture) return;
         Camera& camera = m_cameras[event.sensor];

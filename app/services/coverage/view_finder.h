@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "app/services/places/sensor_places.h"
-#include "core/event/event.h"
 #include "core/mission/coverage/search_view.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct Event;
 
 /// A place that a robot's camera looked from.
 struct FoundView {

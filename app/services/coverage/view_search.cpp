@@ -1,14 +1,19 @@
 #include "app/services/coverage/view_search.h"
 
 #include <utility>
-#include <variant>
+
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/sample.h"
+#include "core/event/scan_pose.h"
 
 namespace leitstand {
 namespace {
 
 template <class... Samples>
 bool isAnyOf(const Sample& sample) {
-    return (std::holds_alternative<Samples>(sample) || ...);
+    return (sample.is<Samples>() || ...);
 }
 
 }  // namespace

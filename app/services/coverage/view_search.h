@@ -8,10 +8,12 @@
 
 #include "app/services/coverage/view_finder.h"
 #include "app/services/places/key_scan_places.h"
-#include "core/event/event.h"
+#include "core/event/scan_pose.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct Event;
 
 /// Follows where the cameras of all robots look from, and attaches each view to a key scan. All that it knows
 /// of the map is also in events, so it works on a log as it does live. Has no thread; one call at a time.

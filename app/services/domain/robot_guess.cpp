@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/event/station_topics.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "core/robot/streams/stream_table.h"
 #include "transport/convert/message_catalog.h"
@@ -111,8 +112,8 @@ void addTopic(RobotGuess& guess, const SeenTopic& topic) {
         if (picture) stream.sensor = sensorOf(topic.name, guess.robot.name);
         // DDS does not announce the depth of a history.
         stream.qos.depth = defaultStream(stream.role, guess.robot.name, stream.sensor).qos.depth;
-        const bool again =
-            !picture && *verdict.role != StreamRole::Points && guess.robot.stream(*verdict.role) != nullptr;
+        const bool again = !picture && !streamFacts(*verdict.role).several &&
+                           guess.robot.stream(*verdict.role) != nullptr;
         if (again) {
             verdict.remark = fmt::format("a second topic of this kind; the first one is used ({})",
                                          guess.robot.stream(*verdict.role)->topic);

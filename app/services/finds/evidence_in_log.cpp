@@ -1,10 +1,12 @@
 #include "app/services/finds/evidence_in_log.h"
 
 #include <chrono>
-#include <variant>
 
 #include "app/services/finds/freezing.h"
 #include "app/services/log/event_decoder.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/raw_event.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/raw_events.h"
 
@@ -15,7 +17,7 @@ namespace {
 constexpr std::chrono::seconds ClocksAgree{2}, ClocksDiffer{60};
 
 bool hasStamp(const Event& event, Time stamp) {
-    const auto* scan = std::get_if<KeyScanSample>(&event.sample);
+    const auto* scan = event.sample.as<KeyScanSample>();
     return (scan != nullptr ? scan->stamp : evidenceOf("", event).stamp) == stamp;
 }
 

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "core/event/find_sample.h"
-
 namespace leitstand {
 
+struct FindSample;
+struct VictimEvidence;
 class BagReader;
 class EventDecoder;
 

@@ -5,6 +5,9 @@
 #include <utility>
 
 #include "core/base/words.h"
+#include "core/event/event.h"
+#include "core/event/picture_samples.h"
+#include "core/event/stream_role.h"
 #include "core/perception/heat/heat_picture.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 

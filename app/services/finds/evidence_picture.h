@@ -6,11 +6,13 @@
 
 #include "core/base/result.h"
 #include "core/base/time.h"
-#include "core/event/event.h"
 #include "core/perception/pictures/picture.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct PictureSample;
+struct Event;
 
 /// A picture that shows a find.
 struct EvidencePicture {

@@ -2,12 +2,13 @@
 
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "app/services/finds/evidence_in_log.h"
 #include "app/services/finds/freezing.h"
 #include "app/services/log/event_decoder.h"
 #include "app/services/log/mission_robots.h"
+#include "core/event/find_sample.h"
+#include "core/event/picture_samples.h"
 #include "core/io/bag/bag_reader.h"
 
 namespace leitstand {
@@ -44,7 +45,7 @@ ReadEvidence readEvidence(const std::filesystem::path& mission, const FindSample
         const auto raw = sequence == 0 ? std::nullopt : (*bag)->event(sequence);
         if (!raw) continue;
         decoder.decode(*raw, [&](const Event& event) {
-            const auto* sample = std::get_if<PictureSample>(&event.sample);
+            const auto* sample = event.sample.as<PictureSample>();
             if (sample == nullptr) return;
             if (auto picture = evidencePicture(*sample, event, decoder.robots()))
                 read.pictures.push_back(std::move(picture).value());

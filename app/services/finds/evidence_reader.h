@@ -7,9 +7,10 @@
 
 #include "app/services/finds/evidence_picture.h"
 #include "app/services/job_queue.h"
-#include "core/event/find_sample.h"
 
 namespace leitstand {
+
+struct FindSample;
 
 /// The pictures named by a find's evidence, after reading.
 struct ReadEvidence {

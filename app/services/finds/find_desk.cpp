@@ -8,8 +8,11 @@
 #include <fmt/format.h>
 
 #include "core/base/words.h"
+#include "core/event/status_samples.h"
 #include "core/mission/finds/dismissal.h"
+#include "core/mission/state/decision.h"
 #include "core/mission/state/decisions.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/undo_format.h"
 
 namespace leitstand {

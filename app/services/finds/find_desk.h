@@ -14,10 +14,14 @@
 #include "app/services/job_queue.h"
 #include "app/services/log/event_sink.h"
 #include "core/base/result.h"
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
 #include "core/mission/finds/find_book.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct UndoSample;
 
 /// The place of something that a picture shows.
 struct PlacedFind {

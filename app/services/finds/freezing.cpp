@@ -9,6 +9,11 @@
 #include <string>
 #include <utility>
 
+#include "core/event/all_samples.h"
+#include "core/event/find_sample.h"
+#include "core/event/picture_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/perception/heat/heat.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "core/perception/pictures/sharpness.h"
@@ -22,7 +27,7 @@ constexpr double Crosshair = degrees(2.0);
 constexpr std::chrono::seconds GasStep{1};  // of the trace: the highest reading of each is kept
 
 Time stampOf(const Event& event) {
-    const auto stamp = std::visit(
+    const auto stamp = visit(
         [](const auto& sample) -> Time {
             if constexpr (requires { sample.header.stamp; }) return sample.header.stamp;
             return {};
@@ -48,7 +53,7 @@ Sharpest sharpestOf(const std::vector<Event>& pictures) {
     const std::size_t step = std::max<std::size_t>(1, pictures.size() / MostCompared);
     for (std::size_t i = pictures.size(); i > 0; i -= std::min(i, step)) {  // the newest is among them
         const Event& event = pictures[i - 1];
-        const auto* sample = std::get_if<PictureSample>(&event.sample);
+        const auto* sample = event.sample.as<PictureSample>();
         if (sample == nullptr) continue;
         const auto picture = decodePicture(*sample);
         if (!picture) continue;
@@ -63,7 +68,7 @@ Sharpest sharpestOf(const std::vector<Event>& pictures) {
 /// Returns the picture that @p at points into; none: it is gone already or cannot be read.
 Sharpest pointedOf(const std::vector<Event>& pictures, const PicturePoint& at) {
     for (auto event = pictures.rbegin(); event != pictures.rend(); ++event) {
-        const auto* sample = std::get_if<PictureSample>(&event->sample);
+        const auto* sample = event->sample.as<PictureSample>();
         if (sample == nullptr || (at.sequence != 0 && event->sequence != at.sequence)) continue;
         if (const auto picture = decodePicture(*sample)) return {&*event, picture->width, picture->height};
     }
@@ -83,7 +88,7 @@ Hottest hottestOf(const std::vector<Event>& pictures, const CameraInfoSample& ca
     const std::size_t step = std::max<std::size_t>(1, pictures.size() / MostCompared);
     for (std::size_t i = pictures.size(); i > 0 && !found.blob; i -= std::min(i, step)) {
         const Event& event = pictures[i - 1];
-        const auto* sample = std::get_if<PictureSample>(&event.sample);
+        const auto* sample = event.sample.as<PictureSample>();
         if (sample == nullptr) continue;
         const auto picture = decodePicture(*sample);
         const auto thermal = picture ? temperatures(*picture, scale) : Error{};
@@ -102,7 +107,7 @@ Hottest hottestOf(const std::vector<Event>& pictures, const CameraInfoSample& ca
 Hottest pointedBodyOf(const Sharpest& pointed, const Eigen::Vector2d& share, const CameraInfoSample& camera,
                       const ThermalScale& scale) {
     Hottest found{pointed.event, pointed.width, pointed.height, std::nullopt};
-    const auto* sample = std::get_if<PictureSample>(&pointed.event->sample);
+    const auto* sample = pointed.event->sample.as<PictureSample>();
     const auto picture = sample != nullptr ? decodePicture(*sample) : Error{};
     const auto thermal = picture ? temperatures(*picture, scale) : Error{};
     if (!thermal) return found;
@@ -121,7 +126,7 @@ void chooseGas(const std::vector<Event>& gas, FrozenEvidence& frozen) {
     // By whole seconds of the clock: two finds of one minute share their readings.
     std::map<std::pair<std::string, std::int64_t>, std::pair<const Event*, double>> trace;
     for (const Event& event : gas) {
-        const auto* sample = std::get_if<GasSample>(&event.sample);
+        const auto* sample = event.sample.as<GasSample>();
         if (sample == nullptr || sample->gas != "co2" || !std::isfinite(sample->ppm)) continue;
         least = std::min(least, sample->ppm);
         newest = sample->ppm;

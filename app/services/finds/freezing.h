@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "app/services/finds/recent_evidence.h"
+#include "core/event/find_sample.h"
 #include "core/mission/finds/find_book.h"
 #include "core/robot/robot_description.h"
 

@@ -1,7 +1,9 @@
 #include "app/services/finds/mode_book.h"
 
 #include <iterator>
-#include <variant>
+
+#include "core/event/event.h"
+#include "core/event/status_samples.h"
 
 namespace leitstand {
 
@@ -11,7 +13,7 @@ std::optional<bool> ModeBook::at(const Modes& modes, Time moment) {
 }
 
 void ModeBook::onEvent(const Event& event) {
-    const auto* const mode = std::get_if<ModeSample>(&event.sample);
+    const auto* const mode = event.sample.as<ModeSample>();
     if (mode == nullptr) return;
     const std::scoped_lock lock(m_mutex);
     Modes& modes = m_modes[event.robot];

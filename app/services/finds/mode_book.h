@@ -6,9 +6,10 @@
 #include <string>
 
 #include "core/base/time.h"
-#include "core/event/event.h"
 
 namespace leitstand {
+
+struct Event;
 
 /// Records when robots drove themselves. Whether a find counts as autonomous is decided when it is seen, not
 /// when its place is computed. Any thread.

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
-#include <variant>
 
+#include "core/event/picture_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
@@ -34,7 +35,7 @@ void RecentEvidence::onEvent(const Event& event) {
     const StreamRole role = *event.role;
     if (streamFacts(role).picture) {
         keepRecent(m_pictures[{event.robot, event.sensor}], event, Pictures, MostPictures);
-    } else if (const auto* info = std::get_if<CameraInfoSample>(&event.sample)) {
+    } else if (const auto* info = event.sample.as<CameraInfoSample>()) {
         m_infos[{event.robot, event.sensor}] = *info;
     } else if (role == StreamRole::Points || role == StreamRole::Ranges) {
         newest.scan = event;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/event/event.h"
+#include "core/event/picture_samples.h"
 
 namespace leitstand {
 

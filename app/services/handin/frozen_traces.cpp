@@ -6,10 +6,16 @@
 #include <map>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "app/services/handin/report_source.h"
 #include "app/services/handin/scan_picture.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/event.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample_header.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
 
 namespace leitstand {
 namespace {
@@ -114,13 +120,13 @@ void addTrace(FindPages& pages, const Event& event, const ReportFind& find, cons
               ReportSource& source) {
     ScanPictureMarks marks;
     if (find.position.allFinite()) marks.find = find.position;
-    if (const auto* gas = std::get_if<GasSample>(&event.sample)) {
+    if (const auto* gas = event.sample.as<GasSample>()) {
         if (std::isfinite(gas->ppm)) pages.gas.push_back({event.robot, {{event.received, gas->ppm}}});
-    } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+    } else if (const auto* cloud = event.sample.as<CloudSample>()) {
         addScan(pages, event, cloud->header, cloud->points, marks, model, source);
-    } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
+    } else if (const auto* ranges = event.sample.as<RangesSample>()) {
         addScan(pages, event, ranges->header, pointsOf(*ranges), marks, model, source);
-    } else if (const auto* key = std::get_if<KeyScanSample>(&event.sample)) {
+    } else if (const auto* key = event.sample.as<KeyScanSample>()) {
         FrozenScan made{.robot = key->scan ? key->scan->robot : event.robot,
                         .at = event.received,
                         .keyScan = key->id,
@@ -132,7 +138,7 @@ void addTrace(FindPages& pages, const Event& event, const ReportFind& find, cons
             if (!hasPose(find)) pages.poses.push_back({made.robot, made.at, scan.baseInMap()});
         }
         pages.scans.push_back(std::move(made));
-    } else if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+    } else if (const auto* odometry = event.sample.as<OdometrySample>()) {
         pages.poses.push_back({event.robot, event.received,
                                baseInMap(model, event.robot, takenAt(event, odometry->header, source)),
                                odometry->baseInOdom});

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/services/handin/report_content.h"
-#include "core/event/event.h"
 
 namespace leitstand {
 
+struct Event;
 class ReportSource;
 
 /// Adds evidence that is no picture to @p pages: CO2, a scan (a cloud, ranges, or a key scan), the robot's

@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "app/services/coverage/logged_views.h"
 #include "app/services/finds/evidence_in_log.h"
@@ -18,10 +17,20 @@
 #include "app/services/places/mission_map.h"
 #include "app/services/progress_part.h"
 #include "core/base/words.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample_header.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_pose.h"
 #include "core/event/station_topics.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mapping/live/map/cropped_scans.h"
 #include "core/mission/state/fold.h"
+#include "core/mission/state/scan_state.h"
 
 namespace leitstand {
 namespace {
@@ -169,7 +178,7 @@ void ReportSource::readWays(const Progress& progress) {
         }
     }
     const auto take = [this](const Event& event) {
-        if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+        if (const auto* odometry = event.sample.as<OdometrySample>()) {
             auto& track = m_input.odometry[event.robot];
             const Time stamp = odometry->header.stamp == Time{} ? event.received : odometry->header.stamp;
             const bool still =
@@ -178,9 +187,9 @@ void ReportSource::readWays(const Progress& progress) {
                 angleBetween(track.back().baseInMap, odometry->baseInOdom) < OdometryTurned &&
                 stamp - track.back().time < std::chrono::milliseconds(400);
             if (!still) track.push_back({stamp, odometry->baseInOdom});
-        } else if (const auto* mode = std::get_if<ModeSample>(&event.sample)) {
+        } else if (const auto* mode = event.sample.as<ModeSample>()) {
             m_input.modes[event.robot].push_back({event.received, mode->mode, mode->autonomous});
-        } else if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
+        } else if (const auto* place = event.sample.as<RobotPlaceSample>()) {
             if (place->certain) m_input.places[place->robot].push_back({place->measured, place->baseInMap});
         }
     };
@@ -230,8 +239,8 @@ Result<Event> ReportSource::event(const VictimEvidence& evidence, const FindSamp
 std::optional<Pose> ReportSource::sensorInBase(const Event& event) {
     constexpr auto About = std::chrono::seconds(3);
     const SampleHeader* header = nullptr;
-    if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) header = &cloud->header;
-    if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) header = &ranges->header;
+    if (const auto* cloud = event.sample.as<CloudSample>()) header = &cloud->header;
+    if (const auto* ranges = event.sample.as<RangesSample>()) header = &ranges->header;
     const auto robot = std::find_if(robots().begin(), robots().end(),
                                     [&](const RobotDescription& one) { return one.name == event.robot; });
     if (header == nullptr || robot == robots().end()) return std::nullopt;

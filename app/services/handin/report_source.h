@@ -8,11 +8,14 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/event/event.h"
 #include "core/handin/report_model.h"
+#include "core/robot/robot_description.h"
 
 namespace leitstand {
 
+struct FindSample;
+struct VictimEvidence;
+struct Event;
 class BagReader;
 class EventDecoder;
 

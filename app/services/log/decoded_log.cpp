@@ -1,5 +1,7 @@
 #include "app/services/log/decoded_log.h"
 
+#include "core/event/event.h"
+#include "core/event/raw_event.h"
 #include "core/io/bag/raw_events.h"
 
 namespace leitstand {

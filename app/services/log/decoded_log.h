@@ -4,10 +4,11 @@
 
 #include "app/services/log/event_decoder.h"
 #include "core/base/progress.h"
-#include "core/event/event.h"
 #include "core/io/bag/bag_reader.h"
 
 namespace leitstand {
+
+struct Event;
 
 /// Decodes the events of @p bag that @p query selects and calls @p take for each result, in order.
 /// @p progress as of forEachRaw(). A query without topics selects nothing here.

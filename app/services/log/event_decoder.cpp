@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/event/event.h"
+#include "core/event/raw_event.h"
 #include "core/event/station_topics.h"
 #include "transport/convert/decode.h"
 

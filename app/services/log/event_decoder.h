@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "core/event/event.h"
-#include "core/event/raw_event.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct RawEvent;
+struct Event;
 
 /// Samples of a topic that could not be decoded.
 struct DecodingErrors {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/event/event.h"
-
 namespace leitstand {
+
+struct Event;
 
 /// Receives the events of a mission: live, or from its log.
 class EventSink {

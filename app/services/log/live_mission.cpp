@@ -12,6 +12,7 @@
 #include "app/services/log/mission_robots.h"
 #include "app/services/log/replay/bag_history.h"
 #include "app/services/log/sequencer.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"

@@ -10,10 +10,13 @@
 
 #include "app/services/log/event_decoder.h"
 #include "core/base/result.h"
-#include "core/event/event.h"
+#include "core/event/raw_event.h"
 #include "core/mission/state/mission_state.h"
 
 namespace leitstand {
+
+class Sample;
+struct Event;
 
 /// Settings of a mission that is being recorded.
 struct LiveMissionSettings {

@@ -4,6 +4,7 @@
 
 #include "app/services/domain/station_types.h"
 #include "app/services/domain/topic_lane.h"
+#include "core/event/stream_role.h"
 #include "transport/dds/node.h"
 
 namespace leitstand {

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 
 #include "app/services/log/live_mission.h"
 #include "app/services/mapping/live_mapping.h"
 #include "app/services/mapping/mapping_text.h"
 #include "app/services/places/mission_map.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 
 namespace leitstand {
@@ -26,10 +27,10 @@ bool moved(const MapCrop& before, const MapCrop& now) {
 
 /// Returns the station that published @p sample, if that is a decision on the map; else null.
 const std::string* publisherOf(const Sample& sample) {
-    if (const auto* links = std::get_if<ScanLinksSample>(&sample)) return &links->station;
-    if (const auto* poses = std::get_if<ScanPosesSample>(&sample)) return &poses->station;
-    if (const auto* undo = std::get_if<UndoSample>(&sample)) return &undo->station;
-    if (const auto* area = std::get_if<MapCropSample>(&sample)) return &area->station;
+    if (const auto* links = sample.as<ScanLinksSample>()) return &links->station;
+    if (const auto* poses = sample.as<ScanPosesSample>()) return &poses->station;
+    if (const auto* undo = sample.as<UndoSample>()) return &undo->station;
+    if (const auto* area = sample.as<MapCropSample>()) return &area->station;
     return nullptr;
 }
 
@@ -109,11 +110,11 @@ void MapLog::publish(ScanBodiesSample bodies) {
 }
 
 void MapLog::onEvent(const Event& event) {
-    if (std::holds_alternative<ClockOffsetSample>(event.sample)) return m_mapping->onEvent(event);
-    if (const auto* scan = std::get_if<KeyScanSample>(&event.sample)) return onKeyScan(*scan);
-    if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
+    if (event.sample.is<ClockOffsetSample>()) return m_mapping->onEvent(event);
+    if (const auto* scan = event.sample.as<KeyScanSample>()) return onKeyScan(*scan);
+    if (const auto* place = event.sample.as<RobotPlaceSample>()) {
         if (place->station != m_setup.station) m_mapping->follow(*place);
-    } else if (const auto* bodies = std::get_if<ScanBodiesSample>(&event.sample)) {
+    } else if (const auto* bodies = event.sample.as<ScanBodiesSample>()) {
         if (bodies->station != m_setup.station) m_mapping->adopt(*bodies);
     } else {
         onDecision(event);
@@ -131,12 +132,12 @@ void MapLog::onKeyScan(const KeyScanSample& scan) {
 void MapLog::onDecision(const Event& event) {
     const std::string* const publisher = publisherOf(event.sample);
     if (publisher == nullptr) return;
-    const auto* links = std::get_if<ScanLinksSample>(&event.sample);
-    const auto* poses = std::get_if<ScanPosesSample>(&event.sample);
+    const auto* links = event.sample.as<ScanLinksSample>();
+    const auto* poses = event.sample.as<ScanPosesSample>();
     // From another station, which makes the map.
     if (links != nullptr && *publisher != m_setup.station) m_mapping->adopt(*links);
     if (poses != nullptr && *publisher != m_setup.station) m_mapping->follow(posesOf(*m_mission.state()));
-    if (std::holds_alternative<UndoSample>(event.sample)) {
+    if (event.sample.is<UndoSample>()) {
         const std::lock_guard lock(m_mutex);
         m_settled.push_front([this](LiveMapper& mapper) {  // runs before what is decided after it
             const MissionStatePtr now = m_mission.state();
@@ -153,9 +154,8 @@ void MapLog::onDecision(const Event& event) {
 }
 
 std::optional<MapCrop> MapLog::changedCrop(const Event& event, const std::string& publisher) {
-    const bool undone = std::holds_alternative<UndoSample>(event.sample),
-               area = std::holds_alternative<MapCropSample>(event.sample),
-               poses = std::holds_alternative<ScanPosesSample>(event.sample);
+    const bool undone = event.sample.is<UndoSample>(), area = event.sample.is<MapCropSample>(),
+               poses = event.sample.is<ScanPosesSample>();
     const std::lock_guard lock(m_mutex);
     if (publisher == m_setup.station) ++m_received;
     m_cropMoved = m_cropMoved || undone || area || poses;

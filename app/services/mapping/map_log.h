@@ -11,12 +11,14 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "core/event/event.h"
+#include "core/event/scan_bodies.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/robot_in_map.h"
 
 namespace leitstand {
 
+class Sample;
+struct Event;
 class LiveMapping;
 class LiveMission;
 

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <variant>
 
 #include "app/services/log/sequencer.h"
 #include "core/base/time.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/stream_role.h"
 #include "core/mapping/motion/motion_compensation.h"
 #include "core/perception/surroundings/laser_points.h"
 #include "core/perception/surroundings/robot_profile.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
 namespace {
@@ -47,8 +52,8 @@ CloudSample cloudOf(const Scan& scan, Time end) {
 
 /// Returns the stamp of the last shot of a scanner's sample.
 Time endOf(const Sample& sample) {
-    if (const auto* cloud = std::get_if<CloudSample>(&sample)) return leitstand::endOf(*cloud);
-    const auto* const ranges = std::get_if<RangesSample>(&sample);
+    if (const auto* cloud = sample.as<CloudSample>()) return leitstand::endOf(*cloud);
+    const auto* const ranges = sample.as<RangesSample>();
     if (ranges == nullptr || ranges->ranges.empty()) return {};
     const double last = std::max(0.0, ranges->timeStep * double(ranges->ranges.size() - 1));
     return ranges->header.stamp + std::chrono::nanoseconds(static_cast<std::int64_t>(last * 1e9));
@@ -62,7 +67,8 @@ RobotSight::RobotSight(const RobotDescription& robot)
     if (camera == nullptr) camera = robot.stream(StreamRole::Thermal);
     m_hasCamera = camera != nullptr;
     if (m_hasCamera) m_driversCamera = camera->sensor;
-    m_hasScanner = robot.stream(StreamRole::Points) != nullptr || robot.stream(StreamRole::Ranges) != nullptr;
+    m_hasScanner = std::any_of(robot.streams.begin(), robot.streams.end(),
+                               [](const StreamDescription& one) { return streamFacts(one.role).obstacles; });
 }
 
 void RobotSight::onEvent(const Event& event) {
@@ -73,26 +79,25 @@ void RobotSight::onEvent(const Event& event) {
 
 void RobotSight::onEvent(const Event& event, SteadyTime now) {
     const std::lock_guard lock(m_mutex);
-    if (const auto* picture = std::get_if<PictureSample>(&event.sample)) {
+    if (const auto* picture = event.sample.as<PictureSample>()) {
         takePicture(event, *picture, now);
-    } else if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+    } else if (const auto* odometry = event.sample.as<OdometrySample>()) {
         m_poses.add(event);
         m_poses.forgetBefore(Time::max());  // m_motion holds them
         OdometrySample stamped = *odometry;
         if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
         takeOdometry(std::move(stamped), now);
-    } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
+    } else if (const auto* imu = event.sample.as<ImuSample>()) {
         ImuSample turning;
         turning.header = imu->header;
         if (turning.header.stamp == Time{}) turning.header.stamp = event.received;
         turning.angularVelocity = imu->angularVelocity;
         m_motion.add(turning, m_poses.inBase(event.sensor, imu->header.frame));
-    } else if (std::holds_alternative<CloudSample>(event.sample) ||
-               std::holds_alternative<RangesSample>(event.sample)) {
+    } else if (event.sample.is<CloudSample>() || event.sample.is<RangesSample>()) {
         m_held.push_back({event, now});
-    } else if (const auto* joints = std::get_if<JointSample>(&event.sample);
+    } else if (const auto* joints = event.sample.as<JointSample>();
                joints != nullptr && event.role == StreamRole::Joints) {
-        m_joints = *joints;
+        m_joints = std::make_shared<const JointSample>(*joints);
         m_jointsCame = now;
     } else {
         m_poses.add(event);
@@ -144,9 +149,9 @@ void RobotSight::place(const Held& held) {
         if (!motion || motion->source == MotionSource::Bridged) return std::nullopt;
         return motion->baseInOdom;
     };
-    if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+    if (const auto* cloud = event.sample.as<CloudSample>()) {
         m_scan.add(*cloud, m_poses.inBase(event.sensor, cloud->header.frame), base);
-    } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
+    } else if (const auto* ranges = event.sample.as<RangesSample>()) {
         const Pose laser = m_poses.inBase(event.sensor, ranges->header.frame);
         m_scan.add(*ranges, laser, base);
         m_lasers[event.topic] = {laserPoints(*ranges, laser, base), held.came};

@@ -9,7 +9,7 @@
 
 #include "app/services/places/sensor_poses.h"
 #include "core/event/event.h"
-#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
 #include "core/mapping/motion/motion_buffer.h"
 #include "core/perception/pictures/picture_watch.h"
 #include "core/perception/surroundings/virtual_scan.h"
@@ -17,6 +17,9 @@
 #include "core/station/sight_cap.h"
 
 namespace leitstand {
+
+struct PictureSample;
+struct KeyScanSample;
 
 /// The surroundings of one robot: its virtual 2D scan from what it sent, and how old the driver's view is.
 /// Scans wait for odometry that covers them, at most 150 ms. After that their motion is extrapolated from the
@@ -86,7 +89,7 @@ private:
         SteadyTime came = {};
     };
     std::map<std::string, Laser> m_lasers;  ///< by topic
-    std::optional<JointSample> m_joints;
+    std::shared_ptr<const JointSample> m_joints;
     SteadyTime m_jointsCame = {};
 };
 

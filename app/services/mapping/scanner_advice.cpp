@@ -7,6 +7,7 @@
 
 #include "app/services/log/mission_robots.h"
 #include "core/base/words.h"
+#include "core/event/stream_role.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/settings/folders.h"

@@ -14,6 +14,8 @@
 #include "app/services/log/mission_robots.h"
 #include "app/services/places/sensor_poses.h"
 #include "core/base/words.h"
+#include "core/event/event.h"
+#include "core/event/stream_role.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mapping/motion/turn_assembler.h"
 
@@ -108,7 +110,7 @@ void Reading::keep(std::optional<Scan> scan, const std::string& robot, const Clo
 
 void Reading::readClouds(const Progress& progress, MissionScans& result) {
     forEach(topicsOf(m_decoder.robots(), {StreamRole::Points}), progress, [&](const Event& event) {
-        const auto* cloud = std::get_if<CloudSample>(&event.sample);
+        const auto* cloud = event.sample.as<CloudSample>();
         if (cloud == nullptr) return;
         RobotScans& robot = m_robots.at(event.robot);
         CloudLane& lane = robot.lanes[event.topic];

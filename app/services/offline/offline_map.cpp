@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "core/mapping/mapper.h"
+#include "core/mapping/offline_mapper.h"
 
 namespace leitstand {
 namespace {
@@ -48,7 +48,7 @@ Result<OfflineMap> mapOffline(const std::filesystem::path& mission, const Progre
     result.read = read->scans.size();
     result.warnings = read->warnings;
     const std::vector<std::size_t> scans = chosen(read->scans);
-    Mapper mapper(RegistrationSettings{});
+    OfflineMapper mapper(RegistrationSettings{});
     for (std::size_t i = 0; i < scans.size(); ++i) {
         if (!mapper.add(read->scans[scans[i]], {{}, progress.stop})) break;
         progress.done(ReadPart +

@@ -13,7 +13,7 @@
 #include "core/base/time.h"
 #include "core/io/clouds/cloud_formats.h"
 #include "core/io/clouds/scan_source.h"
-#include "core/mapping/mapper.h"
+#include "core/mapping/offline_mapper.h"
 
 namespace leitstand {
 namespace {
@@ -37,7 +37,7 @@ constexpr double ReadingShare = 0.2;
 /// State of the session's thread; other threads touch only the queue.
 struct ScanSession::State {
     SessionListener listener;
-    std::unique_ptr<Mapper> mapper;  ///< null while the map is empty
+    std::unique_ptr<OfflineMapper> mapper;  ///< null while the map is empty
     MapPtr map = std::make_shared<const Map>();
     std::set<fs::path> files;  ///< whose scans are in the map
     JobQueue queue;
@@ -167,7 +167,7 @@ SessionOutcome ScanSession::State::open(const std::vector<fs::path>& sources,
         }
         const ScanPtr scan = read(pending);
         if (!scan) continue;
-        if (!mapper) mapper = std::make_unique<Mapper>(settings);
+        if (!mapper) mapper = std::make_unique<OfflineMapper>(settings);
         const Progress progress = progressOf(scan->name, i + 1, scans, cancelled);
         progress.done(0.0);
         if (!mapper->add(scan, progress)) break;
@@ -184,7 +184,7 @@ SessionOutcome ScanSession::State::registerAgain(const RegistrationSettings& set
     SessionOutcome outcome;
     const MapPtr old = map;
     const int scans = static_cast<int>(old->scans.size());
-    auto fresh = std::make_unique<Mapper>(settings);
+    auto fresh = std::make_unique<OfflineMapper>(settings);
     for (int i = 0; i < scans; ++i) {
         const ScanPtr& scan = old->scans[static_cast<std::size_t>(i)].scan;
         const Progress progress = progressOf(scan->name, i + 1, scans, cancelled);

@@ -1,6 +1,8 @@
 #include "app/services/places/frame_tracks.h"
 
-#include <variant>
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand {
 namespace {
@@ -15,14 +17,13 @@ std::string_view bare(std::string_view frame) {
 }  // namespace
 
 void FrameTracks::add(const Event& event) {
-    if (std::holds_alternative<OdometrySample>(event.sample) || event.role == StreamRole::StaticTransforms)
-        m_fixed.add(event);
-    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+    if (event.sample.is<OdometrySample>() || event.role == StreamRole::StaticTransforms) m_fixed.add(event);
+    if (const auto* odometry = event.sample.as<OdometrySample>()) {
         m_base = odometry->childFrame;
         const Time stamp = odometry->header.stamp == Time{} ? event.received : odometry->header.stamp;
         m_fixed.forgetBefore(stamp - Memory);
     }
-    const auto* transforms = std::get_if<TransformsSample>(&event.sample);
+    const auto* transforms = event.sample.as<TransformsSample>();
     if (transforms == nullptr || event.role == StreamRole::StaticTransforms) return;
     for (const FrameTransform& one : transforms->transforms) {
         Track& track = m_turning[one.childFrame];

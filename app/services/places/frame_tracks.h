@@ -8,10 +8,11 @@
 #include "core/base/pose.h"
 #include "core/base/time.h"
 #include "core/cloud/pose_track.h"
-#include "core/event/event.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct Event;
 
 /// Where a robot's sensors were in its base in the recent past. Keeps the history of frames that turn, such
 /// as those of cameras on pan-tilt units.

@@ -1,8 +1,10 @@
 #include "app/services/places/key_scan_places.h"
 
 #include <limits>
-#include <variant>
 
+#include "core/event/event.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
 #include "core/mapping/placement/placement_format.h"
 
 namespace leitstand {
@@ -14,23 +16,22 @@ PlaceOfRobot KeyScanPlaces::Scan::fix(double certainty) const {
 }
 
 bool KeyScanPlaces::wants(const Event& event) {
-    return std::holds_alternative<KeyScanSample>(event.sample) ||
-           std::holds_alternative<ScanPosesSample>(event.sample) ||
-           std::holds_alternative<RobotPlaceSample>(event.sample);
+    return event.sample.is<KeyScanSample>() || event.sample.is<ScanPosesSample>() ||
+           event.sample.is<RobotPlaceSample>();
 }
 
 std::vector<PlaceOfRobot> KeyScanPlaces::onEvent(const Event& event) {
     std::vector<PlaceOfRobot> fixes;
-    if (const auto* sample = std::get_if<KeyScanSample>(&event.sample)) {
+    if (const auto* sample = event.sample.as<KeyScanSample>()) {
         if (!sample->scan) return fixes;
         const Scan scan{sample->scan->robot, sample->scan->end, sample->sensorInBase, sample->scanInMap,
                         true};
         m_scans[sample->id] = scan;
         m_newest[scan.robot] = sample->id;
         fixes.push_back(scan.fix(1.0));
-    } else if (const auto* poses = std::get_if<ScanPosesSample>(&event.sample)) {
+    } else if (const auto* poses = event.sample.as<ScanPosesSample>()) {
         for (const ScanPose& pose : poses->poses) move(pose, fixes);
-    } else if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
+    } else if (const auto* place = event.sample.as<RobotPlaceSample>()) {
         fixes.push_back({place->robot,
                          {place->measured, place->baseInMap, place->certainty, place->certain, place->how}});
     }

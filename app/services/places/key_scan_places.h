@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/event/event.h"
+#include "core/event/scan_pose.h"
 #include "core/mapping/live/robot_tracker.h"
 
 namespace leitstand {
+
+struct Event;
 
 /// Where one robot was.
 struct PlaceOfRobot {

@@ -7,13 +7,18 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <variant>
 
+#include "core/event/map_samples.h"
+#include "core/event/raw_event.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_pose.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/raw_events.h"
 #include "core/mapping/graph/map_parts.h"
 #include "core/mapping/graph/scan_graph.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/scan_state.h"
 #include "core/mission/state/scans_in_parts.h"
 #include "transport/convert/decode.h"
 
@@ -28,9 +33,9 @@ void read(BagReader& bag, std::string_view topic, const Take& take) {
     BagQuery query;
     query.topics = {std::string(topic)};
     forEachRaw(bag, query, [&take](const RawEvent& raw) {
-        auto event = decodeStationEvent(raw);
-        auto* const sample = event ? std::get_if<Kind>(&event->sample) : nullptr;
-        if (sample != nullptr) take(std::move(*sample));
+        const auto event = decodeStationEvent(raw);
+        const auto* const sample = event ? event->sample.as<Kind>() : nullptr;
+        if (sample != nullptr) take(*sample);
         return true;
     });
 }

@@ -6,13 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include "core/event/map_samples.h"
+#include "core/event/scan_bodies.h"
 #include "core/event/scan_links.h"
+#include "core/event/scan_pose.h"
 #include "core/mapping/live/scan_cleaning.h"
-#include "core/mission/state/mission_state.h"
 
 namespace leitstand {
 
+struct MissionState;
+struct KeyScanSample;
 class BagReader;
 
 /// Name of the publisher of a tidying of the map. It is no station's, so that only those who asked for the

@@ -1,6 +1,8 @@
 #include "app/services/places/sensor_places.h"
 
-#include <variant>
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample_header.h"
 
 namespace leitstand {
 
@@ -10,10 +12,10 @@ Time stampOf(const Event& event, const SampleHeader& header) {
 
 void SensorPlaces::onEvent(const Event& event) {
     m_frames.add(event);
-    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+    if (const auto* odometry = event.sample.as<OdometrySample>()) {
         m_tracker.add(*odometry, event.received);
         follow();
-    } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
+    } else if (const auto* imu = event.sample.as<ImuSample>()) {
         const auto unit = m_frames.inBase(event.sensor, imu->header.frame, imu->header.stamp);
         if (unit) m_tracker.add(*imu, *unit, event.received);
     }

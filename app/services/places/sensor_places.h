@@ -4,11 +4,13 @@
 #include <string>
 
 #include "app/services/places/frame_tracks.h"
-#include "core/event/event.h"
 #include "core/mapping/live/robot_tracker.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct SampleHeader;
+struct Event;
 
 /// Returns when a sample was taken: by its stamp on the robot's clock, else when it was received.
 [[nodiscard]] Time stampOf(const Event& event, const SampleHeader& header);

@@ -1,6 +1,9 @@
 #include "app/services/places/sensor_poses.h"
 
 #include "core/base/words.h"
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample_header.h"
 
 namespace leitstand {
 namespace {
@@ -16,11 +19,11 @@ std::string_view withoutPrefix(std::string_view frame) {
 }  // namespace
 
 void SensorPoses::add(const Event& event) {
-    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+    if (const auto* odometry = event.sample.as<OdometrySample>()) {
         const Time stamp = odometry->header.stamp == Time{} ? event.received : odometry->header.stamp;
         m_baseInOdom.add(stamp, odometry->baseInOdom);
         m_baseFrame = odometry->childFrame;
-    } else if (const auto* transforms = std::get_if<TransformsSample>(&event.sample)) {
+    } else if (const auto* transforms = event.sample.as<TransformsSample>()) {
         for (const FrameTransform& one : transforms->transforms) {
             m_parents.insert_or_assign(one.childFrame, Parent{one.header.frame, one.childInParent});
         }

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "core/cloud/pose_track.h"
-#include "core/event/event.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct SampleHeader;
+struct Event;
 
 /// Where a robot's sensors were: by its odometry, its tf_static and its file.
 class SensorPoses {

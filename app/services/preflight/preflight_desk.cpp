@@ -18,6 +18,7 @@
 #include "app/services/station/station.h"
 #include "core/base/time.h"
 #include "core/base/words.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand {
 namespace {

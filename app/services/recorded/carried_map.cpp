@@ -18,10 +18,14 @@
 #include "app/services/recorded/recorded_map.h"
 #include "app/services/recorded/review_log.h"
 #include "core/base/words.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_pose.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mapping/comparison/map_changes.h"
 #include "core/mapping/live/live_settings.h"
+#include "core/mission/state/scan_state.h"
 
 namespace leitstand {
 namespace {

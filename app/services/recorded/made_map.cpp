@@ -5,6 +5,8 @@
 
 #include "app/services/offline/offline_map.h"
 #include "core/base/words.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
 #include "core/event/station_topics.h"
 
 namespace leitstand {

@@ -20,6 +20,7 @@
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/loops/map_problem.h"
 #include "core/mapping/relocalisation/parts_meeting.h"
+#include "core/mission/state/scan_state.h"
 
 namespace leitstand {
 namespace {

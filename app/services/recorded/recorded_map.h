@@ -6,12 +6,13 @@
 
 #include "app/services/log/live_mission.h"
 #include "core/base/result.h"
-#include "core/event/scan_links.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mission/state/mission_state.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct Link;
 
 /// A mission that has ended, recorded by a station of ours, for work on its map.
 struct RecordedMap {

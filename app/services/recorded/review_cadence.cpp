@@ -2,6 +2,7 @@
 
 #include "app/services/recorded/review_index.h"
 #include "core/base/time.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand {
 namespace {

@@ -1,27 +1,27 @@
 #include "app/services/recorded/review_index.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "app/services/recorded/review_log.h"
 #include "app/services/recorded/review_opening.h"
 #include "core/base/pose.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
 #include "core/event/station_topics.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
 namespace {
 
 constexpr std::chrono::seconds Silence(10);  ///< longer gaps separate stretches
 constexpr double TurnedApart = degrees(10);  ///< of points on a track
-
-constexpr std::array Roles = {StreamRole::Odometry, StreamRole::StaticTransforms, StreamRole::Mode,
-                              StreamRole::Bumps,    StreamRole::Sightings,        StreamRole::Gas};
 
 std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots) {
     std::vector<std::string> topics;
@@ -32,8 +32,7 @@ std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots) {
         topics.emplace_back(topic);
     for (const RobotDescription& robot : robots) {
         for (const StreamDescription& stream : robot.streams) {
-            if (std::find(Roles.begin(), Roles.end(), stream.role) != Roles.end())
-                topics.push_back(stream.topic);
+            if (streamFacts(stream.role).indexed) topics.push_back(stream.topic);
         }
     }
     return topics;
@@ -80,16 +79,16 @@ void Indexing::onEvent(const Event& event) {
     stretches.back().to = std::max(stretches.back().to, event.received);
     if (!event.robot.empty()) index.lastReceived = event.received;
     marks.add(event);
-    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+    if (const auto* odometry = event.sample.as<OdometrySample>()) {
         follow(event, *odometry);
-    } else if (const auto* scan = std::get_if<KeyScanSample>(&event.sample)) {
+    } else if (const auto* scan = event.sample.as<KeyScanSample>()) {
         if (scan->scan) {
             index.scanned[scan->scan->robot].push_back(event.received);
             index.keyScans.insert_or_assign(scan->id, *scan);
         }
-    } else if (const auto* place = std::get_if<RobotPlaceSample>(&event.sample)) {
+    } else if (const auto* place = event.sample.as<RobotPlaceSample>()) {
         index.places[place->robot].push_back(*place);
-    } else if (const auto* gas = std::get_if<GasSample>(&event.sample)) {
+    } else if (const auto* gas = event.sample.as<GasSample>()) {
         index.gas[event.robot].emplace_back(event.received, gas->ppm);
     } else if (event.role == StreamRole::StaticTransforms) {
         index.fixed.push_back(event);

@@ -11,6 +11,7 @@
 #include "core/base/pose.h"
 #include "core/base/progress.h"
 #include "core/event/event.h"
+#include "core/event/map_samples.h"
 #include "core/mission/state/mission_state.h"
 #include "core/mission/timeline/timeline_marks.h"
 

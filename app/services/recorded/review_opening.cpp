@@ -10,6 +10,8 @@
 #include "app/services/recorded/review_cadence.h"
 #include "app/services/recorded/review_index.h"
 #include "app/services/recorded/review_log.h"
+#include "core/event/stream_role.h"
+#include "core/mission/state/scan_state.h"
 
 namespace leitstand {
 namespace {

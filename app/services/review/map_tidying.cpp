@@ -17,9 +17,12 @@
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/recorded_map.h"
 #include "core/base/words.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "core/mapping/relaxation/missing_links.h"
+#include "core/mission/state/decision.h"
 #include "core/mission/state/decisions.h"
+#include "core/mission/state/scan_state.h"
 #include "core/mission/state/undo_format.h"
 
 namespace leitstand {

@@ -1,9 +1,10 @@
 #include "app/services/review/review_evidence.h"
 
-#include <variant>
-
 #include "app/services/finds/freezing.h"
 #include "app/services/finds/recent_evidence.h"
+#include "core/event/picture_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand {
 
@@ -18,7 +19,7 @@ FrozenEvidence evidenceAt(const ReviewMoment& moment, const std::string& robot, 
         frozen.autonomous = known->second->mode->sample.autonomous;
     for (const Event& event : moment.pictures) {
         const bool old = moment.now - event.received > RecentEvidence::Pictures;
-        if (event.robot != robot || old || !std::holds_alternative<PictureSample>(event.sample)) continue;
+        if (event.robot != robot || old || !event.sample.is<PictureSample>()) continue;
         const bool thermal = event.role == StreamRole::Thermal;
         frozen.evidence.push_back(evidenceOf(thermal ? "thermal" : "picture", event));
     }

@@ -9,8 +9,12 @@
 #include "app/services/review/playing/newest_writing.h"
 #include "app/services/review/playing/until_written.h"
 #include "core/base/words.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "core/mission/finds/dismissal.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
 #include "core/mission/state/undo_format.h"
 
 namespace leitstand {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/event/candidate_sample.h"
 #include "core/event/find_sample.h"
 #include "core/mission/finds/find_book.h"
 #include "core/mission/state/mission_state.h"
@@ -19,6 +18,8 @@
 
 namespace leitstand {
 
+class Sample;
+struct CandidateSample;
 class LiveMission;
 
 /// Writes what somebody finds in a review: notes, and victims as they should have been filed. Each is a new

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "app/services/recorded/review_cadence.h"
 #include "app/services/recorded/review_log.h"
@@ -13,6 +12,11 @@
 #include "app/services/review/reviewed_robot.h"
 #include "app/services/victims/victim_search.h"
 #include "core/base/words.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/picture_samples.h"
+#include "core/event/scan_pose.h"
+#include "core/event/stream_role.h"
+#include "core/mission/state/scan_state.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 
 namespace leitstand {
@@ -100,7 +104,7 @@ Result<FrozenEvidence> evidenceIn(const std::filesystem::path& mission, const Re
     if (robot == robots.end() || place == moment.places->end() || !place->placed)
         return Error{translate("leitstand::Station", "the robot was not in the map then: nothing was filed")};
     const auto picture = pictureOf(**log, *robot, at, moment.now);
-    const auto* const sample = picture ? std::get_if<PictureSample>(&picture->sample) : nullptr;
+    const auto* const sample = picture ? picture->sample.as<PictureSample>() : nullptr;
     const auto decoded = sample == nullptr ? Result<Picture>(nothingThere()) : decodePicture(*sample);
     if (!decoded) return decoded.error();
 

@@ -4,14 +4,18 @@
 #include <array>
 #include <chrono>
 #include <utility>
-#include <variant>
 
 #include "app/services/mapping/live_mapping.h"
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/review_cadence.h"
 #include "app/services/review/reviewed_robot.h"
 #include "app/services/review/reviewed_streams.h"
+#include "core/event/motion_samples.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/stream_role.h"
 #include "core/mapping/placement/placement_format.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/scan_state.h"
 #include "core/perception/surroundings/virtual_scan.h"
 
 namespace leitstand {
@@ -109,7 +113,7 @@ void ReviewScene::watch(const std::string& robot) {
 
 void ReviewScene::see(const Event& event) {
     if (event.robot == m_watched) return m_sight->onEvent(event, steadyOf(event.received));
-    const auto* const scan = std::get_if<KeyScanSample>(&event.sample);
+    const auto* const scan = event.sample.as<KeyScanSample>();
     // A mission that was thinned, or recorded on a narrow link, has whole turns only.
     if (scan != nullptr && !m_scanned && scan->scan && scan->scan->robot == m_watched)
         m_sight->take(*scan, steadyOf(event.received));
@@ -225,7 +229,7 @@ ReviewMomentPtr ReviewScene::at(Time at, bool around) {
         if (m_sight) m_sight->fillView(view, steadyOf(at));
         if (const StreamDescription* const command = robot->stream(StreamRole::DriveCommand)) {
             const auto reported = m_log.newest(command->topic, at);
-            const auto* const twist = reported ? std::get_if<TwistSample>(&reported->sample) : nullptr;
+            const auto* const twist = reported ? reported->sample.as<TwistSample>() : nullptr;
             if (twist != nullptr && at - reported->received <= CommandLife)
                 view.drive.velocity = {twist->linear.x(), twist->linear.y(), twist->angular.z()};
         }

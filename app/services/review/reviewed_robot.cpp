@@ -3,6 +3,12 @@
 #include <algorithm>
 
 #include "core/base/time.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+#include "core/mission/state/mission_state.h"
+#include "core/mission/state/robot_state.h"
+#include "core/mission/state/session_state.h"
 #include "core/station/alarms/logged_alarm.h"
 
 namespace leitstand {

@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "core/mission/state/mission_state.h"
 #include "core/robot/link/link_status.h"
 #include "core/robot/robot_description.h"
 #include "core/station/alarms/alarm_book.h"
 #include "core/station/robot_view.h"
 
 namespace leitstand {
+
+struct MissionState;
 
 /// Returns a moment of a mission on the clock that ages are measured on.
 [[nodiscard]] inline SteadyTime steadyOf(Time moment) {

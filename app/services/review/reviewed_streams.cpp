@@ -7,6 +7,7 @@
 
 #include "app/services/recorded/review_cadence.h"
 #include "core/base/time.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand {
 namespace {

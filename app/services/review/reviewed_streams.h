@@ -3,11 +3,12 @@
 #include <vector>
 
 #include "app/services/recorded/review_index.h"
-#include "core/mission/state/mission_state.h"
 #include "core/robot/link/link_status.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct MissionState;
 
 /// The last seconds before a moment of a mission, in which rates are counted.
 struct RateWindow {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/event/station_samples.h"
 #include "core/io/settings/score_file.h"
 #include "core/mission/score/score.h"
 

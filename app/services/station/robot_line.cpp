@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/words.h"
+#include "core/event/stream_role.h"
 #include "transport/convert/encode.h"
 
 namespace leitstand {

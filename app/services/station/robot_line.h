@@ -10,7 +10,6 @@
 
 #include "app/services/mapping/robot_sight.h"
 #include "core/base/result.h"
-#include "core/event/event.h"
 #include "core/robot/robot_description.h"
 #include "transport/link/drive_streamer.h"
 #include "transport/link/link_client.h"

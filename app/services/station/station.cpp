@@ -6,7 +6,9 @@
 #include "app/services/log/sequencer.h"
 #include "app/services/station/station_state.h"
 #include "core/base/words.h"
+#include "core/event/motion_samples.h"
 #include "core/event/station_topics.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand {
 

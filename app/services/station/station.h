@@ -12,7 +12,7 @@
 #include "app/services/domain/robot_guess.h"
 #include "app/services/log/live_mission.h"
 #include "core/base/result.h"
-#include "core/event/event.h"
+#include "core/event/station_samples.h"
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/map.h"
@@ -22,6 +22,8 @@
 
 namespace leitstand {
 
+struct PoseSample;
+struct Event;
 struct SearchedFloor;
 class FindDesk;
 class StationAlarms;

@@ -13,6 +13,7 @@
 #include "core/event/station_topics.h"
 #include "core/io/settings/score_file.h"
 #include "core/mission/finds/find_book.h"
+#include "core/mission/state/find_state.h"
 
 namespace leitstand {
 void Station::State::fileAgain(FindSample find) {

@@ -17,8 +17,10 @@
 #include "app/services/mapping/mapping_text.h"
 #include "app/services/places/mission_map.h"
 #include "core/base/words.h"
+#include "core/event/scan_bodies.h"
 #include "core/event/station_topics.h"
 #include "core/mapping/live/map/local_map.h"
+#include "core/mission/state/decision.h"
 
 namespace leitstand {
 namespace {
@@ -190,8 +192,7 @@ void StationMapping::onEvent(const Event& event) {
     State& state = *m_state;
     if (event.robot.empty()) return state.log.onEvent(event);
     // How robots move, and where their sensors are, must be known before the scans.
-    const bool scan = std::holds_alternative<CloudSample>(event.sample),
-               laser = std::holds_alternative<RangesSample>(event.sample);
+    const bool scan = event.sample.is<CloudSample>(), laser = event.sample.is<RangesSample>();
     if (laser && !state.mayMap()) return;
     if (!scan) return state.mapping->onEvent(event);
     auto& waiting = state.heldBack;

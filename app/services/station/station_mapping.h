@@ -13,7 +13,6 @@
 #include "app/services/mapping/scanner_advice.h"
 #include "core/base/result.h"
 #include "core/base/time.h"
-#include "core/event/event.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/loops/loop_preview.h"
 #include "core/mapping/live/map/live_map.h"
@@ -24,6 +23,7 @@
 
 namespace leitstand {
 
+struct Event;
 class LiveMission;
 
 /// Called on threads of the station, which they must not block; any may be empty.

@@ -6,6 +6,8 @@
 
 namespace leitstand {
 
+struct Event;
+
 /// The parts of a station that follow its mission, in the order in which they receive an event and are
 /// closed.
 class StationServices {

@@ -11,9 +11,20 @@
 #include "app/services/places/mission_map.h"
 #include "app/services/team/shared_evidence.h"
 #include "core/base/time.h"
+#include "core/event/all_samples.h"
+#include "core/event/event.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/sample.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_pose.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/mission_clock.h"
+#include "core/mission/state/scan_state.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 #include "transport/link/grant_sender.h"
@@ -35,7 +46,7 @@ bool isShared(std::string_view topic) {
 
 /// Returns the station that @p sample names; null when it names none.
 const std::string* stationOf(const Sample& sample) {
-    return std::visit(
+    return visit(
         [](const auto& one) -> const std::string* {
             if constexpr (requires { std::string(one.station); }) return &one.station;
             return nullptr;
@@ -138,7 +149,7 @@ void MissionSharing::publish(const Sample& sample, std::string_view topic) {
 
 void MissionSharing::onEvent(const Event& event) {
     if (!event.robot.empty() || !isReceived()) return;
-    if (const auto* undo = std::get_if<UndoSample>(&event.sample)) {
+    if (const auto* undo = event.sample.as<UndoSample>()) {
         if (undo->station != m_setup.station) return;
         return m_jobs.submit([this, undo = *undo](const std::stop_token& stop) {
             if (!stop.stop_requested()) notifyUndone(undo);
@@ -147,7 +158,7 @@ void MissionSharing::onEvent(const Event& event) {
     // The operator's changes of them come by publish(); what a station logs of them at its start is its own.
     if (event.topic == station_topic::Clock || event.topic == station_topic::Mission) return;
     if (!isShared(event.topic)) return;
-    const auto* scan = std::get_if<KeyScanSample>(&event.sample);
+    const auto* scan = event.sample.as<KeyScanSample>();
     const std::string* station = stationOf(event.sample);
     const bool ours =
         scan != nullptr ? !m_setup.isAdopted(scan->id) : station != nullptr && *station == m_setup.station;
@@ -222,7 +233,7 @@ void MissionSharing::publishScans(std::shared_ptr<Publishing> publishing, const 
         if (!scan) return publishMap(*m_mission.state());
         if (scan->topic == station_topic::ScanLinks) {
             const auto event = decodeStationEvent(*scan);
-            const auto* reported = event ? std::get_if<ScanLinksSample>(&event->sample) : nullptr;
+            const auto* reported = event ? event->sample.as<ScanLinksSample>() : nullptr;
             if (reported == nullptr) continue;
             // Readers must distinguish it from what they publish themselves.
             write(ScanLinksSample{reported->stamp, m_setup.station, reported->links},

@@ -13,11 +13,14 @@
 #include "app/services/job_queue.h"
 #include "app/services/log/event_sink.h"
 #include "app/services/log/live_mission.h"
-#include "core/event/event.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "transport/dds/node.h"
 
 namespace leitstand {
+
+class Sample;
+struct UndoSample;
+struct Event;
 
 /// What a MissionSharing works with; may be called on any thread.
 struct MissionSharingSetup {

@@ -1,8 +1,13 @@
 #include "app/services/team/shared_evidence.h"
 
 #include <algorithm>
-#include <variant>
 #include <vector>
+
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/sample.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/mission_state.h"
 
 namespace leitstand {
 namespace {
@@ -26,20 +31,20 @@ bool takeSequences(std::vector<Look>& looks, const std::vector<Look>& ours) {
 }  // namespace
 
 Sample forOthers(Sample sample) {
-    if (auto* find = std::get_if<FindSample>(&sample)) {
+    if (auto* find = sample.edit<FindSample>()) {
         for (VictimEvidence& one : find->evidence) one.sequence = 0;
-    } else if (auto* candidate = std::get_if<CandidateSample>(&sample)) {
+    } else if (auto* candidate = sample.edit<CandidateSample>()) {
         for (Cue& cue : candidate->cues) cue.sequence = 0;
     }
     return sample;
 }
 
 bool takeOurSequences(Sample& sample, const MissionState& mission) {
-    if (auto* find = std::get_if<FindSample>(&sample)) {
+    if (auto* find = sample.edit<FindSample>()) {
         const auto known = mission.finds->find({find->kind, find->number});
         return known != mission.finds->end() && takeSequences(find->evidence, known->second.victim.evidence);
     }
-    if (auto* candidate = std::get_if<CandidateSample>(&sample)) {
+    if (auto* candidate = sample.edit<CandidateSample>()) {
         const auto known = mission.candidates->find(candidate->id);
         return known != mission.candidates->end() &&
                takeSequences(candidate->cues, known->second.candidate.cues);

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/event/event.h"
-#include "core/mission/state/mission_state.h"
+#include "core/event/sample.h"
 
 namespace leitstand {
+
+struct MissionState;
 
 /// Returns @p sample for other stations: the sequences of its evidence and cues mean nothing in their logs,
 /// and become 0.

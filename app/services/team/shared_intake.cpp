@@ -2,12 +2,23 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 
 #include "app/services/team/shared_evidence.h"
 #include "core/base/words.h"
+#include "core/event/all_samples.h"
+#include "core/event/candidate_sample.h"
+#include "core/event/event.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/sample.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_links.h"
+#include "core/event/scan_pose.h"
 #include "core/event/station_topics.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/mission_clock.h"
+#include "core/mission/state/scan_state.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 
@@ -18,33 +29,30 @@ constexpr std::size_t MostOthers = 64;  ///< stations that are remembered, whate
 
 /// Whether it lies in the map of its sender.
 bool isOfMap(const Sample& sample) {
-    return std::holds_alternative<KeyScanSample>(sample) || std::holds_alternative<ScanPosesSample>(sample) ||
-           std::holds_alternative<ScanLinksSample>(sample) ||
-           std::holds_alternative<ScanBodiesSample>(sample) ||
-           std::holds_alternative<MapCropSample>(sample) || std::holds_alternative<RobotPlaceSample>(sample);
+    return sample.is<KeyScanSample>() || sample.is<ScanPosesSample>() || sample.is<ScanLinksSample>() ||
+           sample.is<ScanBodiesSample>() || sample.is<MapCropSample>() || sample.is<RobotPlaceSample>();
 }
 
 bool isPlacedInMap(const Sample& sample) {
-    return isOfMap(sample) || std::holds_alternative<FindSample>(sample) ||
-           std::holds_alternative<CandidateSample>(sample);
+    return isOfMap(sample) || sample.is<FindSample>() || sample.is<CandidateSample>();
 }
 
 /// Returns the stamp of what the mission has of the same thing as @p sample; empty: nothing, or stamps do not
 /// matter.
 std::optional<Time> knownStamp(const MissionState& mission, const Sample& sample) {
-    if (const auto* candidate = std::get_if<CandidateSample>(&sample)) {
+    if (const auto* candidate = sample.as<CandidateSample>()) {
         const auto known = mission.candidates->find(candidate->id);
         if (known != mission.candidates->end()) return known->second.candidate.stamp;
-    } else if (std::holds_alternative<MissionInfoSample>(sample)) {
+    } else if (sample.is<MissionInfoSample>()) {
         if (mission.info) return mission.info->sample.stamp;
-    } else if (std::holds_alternative<MapCropSample>(sample)) {
+    } else if (sample.is<MapCropSample>()) {
         if (mission.crop) return mission.crop->sample.stamp;
     }
     return std::nullopt;
 }
 
 Time stampOf(const Sample& sample) {
-    return std::visit(
+    return visit(
         [](const auto& one) {
             if constexpr (requires { Time(one.stamp); }) return one.stamp;
             return Time{};
@@ -54,11 +62,11 @@ Time stampOf(const Sample& sample) {
 
 std::vector<std::uint64_t> scansOf(const Sample& sample) {
     std::vector<std::uint64_t> scans;
-    if (const auto* poses = std::get_if<ScanPosesSample>(&sample)) {
+    if (const auto* poses = sample.as<ScanPosesSample>()) {
         for (const ScanPose& pose : poses->poses) scans.push_back(pose.scan);
-    } else if (const auto* links = std::get_if<ScanLinksSample>(&sample)) {
+    } else if (const auto* links = sample.as<ScanLinksSample>()) {
         for (const Link& link : links->links) scans.insert(scans.end(), {link.from, link.to});
-    } else if (const auto* bodies = std::get_if<ScanBodiesSample>(&sample)) {
+    } else if (const auto* bodies = sample.as<ScanBodiesSample>()) {
         for (const BodiesOfScan& one : bodies->scans) scans.push_back(one.scan);
     }
     return scans;
@@ -72,11 +80,11 @@ SharedIntake::SharedIntake(SharedIntakeSetup setup) : m_setup(std::move(setup)),
 }
 
 void SharedIntake::onEvent(const Event& event) {
-    if (const auto* links = std::get_if<ScanLinksSample>(&event.sample)) {
+    if (const auto* links = event.sample.as<ScanLinksSample>()) {
         const std::lock_guard lock(m_mutex);
         for (const Link& link : links->links) m_links[link.id] = link.active;
     }
-    const auto* scan = std::get_if<KeyScanSample>(&event.sample);
+    const auto* scan = event.sample.as<KeyScanSample>();
     if (scan == nullptr || !scan->scan) return;
     const std::lock_guard lock(m_mutex);
     m_scans.try_emplace(scan->id, Known{scan->scan->robot, scan->stamp});
@@ -122,11 +130,11 @@ bool SharedIntake::wants(const KeyScanSample& scan, Other& other) {
 bool SharedIntake::wants(const Event& event, Other& other) {
     const Sample& sample = event.sample;
     if (other.map == Map::Other && isPlacedInMap(sample)) return false;
-    if (const auto* scan = std::get_if<KeyScanSample>(&sample)) return wants(*scan, other);
-    if (const auto* links = std::get_if<ScanLinksSample>(&sample)) return wants(*links);
-    if (const auto* bodies = std::get_if<ScanBodiesSample>(&sample)) return wants(*bodies);
-    if (const auto* find = std::get_if<FindSample>(&sample)) return wants(*find);
-    if (const auto* clock = std::get_if<ClockSample>(&sample)) return wants(*clock);
+    if (const auto* scan = sample.as<KeyScanSample>()) return wants(*scan, other);
+    if (const auto* links = sample.as<ScanLinksSample>()) return wants(*links);
+    if (const auto* bodies = sample.as<ScanBodiesSample>()) return wants(*bodies);
+    if (const auto* find = sample.as<FindSample>()) return wants(*find);
+    if (const auto* clock = sample.as<ClockSample>()) return wants(*clock);
     const auto known = knownStamp(*m_setup.mission(), sample);
     return !known || *known < stampOf(sample);
 }
@@ -174,7 +182,7 @@ bool SharedIntake::sharesMap() const {
 
 void SharedIntake::receiveGrant(const RawEvent& event, const Sender& from, SteadyTime now) {
     const auto decoded = decodeStationEvent(event);
-    const auto* grant = decoded ? std::get_if<GrantSample>(&decoded->sample) : nullptr;
+    const auto* grant = decoded ? decoded->sample.as<GrantSample>() : nullptr;
     if (grant == nullptr || grant->kind != GrantSample::Kind::Map) return;
     if (grant->action != GrantSample::Action::Hold) return;
     m_maker = from;
@@ -182,7 +190,7 @@ void SharedIntake::receiveGrant(const RawEvent& event, const Sender& from, Stead
 }
 
 bool SharedIntake::waits(const Sample& sample, const Sender& from, const Other& other) const {
-    if (std::holds_alternative<KeyScanSample>(sample)) return other.map == Map::Unknown;
+    if (sample.is<KeyScanSample>()) return other.map == Map::Unknown;
     if (isOfMap(sample)) return true;  // what need not wait also stays behind earlier samples
     // Finds of a map that may not be this one.
     return isPlacedInMap(sample) && other.map == Map::Unknown && m_maker == from && !m_scans.empty() &&
@@ -223,7 +231,7 @@ void SharedIntake::receive(RawEvent event, const Sender& from, SteadyTime now) {
         return;
     } else if (waits(sample, from, other)) {
         Waiting one{std::move(event), now, scansOf(sample)};
-        if (const auto* scan = std::get_if<KeyScanSample>(&sample))
+        if (const auto* scan = sample.as<KeyScanSample>())
             one.scan = {scan->id, Known{scan->scan->robot, scan->stamp}};
         wait(std::move(one), other);
     } else {
@@ -267,7 +275,7 @@ void SharedIntake::wait(Waiting one, Other& other) {
 }
 
 void SharedIntake::enter(RawEvent event, Sample sample) {
-    if (const auto* links = std::get_if<ScanLinksSample>(&sample)) {
+    if (const auto* links = sample.as<ScanLinksSample>()) {
         for (const Link& link : links->links) m_links[link.id] = link.active;
     }
     if (takeOurSequences(sample, *m_setup.mission())) {

@@ -13,13 +13,20 @@
 
 #include "app/services/log/event_sink.h"
 #include "core/base/time.h"
-#include "core/event/event.h"
 #include "core/event/raw_event.h"
+#include "core/event/sample.h"
 #include "core/mission/state/mission_state.h"
 #include "core/robot/control/grants.h"
 #include "core/robot/link/link_status.h"
 
 namespace leitstand {
+
+struct ClockSample;
+struct FindSample;
+struct KeyScanSample;
+struct ScanBodiesSample;
+struct ScanLinksSample;
+struct Event;
 
 /// What a SharedIntake works with; may be called on any thread, with its lock held.
 struct SharedIntakeSetup {

@@ -33,7 +33,7 @@ std::vector<FindSample> formsOf(BagReader& bag) {
     finds.topics = {std::string(station_topic::Victims)};
     forEachRaw(bag, finds, [&forms](const RawEvent& event) {
         const auto sample = decodeStationEvent(event);
-        const FindSample* form = sample ? std::get_if<FindSample>(&sample->sample) : nullptr;
+        const FindSample* form = sample ? sample->sample.as<FindSample>() : nullptr;
         if (form != nullptr) forms.push_back(*form);
         return true;
     });

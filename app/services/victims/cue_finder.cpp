@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 
 #include "core/base/time.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/perception/cues/hazard.h"
 #include "core/perception/heat/body_heat.h"
 #include "core/perception/heat/heat.h"
@@ -60,27 +64,27 @@ Cue CueFinder::cueOf(const Event& event, const char* kind, Time stamp) const {
 
 void CueFinder::onEvent(const Event& event) {
     m_places.onEvent(event);
-    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+    if (const auto* odometry = event.sample.as<OdometrySample>()) {
         if (odometry->linear.norm() > Still || odometry->angular.norm() > 3.0 * Still)
             m_movedAt = stampOf(event, odometry->header);
         if (m_notReceived) {
             const Event late = *m_notReceived;
-            receive(late, std::get<SightingSample>(late.sample));
+            receive(late, late.sample.get<SightingSample>());
         }
         look(event.received);
-    } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+    } else if (const auto* cloud = event.sample.as<CloudSample>()) {
         const auto sensor = m_places.inBase(event.sensor, cloud->header.frame, cloud->header.stamp);
         if (sensor && m_slices.size() < MostWaiting) m_slices.emplace_back(event, *sensor);
-    } else if (const auto* ranges = std::get_if<RangesSample>(&event.sample)) {
+    } else if (const auto* ranges = event.sample.as<RangesSample>()) {
         const auto sensor = m_places.inBase(event.sensor, ranges->header.frame, ranges->header.stamp);
         if (sensor && m_slices.size() < MostWaiting) m_slices.emplace_back(event, *sensor);
-    } else if (const auto* info = std::get_if<CameraInfoSample>(&event.sample)) {
+    } else if (const auto* info = event.sample.as<CameraInfoSample>()) {
         m_cameras[event.sensor].info = *info;
-    } else if (std::holds_alternative<PictureSample>(event.sample)) {
+    } else if (event.sample.is<PictureSample>()) {
         if (m_waiting.size() < MostWaiting) m_waiting.push_back(event);
-    } else if (const auto* gas = std::get_if<GasSample>(&event.sample)) {
+    } else if (const auto* gas = event.sample.as<GasSample>()) {
         smell(event, *gas);
-    } else if (const auto* sightings = std::get_if<SightingSample>(&event.sample)) {
+    } else if (const auto* sightings = event.sample.as<SightingSample>()) {
         receive(event, *sightings);
     }
 }
@@ -92,12 +96,12 @@ void CueFinder::look(Time now) {
     };
     while (!m_slices.empty()) {
         const auto& [event, sensor] = m_slices.front();
-        if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+        if (const auto* cloud = event.sample.as<CloudSample>()) {
             const std::int64_t last = cloud->times.empty() ? 0 : cloud->times.back();
             if (waits(event, cloud->header.stamp + std::chrono::nanoseconds(last))) break;
             m_seen.add(*cloud, sensor, base);
         } else {
-            const auto& ranges = std::get<RangesSample>(event.sample);
+            const auto& ranges = event.sample.get<RangesSample>();
             if (waits(event, ranges.header.stamp)) break;
             m_seen.add(ranges, sensor, base);
         }
@@ -105,7 +109,7 @@ void CueFinder::look(Time now) {
     }
     while (!m_waiting.empty()) {
         const Event& event = m_waiting.front();
-        if (waits(event, stampOf(event, std::get<PictureSample>(event.sample).header))) break;
+        if (waits(event, stampOf(event, event.sample.get<PictureSample>().header))) break;
         look(event);
         m_waiting.pop_front();
     }
@@ -142,7 +146,7 @@ std::optional<CueFinder::View> CueFinder::viewOf(const Event& event, const Pictu
 }
 
 void CueFinder::look(const Event& event) {
-    const auto& sample = std::get<PictureSample>(event.sample);
+    const auto& sample = event.sample.get<PictureSample>();
     Camera& camera = m_cameras[event.sensor];
     const auto view = viewOf(event, sample, camera);
     if (!view || !camera.info || view->turning > m_settings.fastest) {
@@ -197,7 +201,7 @@ bool CueFinder::place(PlacedCue cue, const Camera& camera, const View& view, con
 
 std::optional<PlacedCue> CueFinder::locate(const LookedAt& looked) {
     constexpr double Farthest = 9.0;  // [m]
-    const auto* sample = std::get_if<PictureSample>(&looked.picture.sample);
+    const auto* sample = looked.picture.sample.as<PictureSample>();
     const auto camera = m_cameras.find(looked.picture.sensor);
     if (sample == nullptr || camera == m_cameras.end() || !camera->second.info) return std::nullopt;
     const auto mirror = MeiCamera::of(*camera->second.info, looked.width, looked.height);
@@ -220,7 +224,7 @@ std::optional<PlacedCue> CueFinder::locate(const LookedAt& looked) {
 bool CueFinder::shows(const Event& picture, const Eigen::Vector3d& inMap) {
     constexpr double Beam = degrees(2.0);  // half angle
     constexpr double Thick = 0.6;          // points this near before the place belong to it [m]
-    const auto* sample = std::get_if<PictureSample>(&picture.sample);
+    const auto* sample = picture.sample.as<PictureSample>();
     const auto camera = m_cameras.find(picture.sensor);
     if (sample == nullptr || camera == m_cameras.end() || !camera->second.info) return false;
     const CameraInfoSample& info = *camera->second.info;
@@ -240,7 +244,7 @@ bool CueFinder::shows(const Event& picture, const Eigen::Vector3d& inMap) {
 void CueFinder::lookForHeat(const Event& event, const Camera& camera, const View& view) {
     const StreamDescription* stream = m_robot.stream(StreamRole::Thermal, event.sensor);
     if (stream == nullptr || !stream->thermal.measured) return;
-    const auto& sample = std::get<PictureSample>(event.sample);
+    const auto& sample = event.sample.get<PictureSample>();
     const auto picture = decodePicture(sample);
     if (!picture) return;
     const auto thermal = temperatures(*picture, stream->thermal);
@@ -270,7 +274,7 @@ void CueFinder::lookForHeat(const Event& event, const Camera& camera, const View
 }
 
 void CueFinder::lookForMotion(const Event& event, Camera& camera, const View& view, const Picture& picture) {
-    const auto& sample = std::get<PictureSample>(event.sample);
+    const auto& sample = event.sample.get<PictureSample>();
     const Time stamp = stampOf(event, sample.header);
     for (const MotionBlob& blob : camera.motion.look(picture, stamp)) {
         PlacedCue cue;
@@ -284,7 +288,7 @@ void CueFinder::lookForMotion(const Event& event, Camera& camera, const View& vi
 
 void CueFinder::lookForSigns(const Event& event, const Camera& camera, const View& view,
                              const Picture& picture) {
-    const Time stamp = stampOf(event, std::get<PictureSample>(event.sample).header);
+    const Time stamp = stampOf(event, event.sample.get<PictureSample>().header);
     for (const FoundCode& code : m_codes.read(picture)) {
         PlacedCue cue;
         cue.what = FindSample::Kind::Code;

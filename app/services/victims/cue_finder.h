@@ -11,6 +11,8 @@
 
 #include "app/services/places/sensor_places.h"
 #include "core/event/event.h"
+#include "core/event/picture_samples.h"
+#include "core/event/status_samples.h"
 #include "core/mapping/seen_points.h"
 #include "core/mission/finds/placed_cue.h"
 #include "core/perception/cues/codes.h"
@@ -19,6 +21,10 @@
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct GasSample;
+struct PictureSample;
+struct SightingSample;
 
 /// How closely a robot's samples are searched.
 struct CueSettings {

@@ -1,7 +1,12 @@
 #include "app/services/victims/victim_search.h"
 
 #include <utility>
-#include <variant>
+
+#include "core/event/map_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/scan_pose.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
 
 namespace leitstand {
 namespace {
@@ -80,22 +85,21 @@ void VictimSearch::restore(const FindSample& find) {
 }
 
 void VictimSearch::onEvent(const Event& event, bool search) {
-    if (const auto* find = std::get_if<FindSample>(&event.sample)) return restore(*find);
-    if (const auto* info = std::get_if<MissionInfoSample>(&event.sample))
-        return m_book.tags(m_tags.of(info->profile));
-    if (const auto* candidate = std::get_if<CandidateSample>(&event.sample)) return m_book.take(*candidate);
+    if (const auto* find = event.sample.as<FindSample>()) return restore(*find);
+    if (const auto* info = event.sample.as<MissionInfoSample>()) return m_book.tags(m_tags.of(info->profile));
+    if (const auto* candidate = event.sample.as<CandidateSample>()) return m_book.take(*candidate);
     if (KeyScanPlaces::wants(event)) {
-        if (const auto* scan = std::get_if<KeyScanSample>(&event.sample); scan != nullptr && scan->scan)
+        if (const auto* scan = event.sample.as<KeyScanSample>(); scan != nullptr && scan->scan)
             m_book.scanAt(scan->id, scan->scanInMap);
-        if (const auto* moved = std::get_if<ScanPosesSample>(&event.sample)) {
+        if (const auto* moved = event.sample.as<ScanPosesSample>()) {
             for (const ScanPose& pose : moved->poses) m_book.scanAt(pose.scan, pose.scanInMap);
         }
         return correct(m_scans.onEvent(event));
     }
     const auto finder = m_finders.find(event.robot);
     if (finder == m_finders.end()) return;
-    if (!search && std::holds_alternative<PictureSample>(event.sample)) return;
-    if (!search && std::holds_alternative<SightingSample>(event.sample)) {
+    if (!search && event.sample.is<PictureSample>()) return;
+    if (!search && event.sample.is<SightingSample>()) {
         m_notReceived.insert_or_assign(event.robot, event);  // a robot sends them once
         return;
     }

@@ -12,6 +12,7 @@
 #include "app/services/victims/cue_finder.h"
 #include "core/event/candidate_sample.h"
 #include "core/event/event.h"
+#include "core/event/scan_pose.h"
 #include "core/mission/finds/candidate_book.h"
 #include "core/robot/robot_description.h"
 

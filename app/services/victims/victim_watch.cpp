@@ -3,9 +3,15 @@
 #include <chrono>
 #include <ctime>
 #include <utility>
-#include <variant>
 
 #include "app/services/log/sequencer.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand {
 namespace {
@@ -21,26 +27,19 @@ std::chrono::nanoseconds threadTime() {
 }
 
 bool isPicture(const Event& event) {
-    return std::holds_alternative<PictureSample>(event.sample);
+    return event.sample.is<PictureSample>();
 }
 
 /// Whether a search uses @p event at all.
 bool isWanted(const Event& event) {
-    return isPicture(event) || std::holds_alternative<OdometrySample>(event.sample) ||
-           std::holds_alternative<ImuSample>(event.sample) ||
-           std::holds_alternative<TransformsSample>(event.sample) ||
-           std::holds_alternative<CloudSample>(event.sample) ||
-           std::holds_alternative<RangesSample>(event.sample) ||
-           std::holds_alternative<CameraInfoSample>(event.sample) ||
-           std::holds_alternative<GasSample>(event.sample) ||
-           std::holds_alternative<SightingSample>(event.sample) ||
-           std::holds_alternative<KeyScanSample>(event.sample) ||
-           std::holds_alternative<ScanPosesSample>(event.sample) ||
-           std::holds_alternative<RobotPlaceSample>(event.sample) ||
-           std::holds_alternative<CandidateSample>(event.sample) ||
-           std::holds_alternative<FindSample>(event.sample) ||
-           std::holds_alternative<MissionInfoSample>(event.sample) ||
-           std::holds_alternative<UndoSample>(event.sample);
+    return isPicture(event) || event.sample.is<OdometrySample>() || event.sample.is<ImuSample>() ||
+           event.sample.is<TransformsSample>() || event.sample.is<CloudSample>() ||
+           event.sample.is<RangesSample>() || event.sample.is<CameraInfoSample>() ||
+           event.sample.is<GasSample>() || event.sample.is<SightingSample>() ||
+           event.sample.is<KeyScanSample>() || event.sample.is<ScanPosesSample>() ||
+           event.sample.is<RobotPlaceSample>() || event.sample.is<CandidateSample>() ||
+           event.sample.is<FindSample>() || event.sample.is<MissionInfoSample>() ||
+           event.sample.is<UndoSample>();
 }
 
 }  // namespace
@@ -144,7 +143,7 @@ void VictimWatch::run(const std::stop_token& stop) {
         const bool may = !m_setup.maySearch || m_setup.maySearch();
         for (const Event& event : taken) {
             if (stop.stop_requested()) return;
-            if (std::holds_alternative<UndoSample>(event.sample)) {
+            if (event.sample.is<UndoSample>()) {
                 if (m_setup.poses) m_search.follow(m_setup.poses());
                 restoreFinds();
                 continue;

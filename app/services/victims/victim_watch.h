@@ -14,6 +14,7 @@
 #include "app/services/log/event_sink.h"
 #include "app/services/victims/victim_search.h"
 #include "core/event/event.h"
+#include "core/event/scan_pose.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {

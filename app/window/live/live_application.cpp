@@ -37,6 +37,7 @@
 #include "app/window/shell/terminal.h"
 #include "app/window/shell/work_in_front.h"
 #include "app/window/source/live_bridge.h"
+#include "core/event/status_samples.h"
 #include "core/mission/state/mission_state.h"
 #include "core/version/version.h"
 #include "widgets/map_view/map_view.h"

@@ -26,6 +26,7 @@
 #include "app/window/panes/view_context.h"
 #include "app/window/robots/robots_feature.h"
 #include "app/window/source/live_bridge.h"
+#include "core/mission/state/session_state.h"
 #include "widgets/models/others_text.h"
 #include "widgets/painting/plain_texts.h"
 #include "widgets/painting/theme.h"

@@ -35,6 +35,8 @@
 #include "app/window/panes/score/hand_in_feature.h"
 #include "app/window/panes/score/report_feature.h"
 #include "app/window/source/review_bridge.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/session_state.h"
 #include "widgets/drive/drive_strip.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/messages/messages_panel.h"

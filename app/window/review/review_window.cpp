@@ -5,7 +5,6 @@
 #include <memory>
 #include <system_error>
 #include <utility>
-#include <variant>
 
 #include <QAction>
 #include <QApplication>
@@ -33,6 +32,8 @@
 #include "app/window/robots/robots_feature.h"
 #include "app/window/source/review_bridge.h"
 #include "app/window/source/review_comparison.h"
+#include "core/event/picture_samples.h"
+#include "core/mission/state/scan_state.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/painting/elided_label.h"
 #include "widgets/painting/plain_texts.h"
@@ -212,7 +213,7 @@ QString ReviewWindow::missing() const {
     if (map && !m_features.map->missing().isEmpty())
         return m_features.map->missing().join(QStringLiteral(", "));
     for (const Event& event : m_bridge.reviewed()->pictures) {
-        if (std::holds_alternative<PictureSample>(event.sample)) {
+        if (event.sample.is<PictureSample>()) {
             // Cameras that sent pictures by then show them.
             const QStringList cameras = m_features.cameras->missing();
             if (cameras.size() == 2) return cameras.join(QStringLiteral(", "));

@@ -12,6 +12,7 @@
 #include "app/window/source/review_bridge.h"
 #include "app/window/source/review_comparison.h"
 #include "core/mission/state/mission_state.h"
+#include "core/mission/state/scan_state.h"
 #include "widgets/map_decisions/map_question.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/numbers.h"

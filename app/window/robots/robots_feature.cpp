@@ -11,6 +11,7 @@
 #include "app/window/input/selection.h"
 #include "app/window/input/stop_key.h"
 #include "app/window/source/moment_source.h"
+#include "core/event/status_samples.h"
 #include "widgets/drive/stop_button.h"
 #include "widgets/models/live/robots/robot_chip.h"
 #include "widgets/models/live/texts/mode_label.h"

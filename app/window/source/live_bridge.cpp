@@ -6,6 +6,7 @@
 #include "app/services/log/sequencer.h"
 #include "app/services/mapping/live_mapping.h"
 #include "app/services/station/station_mapping.h"
+#include "core/event/status_samples.h"
 
 namespace leitstand {
 namespace {

@@ -12,6 +12,7 @@
 #include "app/services/review/reviewed_robot.h"
 #include "app/window/source/review_comparison.h"
 #include "app/window/source/review_report.h"
+#include "core/event/stream_role.h"
 #include "core/version/version.h"
 
 namespace leitstand {

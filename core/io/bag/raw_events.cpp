@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/event/raw_event.h"
+
 namespace leitstand {
 
 void forEachRaw(BagReader& bag, const BagQuery& query, const std::function<bool(RawEvent&)>& take,

@@ -1,5 +1,6 @@
 #include "core/io/robot/robot_names.h"
 
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 
 namespace leitstand::detail {

@@ -5,6 +5,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/base/rotation/euler_angles.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/robot_names.h"
 #include "core/robot/default_body.h"

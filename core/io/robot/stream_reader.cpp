@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/words.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_keys.h"
 #include "core/io/robot/robot_names.h"
 #include "core/robot/streams/stream_defaults.h"

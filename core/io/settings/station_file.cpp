@@ -17,6 +17,8 @@
 #include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
+#include "core/event/station_samples.h"
+
 namespace leitstand {
 namespace {
 

@@ -8,7 +8,7 @@
 
 #include "core/base/time.h"
 #include "core/cloud/search/search.h"
-#include "core/mapping/mapper.h"
+#include "core/mapping/offline_mapper.h"
 #include "core/mapping/scan_preparation.h"
 
 namespace leitstand {
@@ -81,7 +81,7 @@ std::vector<ScanPtr> withWholeOdometry(const std::vector<ComparedScan*>& scans) 
 /// Registers the scans of one robot. Returns false when cancelled.
 bool registerScans(std::vector<ComparedScan*>& scans, const RegistrationSettings& settings,
                    const Progress& progress, std::size_t done, std::size_t all) {
-    Mapper mapper(settings);
+    OfflineMapper mapper(settings);
     for (const ScanPtr& scan : withWholeOdometry(scans)) {
         const Progress step{[&](double fraction) {
                                 progress.done(RegisteringShare * (static_cast<double>(done) + fraction) /

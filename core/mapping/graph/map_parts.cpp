@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/event/map_samples.h"
+#include "core/event/scan_links.h"
 
 namespace leitstand {
 namespace {

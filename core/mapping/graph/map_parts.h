@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "core/base/pose.h"
-#include "core/event/scan_links.h"
 
 namespace leitstand {
+
+struct Link;
 
 /// Finds which key scans of a map are connected by links. Scans that no active link leads to are a part of
 /// their own. Its pose relative to the others is unknown.

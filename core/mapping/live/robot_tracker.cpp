@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/event/motion_samples.h"
 #include "core/mapping/placement/placement_format.h"
 
 namespace leitstand {

@@ -11,12 +11,14 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/event/motion_samples.h"
 #include "core/mapping/live/map/moved_places.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mapping/motion/motion_buffer.h"
 
 namespace leitstand {
+
+struct ImuSample;
+struct OdometrySample;
 
 /// Where a robot was in the map, by its scans.
 struct MapFix {

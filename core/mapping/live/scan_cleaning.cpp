@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "core/event/scan_bodies.h"
+
 namespace leitstand {
 namespace {
 

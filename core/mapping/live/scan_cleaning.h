@@ -9,7 +9,7 @@
 
 #include "core/base/pose.h"
 #include "core/cloud/scan.h"
-#include "core/event/map_samples.h"
+#include "core/event/scan_bodies.h"
 
 namespace leitstand {
 

@@ -16,6 +16,7 @@
 #include "core/cloud/filters/voxel_grid.h"
 #include "core/cloud/labels.h"
 #include "core/cloud/shades.h"
+#include "core/event/scan_pose.h"
 
 namespace leitstand {
 

@@ -7,7 +7,6 @@
 
 #include "core/base/pose.h"
 #include "core/cloud/scan.h"
-#include "core/event/map_samples.h"
 #include "core/mapping/live/live_settings.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/map/live_scan.h"

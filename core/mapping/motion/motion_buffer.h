@@ -7,11 +7,13 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/event/motion_samples.h"
 #include "core/mapping/motion/level_filter.h"
 #include "core/mapping/motion/turn_gyro.h"
 
 namespace leitstand {
+
+struct ImuSample;
+struct OdometrySample;
 
 /// The source of a pose of MotionBuffer.
 enum class MotionSource : std::uint8_t {

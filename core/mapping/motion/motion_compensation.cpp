@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/event/cloud_sample.h"
+
 namespace leitstand {
 
 Time endOf(const CloudSample& cloud) {

@@ -5,9 +5,10 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/event/cloud_sample.h"
 
 namespace leitstand {
+
+struct CloudSample;
 
 /// Returns a sensor's pose in odom at a moment of its robot's clock; empty where it is unknown.
 using SensorTrack = std::function<std::optional<Pose>(Time)>;

@@ -6,6 +6,7 @@
 
 #include "core/base/rotation/heading.h"
 #include "core/base/time.h"
+#include "core/event/motion_samples.h"
 
 namespace leitstand {
 namespace {

@@ -9,12 +9,14 @@
 
 #include "core/base/time.h"
 #include "core/event/cloud_sample.h"
-#include "core/event/motion_samples.h"
 #include "core/mapping/live/map/live_scan.h"
 #include "core/mapping/motion/motion_buffer.h"
 #include "core/mapping/motion/turn_assembler.h"
 
 namespace leitstand {
+
+struct ImuSample;
+struct OdometrySample;
 
 /// Settings of ScanCutter: when a scan is cut, and how long a slice waits.
 struct ScanCutterSettings {

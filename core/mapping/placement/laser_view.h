@@ -7,12 +7,13 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/event/cloud_sample.h"
 #include "core/mapping/live/map/live_scan.h"
 #include "core/mapping/live/scan_cleaning.h"
 #include "core/mapping/motion/motion_buffer.h"
 
 namespace leitstand {
+
+struct RangesSample;
 
 /// The surroundings of a robot as its laser sees them from one place; its motion and its tilt are taken out.
 struct LaserView {

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "core/event/scan_pose.h"
 #include "core/mapping/live/loops/found_links.h"
 
 namespace leitstand {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/event/scan_pose.h"
 #include "core/mapping/graph/graph_solver.h"
 #include "core/mapping/graph/scan_graph.h"
 #include "core/mapping/live/loops/found_links.h"

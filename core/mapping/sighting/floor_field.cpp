@@ -4,15 +4,17 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/unknown.h"
+
 namespace leitstand {
 namespace {
 
 constexpr double Low = 0.2;     ///< share of a cell's points that may lie below its floor, as noise
 constexpr float Steep = 0.15F;  ///< largest rise of a floor from a cell to the next [m]
-constexpr float Unknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float NoHeight = std::numeric_limits<float>::quiet_NaN();
 
 float lowOf(std::vector<float>& heights) {
-    if (heights.empty()) return Unknown;
+    if (heights.empty()) return NoHeight;
     const auto place =
         heights.begin() + static_cast<std::ptrdiff_t>(Low * static_cast<double>(heights.size()));
     std::nth_element(heights.begin(), place, heights.end());
@@ -42,7 +44,7 @@ FloorField::FloorField(const SquareGrid& grid, std::span<const Eigen::Vector3f> 
     std::vector<float> own;
     for (auto& of : heights) own.push_back(lowOf(of));
     for (std::size_t i = 0; i < own.size(); ++i) {
-        float about = Unknown;
+        float about = NoHeight;
         grid.about(i, [&](std::size_t other) { about = std::fmin(about, own[other]); });
         // A cell that stands so high over all its neighbours is no floor.
         m_heights.push_back(own[i] < about + Steep ? own[i] : about);

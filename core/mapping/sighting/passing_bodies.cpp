@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/event/scan_bodies.h"
 #include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/scan_cleaning.h"
 #include "core/mapping/sighting/floor_field.h"

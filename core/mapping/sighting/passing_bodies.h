@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "core/event/map_samples.h"
+#include "core/event/scan_bodies.h"
 #include "core/mapping/live/loops/free_spaces.h"
 #include "core/mapping/live/map/live_map.h"
 

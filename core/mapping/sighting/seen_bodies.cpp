@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/event/status_samples.h"
 #include "core/mapping/sighting/floor_field.h"
 #include "core/mapping/sighting/grouped.h"
 
@@ -56,9 +57,9 @@ std::vector<std::vector<std::size_t>> things(const std::vector<Low>& points, con
 }
 
 /// Finds bodies in one scan.
-class Sighting {
+class BodySearch {
 public:
-    Sighting(const Pose& scanInMap, const RobotBody& body, const SightingSettings& settings)
+    BodySearch(const Pose& scanInMap, const RobotBody& body, const SightingSettings& settings)
         : m_scanner(scanInMap.translation().head<2>()), m_body(body), m_settings(settings) {
         const Box box = boxOf(body.footprint.size(), [&](std::size_t i) { return body.footprint[i]; });
         m_longer = box.longer;
@@ -83,8 +84,8 @@ private:
     double m_longer = 0.0, m_shorter = 0.0;  ///< of the footprint [m]
 };
 
-std::vector<Low> Sighting::low(const std::vector<Eigen::Vector3f>& points, const LocalMap& earlier,
-                               std::span<const Disc> others) const {
+std::vector<Low> BodySearch::low(const std::vector<Eigen::Vector3f>& points, const LocalMap& earlier,
+                                 std::span<const Disc> others) const {
     const double reach = m_settings.farthest;
     const FloorField floor(SquareGrid(m_scanner, reach, FloorCell), points);
     const SquareGrid grid(m_scanner, reach, Cell);
@@ -119,7 +120,7 @@ std::vector<Low> Sighting::low(const std::vector<Eigen::Vector3f>& points, const
     return found;
 }
 
-void Sighting::find(const std::vector<Low>& points, std::vector<SeenBody>& found) const {
+void BodySearch::find(const std::vector<Low>& points, std::vector<SeenBody>& found) const {
     for (const std::vector<std::size_t>& thing : things(points, m_scanner)) {
         const Box box = boxOf(thing.size(), [&](std::size_t i) { return points[thing[i]].place; });
         SeenBody body;
@@ -161,12 +162,12 @@ std::vector<SeenBody> seenBodies(const Scan& scan, const Pose& scanInMap, const 
     for (const Eigen::Vector3f& point : scan.points) {
         if (point.allFinite()) points.push_back(motion * point);
     }
-    const Sighting sighting(scanInMap, body, settings);
-    std::vector<Low> low = sighting.low(points, earlier, others);
-    sighting.find(low, found);
+    const BodySearch search(scanInMap, body, settings);
+    std::vector<Low> low = search.low(points, earlier, others);
+    search.find(low, found);
     // Beside something low, a body stands out by what is new to the map.
     std::erase_if(low, [](const Low& point) { return !point.fresh; });
-    sighting.find(low, found);
+    search.find(low, found);
     std::stable_sort(found.begin(), found.end(), [](const SeenBody& a, const SeenBody& b) {
         return a.fresh != b.fresh ? a.fresh : a.points.size() > b.points.size();
     });

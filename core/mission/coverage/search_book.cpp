@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/cloud/filters/voxel_grid.h"
+#include "core/event/scan_pose.h"
 
 namespace leitstand {
 namespace {

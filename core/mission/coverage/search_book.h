@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
 #include "core/mapping/report_scan.h"
 #include "core/mission/coverage/coverage_map.h"
 #include "core/mission/coverage/scan_views.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/event/picture_samples.h"
 #include "core/perception/omni/mei_camera.h"
 #include "core/perception/pictures/pixel_ray.h"
 

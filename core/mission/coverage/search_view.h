@@ -7,10 +7,11 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/event/picture_samples.h"
 #include "core/mission/coverage/coverage_settings.h"
 
 namespace leitstand {
+
+struct CameraInfoSample;
 
 /// A kind of sensor that searches a place.
 enum class SearchSensor : std::uint8_t { Scanner, Camera, Infrared };

@@ -11,6 +11,7 @@
 #include "core/mission/finds/candidate.h"
 #include "core/mission/finds/dismissal.h"
 #include "core/mission/finds/ruled_out.h"
+#include "core/mission/state/mission_state.h"
 
 namespace leitstand {
 namespace {

@@ -8,11 +8,12 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/event/candidate_sample.h"
 #include "core/mission/finds/placed_cue.h"
 #include "core/mission/finds/victim_tags.h"
 
 namespace leitstand {
+
+struct CandidateSample;
 
 /// Thresholds for when cues belong to one thing and when a thing is published.
 struct CandidateSettings {

@@ -1,5 +1,8 @@
 #include "core/mission/finds/dismissal.h"
 
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/mission_state.h"
+
 namespace leitstand {
 
 bool isDismissal(const CandidateSample& sample, const CandidateSettings& settings) {

@@ -6,9 +6,10 @@
 #include "core/base/time.h"
 #include "core/event/candidate_sample.h"
 #include "core/mission/finds/candidate_book.h"
-#include "core/mission/state/mission_state.h"
 
 namespace leitstand {
+
+struct MissionState;
 
 /// Whether a person dismisses the candidate in @p sample. A book also takes back what it doubts or what
 /// became part of another candidate. That is no dismissal: it may come again.

@@ -4,7 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/scan_pose.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
+#include "core/event/status_samples.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
 
 namespace leitstand {
 namespace {

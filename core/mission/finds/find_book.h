@@ -8,6 +8,8 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
 #include "core/mission/state/mission_state.h"
 
 namespace leitstand {

@@ -4,7 +4,12 @@
 #include <optional>
 #include <variant>
 
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/station_samples.h"
+#include "core/mission/state/decision.h"
 #include "core/mission/state/decisions.h"
+#include "core/mission/state/find_state.h"
 
 namespace leitstand {
 namespace {

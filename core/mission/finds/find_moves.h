@@ -8,9 +8,13 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
+#include "core/event/find_sample.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/mission_state.h"
 
 namespace leitstand {
+
+struct Decision;
 
 /// A find that moved with the scan it hangs on.
 struct FindMove {

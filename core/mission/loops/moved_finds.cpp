@@ -1,5 +1,8 @@
 #include "core/mission/loops/moved_finds.h"
 
+#include "core/event/find_sample.h"
+#include "core/mission/state/find_state.h"
+
 namespace leitstand {
 
 std::vector<FindKey> findsMovedBy(const MissionState& state, const std::map<std::uint64_t, Pose>& scansInMap,

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <variant>
 
+#include "core/mission/state/decision.h"
+#include "core/mission/state/mission_state.h"
+#include "core/mission/state/scan_state.h"
+
 namespace leitstand {
 namespace {
 

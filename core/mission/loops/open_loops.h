@@ -8,9 +8,10 @@
 
 #include "core/base/time.h"
 #include "core/event/scan_links.h"
-#include "core/mission/state/mission_state.h"
 
 namespace leitstand {
+
+struct MissionState;
 
 /// A place where the map may meet itself; the operator decides whether it does.
 struct OpenLoop {

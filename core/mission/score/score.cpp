@@ -4,7 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
+#include "core/event/station_samples.h"
 #include "core/mission/finds/find_book.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
+#include "core/mission/state/session_state.h"
 
 namespace leitstand {
 namespace {

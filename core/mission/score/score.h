@@ -13,6 +13,8 @@
 
 namespace leitstand {
 
+struct FindSample;
+
 /// How far a robot found something by itself. The rules of 2019 count what the station computes as half.
 enum class Autonomy : std::uint8_t {
     Teleoperated,

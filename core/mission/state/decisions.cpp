@@ -9,6 +9,16 @@
 
 #include <fmt/format.h>
 
+#include "core/event/all_samples.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_pose.h"
+#include "core/event/station_samples.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
 #include "core/mission/state/scans_in_parts.h"
 
 namespace leitstand {
@@ -62,7 +72,8 @@ private:
     }
 
     void effect(const Decision& decision, const MapCropSample& crop) {
-        m_state.crop = CropState{decision.sequence, decision.received, crop, {}};
+        m_state.crop =
+            std::make_shared<const CropState>(CropState{decision.sequence, decision.received, crop, {}});
     }
 
     void effect(const Decision& decision, const ScanLinksSample& sample) {
@@ -131,9 +142,11 @@ AreaCorner hung(const Eigen::Vector2d& at, const std::map<std::uint64_t, KeyScan
 void hangArea(MissionState& state, const std::map<std::uint64_t, KeyScanState>& scans) {
     std::vector<ScanInPart> parts = scansInParts(scans);
     findParts(parts, MapParts({}));
-    state.crop->corners.clear();
-    for (const Eigen::Vector2d& corner : state.crop->sample.polygon)
-        state.crop->corners.push_back(hung(corner, scans, parts));
+    CropState crop = *state.crop;
+    crop.corners.clear();
+    for (const Eigen::Vector2d& corner : crop.sample.polygon)
+        crop.corners.push_back(hung(corner, scans, parts));
+    state.crop = std::make_shared<const CropState>(std::move(crop));
 }
 
 /// Does the same for decisions that were read together: what was undone later still stood then.

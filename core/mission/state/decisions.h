@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mission/state/decision.h"
 #include "core/mission/state/mission_state.h"
 
 namespace leitstand {

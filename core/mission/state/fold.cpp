@@ -8,7 +8,22 @@
 #include <fmt/format.h>
 
 #include "core/base/time.h"
+#include "core/event/all_samples.h"
+#include "core/event/candidate_sample.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/command_samples.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_links.h"
+#include "core/event/status_samples.h"
+#include "core/mission/state/decision.h"
 #include "core/mission/state/decisions.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
+#include "core/mission/state/session_state.h"
 
 namespace leitstand {
 
@@ -43,15 +58,15 @@ public:
 
     void take() {
         countStream();
-        std::visit([this](const auto& sample) { handle(sample); }, m_event.sample);
+        visit([this](const auto& sample) { handle(sample); }, m_event.sample);
     }
 
 private:
     RobotState& robot() { return m_state.robots[m_event.robot].edit(); }
 
     template <class T>
-    Latest<T> latest(const T& sample) const {
-        return {m_event.sequence, m_event.received, sample};
+    LatestPtr<T> latest(T sample) const {
+        return latestPtr(Latest<T>{m_event.sequence, m_event.received, std::move(sample)});
     }
 
     void countStream() {
@@ -62,12 +77,12 @@ private:
         ++stream.events;
         stream.sequence = m_event.sequence;
         stream.received = m_event.received;
-        stream.stamp = std::visit([](const auto& sample) { return stampOf(sample); }, m_event.sample);
+        stream.stamp = visit([](const auto& sample) { return stampOf(sample); }, m_event.sample);
     }
 
     /// Puts @p sample into a robot's state; ignores samples without a robot.
     template <class T>
-    void keep(std::optional<Latest<T>> RobotState::*place, const T& sample) {
+    void keep(LatestPtr<T> RobotState::*place, const T& sample) {
         if (!m_event.robot.empty()) robot().*place = latest(sample);
     }
 
@@ -148,10 +163,10 @@ private:
     void handle(const DiagnosticsSample& sample) {
         if (m_event.robot.empty() || sample.statuses.empty()) return;  // a message about other robots
         auto& kept = robot().diagnostics;
-        DiagnosticsSample merged = kept ? std::move(kept->sample) : DiagnosticsSample{};
+        DiagnosticsSample merged = kept ? kept->sample : DiagnosticsSample{};
         merged.header = sample.header;
         for (const DiagnosticStatus& status : sample.statuses) mergeStatus(merged.statuses, status);
-        kept = latest(merged);
+        kept = latest(std::move(merged));
     }
     void handle(const StopStateSample& sample) { keep(&RobotState::stop, sample); }
     void handle(const StopCommandSample& sample) { keep(&RobotState::stopCommand, sample); }

@@ -7,7 +7,8 @@
 
 #include "core/base/time.h"
 #include "core/event/event.h"
-#include "core/mission/state/checkpoint.h"
+#include "core/event/station_samples.h"
+#include "core/mission/state/checkpoint/checkpoint.h"
 #include "core/mission/state/mission_state.h"
 
 namespace leitstand {

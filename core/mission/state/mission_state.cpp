@@ -2,7 +2,20 @@
 
 #include <algorithm>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_links.h"
+#include "core/event/station_samples.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
+#include "core/mission/state/session_state.h"
+
 namespace leitstand {
+
+MissionState::MissionState() = default;
 
 namespace {
 

@@ -2,20 +2,31 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/event/command_samples.h"
-#include "core/event/map_samples.h"
-#include "core/event/motion_samples.h"
-#include "core/event/station_samples.h"
-#include "core/event/status_samples.h"
-#include "core/robot/robot_description.h"
+#include "core/base/unknown.h"
 
 namespace leitstand {
+
+struct BatterySample;
+struct BumpSample;
+struct ClockOffsetSample;
+struct DiagnosticsSample;
+struct GasSample;
+struct ImuSample;
+struct ModeSample;
+struct OdometrySample;
+struct RobotPlaceSample;
+struct SightingSample;
+struct StopCommandSample;
+struct StopStateSample;
+enum class StreamRole : std::uint8_t;
 
 /// Number of events on a topic, and the newest of them.
 struct StreamState {
@@ -34,6 +45,13 @@ struct Latest {
     Time received{};  ///< station's clock
     T sample;
 };
+/// Null: none came. Who reads the sample includes its header.
+template <class T>
+using LatestPtr = std::shared_ptr<const Latest<T>>;
+template <class T>
+[[nodiscard]] LatestPtr<T> latestPtr(Latest<T> latest) {
+    return std::make_shared<const Latest<T>>(std::move(latest));
+}
 
 /// A hit that a robot's bumpers counted.
 struct Contact {
@@ -54,22 +72,21 @@ struct BatteryLoad {
 
 /// Newest samples of a robot. Scans and pictures are not kept: StreamState holds where the newest is.
 struct RobotState {
-    std::optional<Latest<OdometrySample>> odometry;  ///< without its covariances
-    std::optional<Latest<ImuSample>> imu;            ///< without its covariances
-    std::optional<Latest<ModeSample>> mode;
-    std::optional<Latest<BatterySample>> battery;
+    LatestPtr<OdometrySample> odometry;  ///< without its covariances
+    LatestPtr<ImuSample> imu;            ///< without its covariances
+    LatestPtr<ModeSample> mode;
+    LatestPtr<BatterySample> battery;
     BatteryLoad load;  ///< of that battery
-    std::optional<Latest<GasSample>> gas;
-    std::optional<Latest<BumpSample>> bumps;
+    LatestPtr<GasSample> gas;
+    LatestPtr<BumpSample> bumps;
     std::vector<Contact> contacts;  ///< all hits of the mission, oldest first; at most MostContacts
-    std::optional<Latest<SightingSample>> sightings;
-    std::optional<Latest<DiagnosticsSample>>
-        diagnostics;  ///< newest of every part, by name; newest part last
-    std::optional<Latest<StopStateSample>> stop;
-    std::optional<Latest<StopCommandSample>> stopCommand;  ///< newest that a station sent to it
-    std::optional<Latest<ClockOffsetSample>> clockOffset;
-    std::optional<Latest<RobotPlaceSample>> place;  ///< of robots placed in the map of another robot
-    std::map<std::string, StreamState> streams;     ///< by topic
+    LatestPtr<SightingSample> sightings;
+    LatestPtr<DiagnosticsSample> diagnostics;  ///< newest of every part, by name; newest part last
+    LatestPtr<StopStateSample> stop;
+    LatestPtr<StopCommandSample> stopCommand;  ///< newest that a station sent to it
+    LatestPtr<ClockOffsetSample> clockOffset;
+    LatestPtr<RobotPlaceSample> place;           ///< of robots placed in the map of another robot
+    std::map<std::string, StreamState> streams;  ///< by topic
 
     static constexpr std::size_t MostContacts = 10'000;
 };

@@ -6,6 +6,7 @@
 
 #include "core/mapping/graph/map_parts.h"
 #include "core/mission/state/mission_state.h"
+#include "core/mission/state/scan_state.h"
 
 namespace leitstand {
 

@@ -3,6 +3,12 @@
 #include <algorithm>
 #include <variant>
 
+#include "core/event/map_samples.h"
+#include "core/event/scan_links.h"
+#include "core/event/scan_pose.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/scan_state.h"
+
 namespace leitstand {
 namespace {
 

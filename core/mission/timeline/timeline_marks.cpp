@@ -1,13 +1,15 @@
 #include "core/mission/timeline/timeline_marks.h"
 
 #include <algorithm>
-#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/event/map_samples.h"
+#include "core/event/status_samples.h"
 #include "core/mission/finds/dismissal.h"
 #include "core/mission/finds/find_book.h"
+#include "core/mission/state/decision.h"
 #include "core/mission/state/fold.h"
 
 namespace leitstand {
@@ -108,10 +110,8 @@ void TimelineCollector::addCandidate(const Event& event, const CandidateSample& 
 }
 
 void TimelineCollector::addMoves(const Event& event) {
-    const bool matters = std::holds_alternative<FindSample>(event.sample) ||
-                         std::holds_alternative<KeyScanSample>(event.sample) ||
-                         std::holds_alternative<ScanPosesSample>(event.sample) ||
-                         std::holds_alternative<UndoSample>(event.sample);
+    const bool matters = event.sample.is<FindSample>() || event.sample.is<KeyScanSample>() ||
+                         event.sample.is<ScanPosesSample>() || event.sample.is<UndoSample>();
     if (!matters) return;
     m_mission = fold(std::move(m_mission), event);
     for (const FindMove& move : m_moves.follow(m_mission)) {
@@ -126,7 +126,7 @@ void TimelineCollector::addMoves(const Event& event) {
 void TimelineCollector::add(const Event& event) {
     using Kind = TimelineMark::Kind;
     addMoves(event);
-    if (const auto* victim = std::get_if<FindSample>(&event.sample)) {
+    if (const auto* victim = event.sample.as<FindSample>()) {
         const std::string name = nameOf(victim->kind, victim->number);
         const auto [known, fresh] = m_victims.try_emplace(name, victim->status);
         // Typing into a form is no moment to jump to; filing, confirming and discarding are.
@@ -134,39 +134,39 @@ void TimelineCollector::add(const Event& event) {
         known->second = victim->status;
         put(event,
             {.kind = Kind::Victim, .robot = victim->robot, .key = wordOf(victim->status), .name = name});
-    } else if (const auto* candidate = std::get_if<CandidateSample>(&event.sample)) {
+    } else if (const auto* candidate = event.sample.as<CandidateSample>()) {
         addCandidate(event, *candidate);
-    } else if (const auto* alarm = std::get_if<AlarmSample>(&event.sample)) {
+    } else if (const auto* alarm = event.sample.as<AlarmSample>()) {
         if (alarm->state != AlarmSample::State::Raised) return;
         put(event, {.kind = Kind::Alarm,
                     .robot = alarm->robot,
                     .key = alarm->key,
                     .text = alarm->text,
                     .act = alarm->severity == AlarmSample::Severity::Critical});
-    } else if (const auto* note = std::get_if<NoteSample>(&event.sample)) {
+    } else if (const auto* note = event.sample.as<NoteSample>()) {
         // A note written in a review refers to an earlier moment.
         const bool earlier = note->stamp != Time{} && note->stamp < event.received;
         put(event, {.kind = Kind::Note,
                     .at = earlier ? note->stamp : event.received,
                     .robot = note->robot,
                     .text = note->text});
-    } else if (const auto* poses = std::get_if<ScanPosesSample>(&event.sample)) {
+    } else if (const auto* poses = event.sample.as<ScanPosesSample>()) {
         if (poses->cause == ScanPosesSample::Cause::Operator)
             put(event, {.kind = Kind::Decision, .key = "poses"});
-    } else if (const auto* undo = std::get_if<UndoSample>(&event.sample)) {
+    } else if (const auto* undo = event.sample.as<UndoSample>()) {
         const bool again = m_undos.contains(undo->event);
         if (!again) m_undos.insert(event.sequence);
         put(event, {.kind = Kind::Decision, .key = again ? "redo" : "undo", .text = undo->text});
-    } else if (const auto* session = std::get_if<SessionSample>(&event.sample)) {
+    } else if (const auto* session = event.sample.as<SessionSample>()) {
         put(event, {.kind = Kind::Session, .key = session->start ? "start" : "end", .text = session->title});
-    } else if (const auto* mode = std::get_if<ModeSample>(&event.sample)) {
+    } else if (const auto* mode = event.sample.as<ModeSample>()) {
         std::string& before = m_modes[event.robot];
         if (before == mode->mode) return;
         before = mode->mode;
         put(event, {.kind = Kind::Mode, .robot = event.robot, .key = mode->mode, .text = mode->reason});
-    } else if (const auto* bumps = std::get_if<BumpSample>(&event.sample)) {
+    } else if (const auto* bumps = event.sample.as<BumpSample>()) {
         addBumps(event, *bumps);
-    } else if (const auto* sightings = std::get_if<SightingSample>(&event.sample)) {
+    } else if (const auto* sightings = event.sample.as<SightingSample>()) {
         addSightings(event, *sightings);
     }
 }

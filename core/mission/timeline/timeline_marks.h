@@ -10,11 +10,18 @@
 #include <Eigen/Core>
 
 #include "core/base/time.h"
-#include "core/event/event.h"
+#include "core/event/find_sample.h"
+#include "core/event/status_samples.h"
 #include "core/mission/finds/find_moves.h"
+#include "core/mission/state/decision.h"
 #include "core/mission/state/mission_state.h"
 
 namespace leitstand {
+
+struct BumpSample;
+struct CandidateSample;
+struct SightingSample;
+struct Event;
 
 /// A moment of a mission that a reviewer may jump to.
 struct TimelineMark {

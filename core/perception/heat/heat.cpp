@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/event/picture_samples.h"
+
 namespace leitstand {
 namespace {
 

@@ -6,10 +6,11 @@
 
 #include <Eigen/Core>
 
-#include "core/event/picture_samples.h"
 #include "core/perception/pictures/picture.h"
 
 namespace leitstand {
+
+struct CameraInfoSample;
 
 /// What body heat looks like to a thermal camera.
 struct HeatSettings {

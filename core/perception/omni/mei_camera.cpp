@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/event/picture_samples.h"
+
 namespace leitstand {
 namespace {
 

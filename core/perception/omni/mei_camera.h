@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "core/event/picture_samples.h"
-
 namespace leitstand {
+
+struct CameraInfoSample;
 
 /// A camera below a mirror, by the unified model (Mei & Rives, "Single View Point Omnidirectional Camera
 /// Calibration from Planar Grids", 2007, section II). A direction is projected onto the unit sphere, seen

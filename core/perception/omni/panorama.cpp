@@ -6,6 +6,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/event/picture_samples.h"
+
 namespace leitstand {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
+#include "core/event/picture_samples.h"
 #include "core/perception/omni/mei_camera.h"
 #include "core/perception/pictures/picture.h"
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/event/picture_samples.h"
+
 namespace leitstand {
 namespace {
 

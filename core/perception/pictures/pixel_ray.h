@@ -5,9 +5,10 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
-#include "core/event/picture_samples.h"
 
 namespace leitstand {
+
+struct CameraInfoSample;
 
 /// A half-line.
 struct Ray {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/event/cloud_sample.h"
+
 namespace leitstand {
 
 std::vector<Eigen::Vector3f> laserPoints(const RangesSample& turn, const Pose& sensorInBase,

@@ -4,10 +4,11 @@
 
 #include <Eigen/Core>
 
-#include "core/event/cloud_sample.h"
 #include "core/perception/surroundings/virtual_scan.h"
 
 namespace leitstand {
+
+struct RangesSample;
 
 /// Returns the end points of the rays of @p turn in odom [m], each from the robot's place at the time of the
 /// ray. Rays without an echo or without a known place of the robot are left out. @p sensorInBase: the laser.

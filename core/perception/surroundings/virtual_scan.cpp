@@ -8,6 +8,7 @@
 
 #include "core/base/rotation/heading.h"
 #include "core/base/time.h"
+#include "core/event/cloud_sample.h"
 
 namespace leitstand {
 namespace {

@@ -8,13 +8,15 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/event/cloud_sample.h"
 #include "core/perception/surroundings/near_obstacles.h"
 #include "core/perception/surroundings/own_body_mask.h"
 #include "core/perception/surroundings/scan_profile.h"
 #include "core/perception/surroundings/virtual_scan_view.h"
 
 namespace leitstand {
+
+struct CloudSample;
+struct RangesSample;
 
 /// Settings of a virtual scan.
 struct VirtualScanSettings {

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/event/all_samples.h"
+
 namespace leitstand {
 namespace {
 

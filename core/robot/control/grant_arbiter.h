@@ -10,6 +10,8 @@
 
 namespace leitstand {
 
+struct GrantSample;
+
 /// Decides whom a robot obeys, from the heartbeats that it receives (docs/design.md, "The wire"). Pure: no
 /// clock, no thread.
 ///

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/event/station_samples.h"
+
 namespace leitstand {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/event/station_samples.h"
+#include "core/event/grant_kind.h"
 
 namespace leitstand {
 
@@ -21,13 +21,13 @@ struct Sender {
 
 /// What can be granted: driving a robot, moving its cameras, registering the map (robot empty).
 struct GrantId {
-    GrantSample::Kind kind = GrantSample::Kind::Drive;
+    GrantKind kind = GrantKind::Drive;
     std::string robot;
     friend auto operator<=>(const GrantId&, const GrantId&) = default;
 };
 /// The grant to drive @p robot.
 [[nodiscard]] inline GrantId driveGrant(const std::string& robot) {
-    return {GrantSample::Kind::Drive, robot};
+    return {GrantKind::Drive, robot};
 }
 
 /// A grant that a station holds, with its term.

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "core/event/command_samples.h"
+#include "core/event/station_samples.h"
+
 namespace leitstand {
 
 RobotRules::RobotRules(const std::string& robot, const RobotRuleSettings& settings)

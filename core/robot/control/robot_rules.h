@@ -12,6 +12,9 @@
 
 namespace leitstand {
 
+struct GrantSample;
+struct StopCommandSample;
+
 /// Settings of how a robot treats commands.
 struct RobotRuleSettings {
     DriveLimits limits = {};

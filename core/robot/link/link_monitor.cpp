@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/base/time.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 
 namespace leitstand {

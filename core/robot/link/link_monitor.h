@@ -5,13 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "core/event/status_samples.h"
 #include "core/robot/clock/clock_offset.h"
 #include "core/robot/link/link_status.h"
 #include "core/robot/link/round_trips.h"
 #include "core/robot/link/stream_monitor.h"
 
 namespace leitstand {
+
+struct PongSample;
 
 /// Rules for when a link counts as degraded or lost. A value over a limit is reported at once, and cleared
 /// when it falls below `...Over`. The link is connected again after `recovery` seconds without a reason.
@@ -52,7 +53,7 @@ public:
 
 private:
     struct Stream {
-        StreamRole role = StreamRole::Points;
+        StreamRole role{};
         std::string sensor = {}, topic = {};
         bool steadyRole = true;  ///< comes at a rate; others on change
         bool shared = false;     ///< other robots use it too: no sign of this one's life

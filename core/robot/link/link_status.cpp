@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "core/base/phrases/coded_text.h"
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/link/link_reasons.h"
 #include "core/robot/streams/stream_table.h"
 

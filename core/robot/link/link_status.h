@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "core/base/time.h"
-#include "core/event/station_samples.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct ClockOffsetSample;
 
 /// State of the link to a robot.
 enum class LinkState : std::uint8_t {
@@ -35,10 +36,10 @@ struct LinkReason {
         NoAnswer,  ///< it is heard, but has answered no ping for this long [s]
     };
     Kind kind = Kind::Silent;
-    double value = 0.0;                         ///< meaning by kind
-    StreamRole role = StreamRole::Diagnostics;  ///< of Stale, Late, Loss
-    std::string sensor = {};                    ///< of that stream; may be empty
-    std::string topic = {};                     ///< of that stream
+    double value = 0.0;       ///< meaning by kind
+    StreamRole role{};        ///< of Stale, Late, Loss
+    std::string sensor = {};  ///< of that stream; may be empty
+    std::string topic = {};   ///< of that stream
 };
 /// Text for logs and tables (widgets translate by kind): "odometry 1.4 s old", "12 % of points lost",
 /// "round trip 380 ms", "no answer to pings for 3.1 s".
@@ -48,7 +49,7 @@ struct LinkReason {
 
 /// State of one stream of a robot.
 struct StreamStatus {
-    StreamRole role = StreamRole::Points;
+    StreamRole role{};
     std::string sensor;                                       ///< StreamDescription::sensor
     std::string topic;                                        ///< ROS name
     std::uint64_t samples = 0;                                ///< since the station began to listen

@@ -9,6 +9,7 @@
 
 #include "core/base/phrases/coded_text.h"
 #include "core/base/words.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 
 namespace leitstand {

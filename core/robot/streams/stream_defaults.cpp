@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 
 namespace leitstand {

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/base/words.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand {
 namespace {
@@ -58,6 +59,8 @@ constexpr StreamFacts Table[] = {
      .steady = true,
      .quick = true,
      .needed = true,
+     .several = true,
+     .obstacles = true,
      .stampRank = 4,
      .thinRank = ThinRank::Scans,
      .usualRate = 10.0,
@@ -72,6 +75,7 @@ constexpr StreamFacts Table[] = {
      .steady = true,
      .quick = true,
      .needed = true,
+     .obstacles = true,
      .stampRank = 3,
      .thinRank = ThinRank::Scans,
      .usualRate = 10.0,
@@ -88,6 +92,7 @@ constexpr StreamFacts Table[] = {
      .quick = true,
      .alwaysOn = true,
      .needed = true,
+     .indexed = true,
      .stampRank = 0,
      .usualRate = 30.0,
      .usualMegabits = 0.05,
@@ -141,6 +146,7 @@ constexpr StreamFacts Table[] = {
      .topic = "tf_static",
      .qos = qos(Reliable, Stays, 100),
      .shared = true,
+     .indexed = true,
      .inLog = "static transforms",
      .guessedBy = GuessedBy::Name},
     {.role = StreamRole::Picture,
@@ -191,6 +197,7 @@ constexpr StreamFacts Table[] = {
      .qos = Steady,
      .steady = true,
      .needed = true,
+     .indexed = true,
      .words = OfGas},
     {.role = StreamRole::Battery,
      .title = translatable("leitstand::LinkStatus", "battery"),
@@ -214,6 +221,7 @@ constexpr StreamFacts Table[] = {
      .topic = "mode",
      .qos = OnChange,
      .single = true,
+     .indexed = true,
      .guessedBy = GuessedBy::Name,
      .namesRobot = true},
     {.role = StreamRole::Bumps,
@@ -222,6 +230,7 @@ constexpr StreamFacts Table[] = {
      .topic = "bumps",
      .qos = OnChange,
      .single = true,
+     .indexed = true,
      .guessedBy = GuessedBy::Name},
     {.role = StreamRole::Sightings,
      .title = translatable("leitstand::LinkStatus", "sightings"),
@@ -229,6 +238,7 @@ constexpr StreamFacts Table[] = {
      .topic = "sightings",
      .qos = OnChange,
      .single = true,
+     .indexed = true,
      .guessedBy = GuessedBy::Name},
     {.role = StreamRole::StopState,
      .title = translatable("leitstand::LinkStatus", "STOP"),

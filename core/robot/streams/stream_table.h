@@ -4,10 +4,11 @@
 #include <span>
 #include <string_view>
 
-#include "core/event/stream_role.h"
 #include "core/robot/streams/qos.h"
 
 namespace leitstand {
+
+enum class StreamRole : std::uint8_t;
 
 /// What a thin link gives up, the last of these first (thinRequests()).
 enum class ThinRank : std::uint8_t { Kept, Telemetry, Scans, Pictures };
@@ -26,7 +27,7 @@ enum class GuessedBy : std::uint8_t {
 
 /// Properties of the streams of one role.
 struct StreamFacts {
-    StreamRole role = StreamRole::Points;
+    StreamRole role{};
     const char* title = nullptr;              ///< for operators, translated in StreamTitles; null: its name
     std::span<const std::string_view> types;  ///< ROS types that it may have, the usual one first
     std::string_view topic;                   ///< usual one, below the robot's name; absolute with a slash
@@ -39,6 +40,9 @@ struct StreamFacts {
     bool quick = false;     ///< ... several times a second
     bool alwaysOn = false;  ///< ... and no robot switches it off
     bool needed = false;    ///< must be received before a start, if the robot has it
+    bool several = false;   ///< a guessed robot may have more than one; of cameras, one for each
+    bool obstacles = false;  ///< shows what stands around the robot
+    bool indexed = false;    ///< a review reads all of it when it opens the mission
     /// The lower, the better its stamps: of the computer whose clock matters most, written at once.
     int stampRank = 6;
     ThinRank thinRank = ThinRank::Kept;

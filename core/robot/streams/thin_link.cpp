@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 
 namespace leitstand {

@@ -11,7 +11,7 @@ namespace leitstand {
 
 /// Cost of a stream without any wish.
 struct StreamCost {
-    StreamRole role = StreamRole::Points;
+    StreamRole role{};
     std::string topic;  ///< ROS name
     double rate = 0.0;  ///< [Hz]; 0: unknown
     /// [Mbit/s] of onTheWire(); negative: unknown, the usual cost of the role counts.

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "core/base/phrases/known_sentence.h"
+#include "core/base/result.h"
 #include "core/base/time.h"
+#include "core/event/status_samples.h"
 #include "core/robot/link/link_reasons.h"
 #include "core/station/robot_figures.h"
 

@@ -6,13 +6,14 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/mission/state/robot_state.h"
 #include "core/robot/clock/far_clock.h"
 #include "core/robot/robot_description.h"
 #include "core/station/alarms/alarm_book.h"
 #include "core/station/robot_view.h"
 
 namespace leitstand {
+
+struct RobotState;
 
 /// Limits from which the operator is notified.
 struct AlarmLimits {

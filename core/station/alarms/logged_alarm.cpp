@@ -8,6 +8,7 @@
 
 #include "core/base/phrases/coded_text.h"
 #include "core/base/pose.h"
+#include "core/event/station_samples.h"
 
 namespace leitstand {
 namespace {

@@ -3,10 +3,11 @@
 #include <string>
 #include <string_view>
 
-#include "core/event/station_samples.h"
 #include "core/station/alarms/alarm.h"
 
 namespace leitstand {
+
+struct AlarmSample;
 
 /// The keys of alarms that the log raises by itself; each is the detail of alarm_key::Log.
 namespace log_key {

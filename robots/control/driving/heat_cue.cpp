@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/rotation/heading.h"
+#include "core/event/picture_samples.h"
 #include "core/perception/heat/body_heat.h"
 
 namespace leitstand {

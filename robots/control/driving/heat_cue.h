@@ -9,6 +9,8 @@
 
 namespace leitstand {
 
+struct CameraInfoSample;
+
 /// A body's heat, seen from the robot.
 struct HeatCue {
     Time at{};

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/event/all_samples.h"
+
 namespace leitstand::simulation {
 namespace {
 

@@ -1,12 +1,13 @@
 #include "robots/simulation/process/frozen_pictures.h"
 
-#include <variant>
+#include "core/event/stream_role.h"
 
 namespace leitstand::simulation {
 
 void FrozenPictures::pass(HardwareSample& sample, bool frozen) {
-    auto* const picture = std::get_if<PictureSample>(&sample.sample);
-    if (picture == nullptr || sample.role != StreamRole::Picture) return;
+    if (sample.role != StreamRole::Picture) return;
+    auto* const picture = sample.sample.edit<PictureSample>();
+    if (picture == nullptr) return;
     const auto [last, first] = m_last.try_emplace(sample.sensor, *picture);
     if (first) return;
     if (!frozen) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/cloud/scan.h"
+#include "core/event/stream_role.h"
 #include "robots/simulation/sensors/sensor_place.h"
 
 namespace leitstand::simulation {

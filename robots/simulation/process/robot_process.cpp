@@ -8,13 +8,14 @@
 #include <system_error>
 #include <thread>
 #include <utility>
-#include <variant>
 
 #include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "core/base/printable.h"
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/link/screen_report.h"
@@ -126,7 +127,7 @@ void turn(const Life& life) {
     truth.take(world);
     world.advance(Pace::Step);
     for (const ReceivedCommand& command : wire.take()) {
-        if (const auto* grant = std::get_if<GrantSample>(&command.sample)) {
+        if (const auto* grant = command.sample.as<GrantSample>()) {
             agent.receive(*grant, command.from);
         } else {
             agent.receive(command.role, command.sample, command.from);
@@ -135,7 +136,7 @@ void turn(const Life& life) {
     for (HardwareSample& sample : agent.step()) {
         cameras.pass(sample, frozen != 0);
         wire.publish(sample);
-        if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) truth.publishLabels(world, *cloud);
+        if (const auto* cloud = sample.sample.as<CloudSample>()) truth.publishLabels(world, *cloud);
     }
     truth.publishTruth(world);
 }

@@ -8,9 +8,12 @@
 #include <map>
 #include <mutex>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "robots/simulation/process/point_labels.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
@@ -131,7 +134,7 @@ Result<void> TruthExchange::State::open(Node& node, const Arena& arena) {
 void TruthExchange::State::receive(const std::string& from, const StreamDescription& stream,
                                    const ReceivedSample& sample) {
     const auto decoded = decode(sample.event, stream);
-    const auto* pose = decoded ? std::get_if<OdometrySample>(&*decoded) : nullptr;
+    const auto* pose = decoded ? decoded->as<OdometrySample>() : nullptr;
     if (pose == nullptr || pose->header.frame != Frame) return;
     const std::string who = pose->childFrame.substr(0, pose->childFrame.find('/'));
     const std::lock_guard lock(mutex);

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "app/services/log/sequencer.h"
+#include "core/event/event.h"
+#include "core/event/stream_role.h"
 #include "tests/support/attack.h"
 #include "tests/support/resident_memory.h"
 #include "tests/transport/screen/packets.h"

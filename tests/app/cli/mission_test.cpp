@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
+#include "core/event/raw_event.h"
 #include "core/io/bag/bag_reader.h"
 #include "tests/app/recording.h"
 #include "tests/support/child_process.h"

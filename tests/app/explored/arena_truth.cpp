@@ -1,8 +1,9 @@
 #include "tests/app/explored/arena_truth.h"
 
 #include <utility>
-#include <variant>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/robot_description.h"
 #include "tests/app/robots/robot_process.h"
 #include "transport/convert/decode.h"
@@ -27,7 +28,7 @@ ArenaTruth::ArenaTruth(const TestDomain& domain, const std::string& arena,
             [this, &track, stream, child = robot + "/base_link"](const ReceivedSample& received) {
                 const auto sample = decode(received.event, stream);
                 if (!sample) return;
-                const auto* reported = std::get_if<OdometrySample>(&sample.value());
+                const auto* reported = sample.value().as<OdometrySample>();
                 if (reported == nullptr || reported->childFrame != child) return;
                 const std::scoped_lock lock(m_mutex);
                 if (track.newest)

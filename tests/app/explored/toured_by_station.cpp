@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/event/motion_samples.h"
 #include "core/mission/state/mission_state.h"
 #include "core/mission/state/robot_state.h"
 #include "tests/app/robots/robot_process.h"

@@ -19,6 +19,8 @@
 #include "app/services/station/safety/station_brakes.h"
 #include "app/services/station/safety/station_guards.h"
 #include "app/services/station/station.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/support/places.h"

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <variant>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/support/places.h"
 #include "tests/support/wait.h"
@@ -22,7 +23,7 @@ CommandWire::CommandWire(const TestDomain& domain) {
         const auto now = Clock::now();
         const auto command = decode(sample.event, stream);
         if (!command) return;
-        const auto* twist = std::get_if<TwistSample>(&*command);
+        const auto* twist = command->as<TwistSample>();
         if (twist == nullptr) return;
         const bool turning = std::abs(twist->angular.z()) > 1e-6;
         const std::lock_guard lock(m_mutex);

@@ -6,6 +6,7 @@
 
 #include "app/services/log/live_mission.h"
 #include "app/services/log/sequencer.h"
+#include "core/event/map_samples.h"
 #include "core/event/station_topics.h"
 
 namespace leitstand::test {

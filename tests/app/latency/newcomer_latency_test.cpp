@@ -15,6 +15,8 @@
 
 #include "app/window/live/live_application.h"
 #include "app/window/live/live_window.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/support/dds/robot_listener.h"
 #include "tests/support/places.h"

@@ -15,6 +15,7 @@
 
 #include "app/services/station/station.h"
 #include "app/services/station/station_streams.h"
+#include "core/event/status_samples.h"
 #include "core/io/robot/robot_file.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/support/places.h"

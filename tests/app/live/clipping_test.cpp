@@ -18,6 +18,8 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/frame/pane_docks.h"
 #include "app/window/layouts/layout_feature.h"
+#include "core/event/find_sample.h"
+#include "core/mission/state/find_state.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/live/eventful.h"
 #include "tests/app/live/live_page.h"

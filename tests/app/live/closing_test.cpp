@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/status_samples.h"
 #include "core/mission/state/mission_state.h"
 #include "core/mission/state/robot_state.h"
 #include "tests/app/live/live_page.h"

@@ -3,7 +3,8 @@
 #include "app/services/finds/find_desk.h"
 #include "app/services/station/safety/station_alarms.h"
 #include "app/services/station/station.h"
-#include "core/mission/state/mission_state.h"
+#include "core/event/find_sample.h"
+#include "core/mission/state/find_state.h"
 
 namespace leitstand::test {
 

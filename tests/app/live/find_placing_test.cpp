@@ -10,6 +10,7 @@
 #include "app/window/layouts/layout_feature.h"
 #include "core/event/station_topics.h"
 #include "core/mission/finds/dismissal.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/map_view/map_view.h"

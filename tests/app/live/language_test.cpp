@@ -16,6 +16,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/panes/score/report_feature.h"
 #include "core/mission/state/mission_state.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/places.h"
 #include "widgets/drive/gas_cell.h"

@@ -6,7 +6,10 @@
 
 #include <QTableView>
 
+#include "core/event/find_sample.h"
+#include "core/event/motion_samples.h"
 #include "core/io/robot/robot_file.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/mission_state.h"
 #include "core/mission/state/robot_state.h"
 #include "tests/app/window_size.h"

@@ -15,6 +15,7 @@
 
 #include "app/window/commands/command_table.h"
 #include "core/mission/state/mission_state.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"
 #include "tests/widgets/panes/shown.h"
@@ -201,7 +202,7 @@ TEST_F(LiveWindowTest, CameraAndMapChangePlaces) {
 
 TEST_F(LiveWindowTest, ModesThatTheRobotOffersAreInTheMenu) {
     ASSERT_TRUE(soon([&] { return station().mission()->robots.contains("kurt3d"); }));
-    ASSERT_TRUE(soon([&] { return station().mission()->robots.at("kurt3d")->mode.has_value(); }));
+    ASSERT_TRUE(soon([&] { return station().mission()->robots.at("kurt3d")->mode != nullptr; }));
     QMenu* modes = nullptr;
     for (QMenu* menu : m_window->findChildren<QMenu*>()) {
         if (menu->title() == "&Mode") modes = menu;

@@ -16,6 +16,8 @@
 #include "app/window/layouts/layout_feature.h"
 #include "core/base/pose.h"
 #include "core/event/station_topics.h"
+#include "core/event/status_samples.h"
+#include "core/mission/state/decision.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/temporary_folder.h"

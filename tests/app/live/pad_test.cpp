@@ -22,6 +22,7 @@
 #include "app/window/input/drive_input.h"
 #include "app/window/layouts/layout_feature.h"
 #include "app/window/live/pad/pad_input.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "tests/app/pad/virtual_pad.h"

@@ -24,6 +24,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/live/live_application.h"
 #include "app/window/live/live_window.h"
+#include "core/event/map_samples.h"
 #include "tests/support/child_process.h"
 #include "tests/support/dds/test_domain.h"
 #include "tests/support/places.h"

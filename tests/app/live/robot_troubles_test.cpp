@@ -10,6 +10,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/event/stream_role.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/event/scan_links.h"
+#include "core/mission/state/decision.h"
 #include "tests/app/live/map_on_screen.h"
 
 namespace leitstand::test {

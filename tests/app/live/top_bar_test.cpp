@@ -20,6 +20,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/input/selection.h"
 #include "app/window/layouts/layout_feature.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/brake_file.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/live/live_page.h"

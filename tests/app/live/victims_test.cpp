@@ -14,6 +14,7 @@
 #include "app/window/frame/pane_docks.h"
 #include "app/window/input/selection.h"
 #include "app/window/layouts/layout_feature.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/live_page.h"
 #include "widgets/camera/camera_pane.h"
@@ -214,7 +215,7 @@ TEST_F(LiveVictims, MissionDataAreAskedForWithoutStoppingAnything) {
         if (line->accessibleName() == QStringLiteral("Team")) line->setText(QStringLiteral("Osnabrück"));
     }
     emit form->wanted(form->info());
-    ASSERT_TRUE(soon([&] { return station().mission()->info.has_value(); }));
+    ASSERT_TRUE(soon([&] { return station().mission()->info != nullptr; }));
     EXPECT_EQ(station().mission()->info->sample.team, "Osnabrück");
     EXPECT_EQ(station().mission()->info->sample.profile, "2019")
         << "the newest rules, until others are chosen";

@@ -10,6 +10,8 @@
 
 #include "app/services/handin/writing/report_writer.h"
 #include "app/services/log/live_mission.h"
+#include "core/event/sample.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "core/io/handin/checksums.h"
 #include "core/io/robot/robot_file.h"

@@ -18,6 +18,7 @@
 #include "core/io/handin/geotiff.h"
 #include "core/io/handin/octomap_file.h"
 #include "core/io/handin/search_list.h"
+#include "core/mission/state/find_state.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/core/handin/report_scene.h"
 #include "tests/support/missing_tool.h"

@@ -11,6 +11,10 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/sample.h"
 #include "tests/support/rooms.h"
 #include "transport/convert/encode.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/base/pose.h"
 #include "core/base/time.h"
-#include "core/event/event.h"
+#include "core/event/sample.h"
 
 struct sqlite3;
 

@@ -10,6 +10,7 @@
 #include <sqlite3.h>
 #include <nlohmann/json.hpp>
 
+#include "core/event/motion_samples.h"
 #include "core/io/clouds/tum.h"
 #include "core/io/handin/find_lists.h"
 #include "core/io/handin/geotiff.h"

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/mission/state/scan_state.h"
 #include "tests/app/report/driven_mission.h"
 #include "tests/support/latency.h"
 #include "tests/support/places.h"

@@ -18,6 +18,7 @@
 #include "core/io/handin/find_lists.h"
 #include "core/io/handin/geotiff.h"
 #include "core/io/handin/search_list.h"
+#include "core/mission/state/find_state.h"
 #include "tests/app/report/sample_mission.h"
 #include "tests/support/pdf_pictures.h"
 #include "tests/support/places.h"

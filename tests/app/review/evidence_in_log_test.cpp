@@ -1,12 +1,13 @@
 #include "app/services/finds/evidence_in_log.h"
 
 #include <utility>
-#include <variant>
 
 #include <gtest/gtest.h>
 
 #include "app/services/handin/report_source.h"
 #include "app/services/log/event_decoder.h"
+#include "core/event/find_sample.h"
+#include "core/event/status_samples.h"
 #include "core/io/bag/bag_reader.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
@@ -89,7 +90,7 @@ TEST_F(ToldEvidenceTest, IsWhatTheReportShows) {
     find.found = at(10.5);
     const auto shown = source.event({"gas", Gas, 0, at(10.0)}, find);
     ASSERT_TRUE(shown) << shown.error().text;
-    EXPECT_EQ(std::get<GasSample>(shown->sample).ppm, 900.0);
+    EXPECT_EQ(shown->sample.get<GasSample>().ppm, 900.0);
     EXPECT_FALSE(source.event({"picture", Left, 0, at(10.0)}, find)) << "only the other log has it";
 }
 

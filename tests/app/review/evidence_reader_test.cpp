@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/find_sample.h"
+#include "core/event/stream_role.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 

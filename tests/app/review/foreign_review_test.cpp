@@ -6,7 +6,6 @@
 #include <mutex>
 #include <stop_token>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -15,7 +14,10 @@
 #include "app/services/comparison/map_comparing.h"
 #include "app/services/review/playing/review_player.h"
 #include "app/services/review/review_pen.h"
-#include "core/mission/state/checkpoint.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/mission/state/checkpoint/checkpoint.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/report/foreign_bag.h"
 #include "tests/io/bag/sample_bags.h"
 #include "tests/support/temporary_folder.h"
@@ -55,7 +57,7 @@ TEST_F(ForeignReview, MapPicturesAndWayAreThoseOfTheMoment) {
         EXPECT_EQ(moment->scans->scans.size(), moment->map->scans.size()) << step;
         ASSERT_EQ(moment->pictures.size(), 1U) << step;
         EXPECT_EQ(moment->pictures.front().received, ForeignBag::at(step + 0.8));
-        const auto* picture = std::get_if<PictureSample>(&moment->pictures.front().sample);
+        const auto* picture = moment->pictures.front().sample.as<PictureSample>();
         ASSERT_TRUE(picture);
         EXPECT_EQ(std::to_integer<int>(picture->content.bytes.front()), ForeignBag::greyOf(step));
         ASSERT_EQ(moment->places->size(), 1U);

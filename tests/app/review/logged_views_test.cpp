@@ -13,6 +13,8 @@
 #include "app/services/log/event_decoder.h"
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/review_log.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
 #include "core/event/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/core/mission/coverage/search_scene.h"

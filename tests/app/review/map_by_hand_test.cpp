@@ -13,6 +13,9 @@
 #include "app/services/recorded/review_log.h"
 #include "core/event/station_topics.h"
 #include "core/mission/loops/open_loops.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/scan_state.h"
+#include "core/mission/state/session_state.h"
 #include "tests/app/review/written_room.h"
 #include "tests/support/temporary_folder.h"
 

@@ -8,7 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "app/services/recorded/review_log.h"
+#include "core/event/find_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
 #include "core/io/settings/comparison_file.h"
+#include "core/mission/state/find_state.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 

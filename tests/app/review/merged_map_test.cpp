@@ -18,6 +18,7 @@
 #include "app/services/recorded/recorded_map.h"
 #include "app/services/review/playing/review_player.h"
 #include "core/event/station_topics.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/review/written_room.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"

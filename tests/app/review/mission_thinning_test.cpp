@@ -5,8 +5,13 @@
 
 #include "app/services/log/event_decoder.h"
 #include "app/services/log/replay/bag_history.h"
+#include "core/event/find_sample.h"
+#include "core/event/stream_role.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/fold.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 

@@ -7,8 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "app/services/log/replay/bag_history.h"
+#include "core/event/stream_role.h"
 #include "core/io/bag/bag_reader.h"
-#include "core/mission/state/checkpoint.h"
+#include "core/mission/state/checkpoint/checkpoint.h"
 #include "core/mission/state/fold.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/io/bag/sample_bags.h"

@@ -5,6 +5,8 @@
 #include "app/services/recorded/review_cadence.h"
 #include "app/services/recorded/review_log.h"
 #include "app/services/review/playing/review_player.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"

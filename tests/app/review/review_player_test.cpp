@@ -10,7 +10,10 @@
 
 #include "app/services/handin/report_source.h"
 #include "app/services/thinning/mission_thinning.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_bodies.h"
 #include "core/event/station_topics.h"
+#include "core/mission/state/find_state.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait.h"

@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "app/services/review/review_pen.h"
+#include "core/event/map_samples.h"
 #include "core/event/station_topics.h"
+#include "core/mission/state/find_state.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/review/reviewed_robot.h"
+#include "core/mission/state/session_state.h"
 #include "tests/app/review/written_mission.h"
 
 namespace leitstand::test {

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "app/services/review/review_scene.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/support/temporary_folder.h"
 

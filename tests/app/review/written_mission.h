@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/event/event.h"
+#include "core/event/find_sample.h"
 #include "core/io/bag/bag_writer.h"
 #include "core/mission/state/fold.h"
 #include "core/robot/robot_description.h"

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "core/event/map_samples.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/core/mapping/live/mapped_room.h"
 

@@ -13,6 +13,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/brake_file.h"
 #include "tests/app/robots/station_and_robot.h"
 #include "transport/convert/encode.h"

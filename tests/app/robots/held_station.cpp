@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "transport/convert/decode.h"
 
 namespace leitstand::test {
@@ -51,7 +53,7 @@ TrueSpeed::TrueSpeed(const TestDomain& domain, const std::string& arena) {
     stream.qos = bestEffort(50);
     m_listening = must(m_node->subscribe(
         {stream.topic, stream.type, stream.qos, Lane::Small}, [this, stream](const ReceivedSample& sample) {
-            const auto pose = std::get<OdometrySample>(must(decode(sample.event, stream)));
+            const auto pose = must(decode(sample.event, stream)).get<OdometrySample>();
             const double speed = std::max(pose.linear.norm(), 0.2 * std::abs(pose.angular.z()));
             const std::scoped_lock lock(m_mutex);
             m_speeds.emplace_back(sample.event.received, speed);

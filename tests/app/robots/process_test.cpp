@@ -5,6 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/places.h"
 #include "tests/support/process.h"

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/event/stream_role.h"
 #include "tests/app/recording.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/temporary_folder.h"

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/offline/mission_scans.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/app/recording.h"
 
 namespace leitstand::test {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/event/motion_samples.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/support/child_process.h"
 #include "tests/support/dds/robot_listener.h"

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
 #include "tests/app/robots/listening_station.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/net/radio_link.h"

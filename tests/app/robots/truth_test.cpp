@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "core/cloud/scan.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/picture_samples.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/link/control_station.h"

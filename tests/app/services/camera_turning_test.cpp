@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/support/wait.h"
 
 namespace leitstand::test {

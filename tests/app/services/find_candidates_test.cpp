@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/mission/finds/dismissal.h"
 #include "tests/app/services/find_desk_fixture.h"
 

@@ -14,6 +14,13 @@
 #include <gtest/gtest.h>
 
 #include "app/services/finds/find_desk.h"
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/picture_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/fold.h"
 
 namespace leitstand::test {

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/find_sample.h"
 #include "core/perception/pictures/coding/picture_encoding.h"
 #include "tests/app/services/find_desk_fixture.h"
 

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
 #include "core/mission/finds/find_book.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/fold.h"
 
 namespace leitstand::test {

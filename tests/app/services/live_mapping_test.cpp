@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "core/robot/goal.h"
 #include "tests/support/wait.h"

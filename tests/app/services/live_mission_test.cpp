@@ -12,8 +12,14 @@
 #include <gtest/gtest.h>
 
 #include "app/services/log/replay/bag_history.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
 #include "core/event/station_topics.h"
+#include "core/event/stream_role.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/fold.h"
+#include "core/mission/state/session_state.h"
 #include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
 #include "transport/convert/encode.h"
@@ -171,9 +177,7 @@ TEST_F(LiveMissionTest, TheStateOfALiveMissionIsToTheLastBitTheOneThatItsLogGive
         };
         int ofStations = 0;
         for (const SampleCase& one : sampleCases()) {
-            if (one.role || std::holds_alternative<CheckpointSample>(one.sample) ||
-                std::holds_alternative<SessionSample>(one.sample))
-                continue;
+            if (one.role || one.sample.is<CheckpointSample>() || one.sample.is<SessionSample>()) continue;
             record(one.sample, "/leitstand/test_" + std::to_string(++ofStations));
         }
         EXPECT_GE(ofStations, 14);

@@ -122,7 +122,7 @@ protected:
         BagCursor cursor = (*bag)->read(query);
         while (const auto event = cursor.next()) {
             const auto decoded = decodeStationEvent(*event);
-            const auto* const poses = decoded ? std::get_if<ScanPosesSample>(&decoded->sample) : nullptr;
+            const auto* const poses = decoded ? decoded->sample.as<ScanPosesSample>() : nullptr;
             if (poses != nullptr && poses->cause == ScanPosesSample::Cause::LoopClosure) return true;
         }
         return false;

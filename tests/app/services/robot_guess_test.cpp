@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/log/replay/replay_rules.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand::test {
 namespace {

@@ -11,6 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "app/services/mapping/live_mapping.h"
+#include "core/event/motion_samples.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/stream_role.h"
 #include "core/mapping/placement/placement_format.h"
 #include "core/robot/robot_description.h"
 #include "tests/support/rooms.h"

@@ -6,6 +6,10 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
+
 namespace leitstand::test {
 namespace {
 

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "app/services/places/frame_tracks.h"
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand::test {
 namespace {

@@ -1,5 +1,9 @@
 #include "tests/app/services/shared_intake_fixture.h"
 
+#include "core/event/find_sample.h"
+#include "core/event/station_samples.h"
+#include "core/mission/state/find_state.h"
+
 namespace leitstand::test {
 namespace {
 
@@ -34,7 +38,7 @@ TEST_F(SharedFinds, AFindThatAnotherStationChangedKeepsWhereItsEvidenceStandsInT
     ours.number = 1;
     ours.evidence = {{"picture", "/kurt3d/left", 512, at(79)}, {"gas", "/kurt3d/co2", 513, at(78)}};
     receive(ours, station_topic::Victims);
-    FindSample changed = std::get<FindSample>(forOthers(ours));
+    FindSample changed = forOthers(ours).get<FindSample>();
     EXPECT_EQ(changed.evidence[0].sequence, 0u);
     changed.stamp = at(90);
     changed.status = FindSample::Status::Confirmed;

@@ -11,8 +11,14 @@
 
 #include "app/services/team/shared_evidence.h"
 #include "app/services/team/shared_intake.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_pose.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "core/mission/state/fold.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
@@ -124,14 +130,14 @@ protected:
         return m_state->keyScans->at(scan).pose.scanInMap.translation().x();
     }
     static std::string nameOf(const Sample& sample) {
-        if (const auto* scan = std::get_if<KeyScanSample>(&sample)) return "scan " + std::to_string(scan->id);
-        if (const auto* some = std::get_if<ScanPosesSample>(&sample))
+        if (const auto* scan = sample.as<KeyScanSample>()) return "scan " + std::to_string(scan->id);
+        if (const auto* some = sample.as<ScanPosesSample>())
             return "poses of " + std::to_string(some->poses.size());
-        if (std::holds_alternative<RobotPlaceSample>(sample)) return "place";
-        if (std::holds_alternative<ScanBodiesSample>(sample)) return "bodies";
-        if (std::holds_alternative<FindSample>(sample)) return "victim";
-        if (std::holds_alternative<ClockSample>(sample)) return "clock";
-        if (std::holds_alternative<GrantSample>(sample)) return "grant";
+        if (sample.is<RobotPlaceSample>()) return "place";
+        if (sample.is<ScanBodiesSample>()) return "bodies";
+        if (sample.is<FindSample>()) return "victim";
+        if (sample.is<ClockSample>()) return "clock";
+        if (sample.is<GrantSample>()) return "grant";
         return "other";
     }
 

@@ -1,5 +1,10 @@
 #include "tests/app/services/shared_intake_fixture.h"
 
+#include "core/event/find_sample.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/station_samples.h"
+#include "core/mission/state/scan_state.h"
+
 namespace leitstand::test {
 namespace {
 

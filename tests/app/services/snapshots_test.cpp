@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "tests/support/temporary_folder.h"
 

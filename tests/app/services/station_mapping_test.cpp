@@ -11,6 +11,9 @@
 #include "app/services/log/live_mission.h"
 #include "app/services/log/sequencer.h"
 #include "core/mission/loops/open_loops.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/services/mapped_station.h"
 #include "tests/support/wait.h"
 

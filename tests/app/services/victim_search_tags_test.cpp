@@ -8,6 +8,10 @@
 
 #include "app/services/victims/victim_search.h"
 #include "app/services/victims/victim_watch.h"
+#include "core/event/motion_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/robot_description.h"
 #include "tests/support/wait.h"
 

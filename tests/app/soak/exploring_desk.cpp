@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/mission/state/mission_state.h"
 #include "core/mission/state/robot_state.h"
 #include "tests/app/robots/robot_process.h"

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/app/soak/exploring_desk.h"
 #include "tests/app/soak/played_demo.h"

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/mission/state/scan_state.h"
 #include "core/robot/robot_description.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/app/soak/played_demo.h"

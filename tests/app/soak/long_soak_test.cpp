@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/mission/state/scan_state.h"
 #include "tests/app/soak/played_demo.h"
 #include "tests/app/soak/soak_limits.h"
 #include "tests/app/soak/station_process.h"

@@ -9,6 +9,7 @@
 #include "app/services/log/sequencer.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/soak/demo_recording.h"
 #include "tests/support/wait.h"
 #include "tests/transport/dds/test_node.h"

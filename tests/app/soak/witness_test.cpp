@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include "core/event/stream_role.h"
 #include "tests/app/recording.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/dds/test_node.h"

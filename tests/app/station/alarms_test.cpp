@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/event/station_samples.h"
 #include "core/mission/state/mission_state.h"
+#include "core/mission/state/session_state.h"
 #include "tests/app/station/seeing_robot.h"
 #include "tests/app/station/station_scene.h"
 

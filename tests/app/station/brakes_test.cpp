@@ -5,12 +5,13 @@
 #include <memory>
 #include <mutex>
 #include <set>
-#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/services/station/safety/station_guards.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/brake_file.h"
 #include "core/mission/state/mission_state.h"
 #include "core/robot/streams/stream_defaults.h"
@@ -144,7 +145,7 @@ protected:
                                              [this, goals](const ReceivedSample& sample) {
                                                  const auto goal = decode(sample.event, goals);
                                                  if (!goal) return;
-                                                 const Pose at = std::get<PoseSample>(*goal).poseInFrame;
+                                                 const Pose at = goal->get<PoseSample>().poseInFrame;
                                                  const std::scoped_lock lock(m_guard);
                                                  m_received.insert(std::lround(at.translation().x()));
                                              }));

@@ -3,6 +3,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "tests/transport/dds/test_node.h"
 #include "tests/transport/link/control_robot.h"
@@ -35,7 +38,7 @@ CarelessRobot::CarelessRobot(Node& node, const RobotDescription& robot) : m_robo
                                      [this, commands](const ReceivedSample& sample) {
                                          const auto twist = decode(sample.event, commands);
                                          if (!twist) return;
-                                         m_speed = std::get<TwistSample>(*twist).linear.x();
+                                         m_speed = twist->get<TwistSample>().linear.x();
                                      }));
     m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }

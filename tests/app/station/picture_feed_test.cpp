@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/support/wait.h"
 
 namespace leitstand::test {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/station/choose_robots.h"
+#include "core/event/stream_role.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/places.h"
 

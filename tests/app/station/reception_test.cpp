@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "app/services/station/safety/station_alarms.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/dds/quiet_robot.h"

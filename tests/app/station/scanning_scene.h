@@ -4,6 +4,10 @@
 #include <vector>
 
 #include "app/services/station/station_mapping.h"
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/rooms.h"

@@ -7,6 +7,8 @@
 #include "app/services/station/safety/guard_process.h"
 #include "app/services/station/safety/station_brakes.h"
 #include "app/services/station/safety/station_guards.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/brake_file.h"
 #include "tests/app/station/careless_robot.h"
 #include "tests/app/station/station_scene.h"
@@ -60,7 +62,7 @@ public:
         : m_listening(must(robot.subscribe({stream.topic, stream.type, stream.qos, Lane::Small},
                                            [this, stream, station](const ReceivedSample& sample) {
                                                const auto twist =
-                                                   std::get<TwistSample>(must(decode(sample.event, stream)));
+                                                   must(decode(sample.event, stream)).get<TwistSample>();
                                                const bool zero =
                                                    twist.linear.isZero() && twist.angular.isZero();
                                                if (senderOf(sample.writer) == station) {

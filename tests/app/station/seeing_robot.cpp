@@ -6,6 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/picture_samples.h"
+#include "core/event/sample.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/encode.h"

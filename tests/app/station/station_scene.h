@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/station/station.h"
+#include "core/event/event.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"

@@ -5,8 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/event.h"
+#include "core/event/picture_samples.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/robot/robot_file.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"
@@ -67,7 +71,7 @@ TEST_F(StationTest, DrivesStopsAndReleasesARobot) {
     station->setDriveFocus({});
     ASSERT_TRUE(waitUntil([&] { return robot.speed() == 0.0; })) << "without focus it stands";
     const MissionStatePtr state = station->mission();
-    EXPECT_TRUE(state->robots.at("kurt3d")->odometry.has_value());
+    EXPECT_TRUE(state->robots.at("kurt3d")->odometry != nullptr);
     station.reset();
     EXPECT_GT(recorded("/kurt3d/odom"), 0u);
     EXPECT_GT(recorded("/kurt3d/cmd_vel"), 0u) << "what was said is in the log too";
@@ -130,8 +134,8 @@ TEST_F(StationTest, SeesDrivesAndCommandsASimulatedRobot) {
     std::atomic<int> clouds = 0, pictures = 0;
     const auto description = must(readRobot(sourceFolder() + "/resources/robots/kurt3d.yaml"));
     const auto station = stationFor({description}, "station", [&](const Event& event) {
-        if (std::holds_alternative<CloudSample>(event.sample)) ++clouds;
-        if (std::holds_alternative<PictureSample>(event.sample)) ++pictures;
+        if (event.sample.is<CloudSample>()) ++clouds;
+        if (event.sample.is<PictureSample>()) ++pictures;
     });
     const auto view = [&] { return station->robot("kurt3d"); };
     ASSERT_TRUE(waitUntil([&] { return view().link.state == LinkState::Connected; }, 30s))

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "tests/app/station/station_scene.h"
 #include "tests/support/dds/robot_listener.h"

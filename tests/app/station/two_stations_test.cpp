@@ -11,9 +11,12 @@
 #include "app/services/log/live_mission.h"
 #include "app/services/places/mission_map.h"
 #include "app/services/station/station_clock.h"
+#include "core/event/find_sample.h"
 #include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/mission_state.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/station/scanning_scene.h"
 
 namespace leitstand::test {

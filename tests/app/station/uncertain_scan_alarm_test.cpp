@@ -3,6 +3,7 @@
 
 #include "app/services/station/safety/station_alarms.h"
 #include "core/mission/state/mission_state.h"
+#include "core/mission/state/session_state.h"
 #include "tests/app/station/scanning_scene.h"
 
 namespace leitstand::test {

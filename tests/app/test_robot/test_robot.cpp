@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/event/cloud_sample.h"
 #include "core/event/event.h"
+#include "core/event/motion_samples.h"
 #include "core/io/clouds/scan_source.h"
 #include "tests/support/rooms.h"
 #include "transport/convert/encode.h"

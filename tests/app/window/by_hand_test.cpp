@@ -20,6 +20,7 @@
 #include "app/window/review/by_hand/by_hand_bridge.h"
 #include "app/window/review/by_hand/by_hand_window.h"
 #include "core/mapping/live/loops/submap.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/cut_texts.h"
 #include "tests/app/review/written_room.h"
 #include "tests/app/window_size.h"

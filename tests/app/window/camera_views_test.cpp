@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/window/panes/camera/picture_looks.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand::test {
 namespace {

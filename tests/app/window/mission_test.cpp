@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <QListView>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
 #include "core/io/bag/bag_writer.h"
 #include "tests/app/window/window_page.h"
 #include "tests/support/rooms.h"

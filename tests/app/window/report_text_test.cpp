@@ -11,6 +11,7 @@
 #include "app/report/evidence_html.h"
 #include "app/report/pdf/pdf_report.h"
 #include "app/report/report_times.h"
+#include "core/mission/state/find_state.h"
 #include "tests/support/others_tools.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"

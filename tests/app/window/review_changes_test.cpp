@@ -6,6 +6,8 @@
 
 #include "app/window/commands/command_table.h"
 #include "app/window/frame/pane_docks.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
 #include "core/event/station_topics.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window/review_page.h"

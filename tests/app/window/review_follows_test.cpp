@@ -8,6 +8,10 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "app/window/layouts/layout_feature.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/picture_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/robot_description.h"
 #include "tests/app/review/written_mission.h"
 #include "widgets/camera/camera_pane.h"

@@ -17,6 +17,7 @@
 #include "app/window/layouts/layout_feature.h"
 #include "app/window/panes/finds/finds_feature.h"
 #include "app/window/review/timeline_feature.h"
+#include "core/mission/state/find_state.h"
 #include "tests/app/review/written_mission.h"
 #include "widgets/camera/camera_pane.h"
 #include "widgets/link/stream_list.h"

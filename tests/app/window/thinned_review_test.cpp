@@ -8,6 +8,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/review/timeline_feature.h"
 #include "core/event/station_topics.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/app/window/review_page.h"
 #include "widgets/timeline/timeline_bar.h"

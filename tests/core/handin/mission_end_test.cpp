@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/find_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
 #include "core/handin/report_model.h"
 #include "core/mission/state/fold.h"
 

@@ -9,7 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/find_sample.h"
 #include "core/handin/report_model.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/fold.h"
 #include "tests/core/handin/report_scene.h"
 

@@ -1,7 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
 #include "core/handin/report_work.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/mission_state.h"
 
 namespace leitstand::test {
 namespace {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
 #include "core/mission/finds/placed_cue.h"
 
 namespace leitstand::test {

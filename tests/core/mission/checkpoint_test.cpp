@@ -1,4 +1,4 @@
-#include "core/mission/state/checkpoint.h"
+#include "core/mission/state/checkpoint/checkpoint.h"
 
 #include <cstring>
 #include <random>
@@ -6,7 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/scan_links.h"
+#include "core/event/station_samples.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/fold.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/core/mission/event_stream.h"
 
 namespace leitstand {
@@ -32,7 +37,7 @@ TEST(Checkpoint, HoldsTheWholeState) {
         EXPECT_EQ(back->finds->size(), state.finds->size());
         EXPECT_EQ(back->keyScans->size(), state.keyScans->size());
         EXPECT_EQ(back->notes->size(), state.notes->size());
-        EXPECT_EQ(back->crop.has_value(), state.crop.has_value());
+        EXPECT_EQ(back->crop != nullptr, state.crop != nullptr);
     }
 }
 
@@ -43,7 +48,7 @@ std::vector<Event> checkpointed(const std::vector<Event>& mission, int interval)
     for (const Event& original : mission) {
         Event next = original;
         next.sequence = original.sequence * 2;  // room for the checkpoints
-        if (auto* undo = std::get_if<UndoSample>(&next.sample)) undo->event *= 2;
+        if (auto* undo = next.sample.edit<UndoSample>()) undo->event *= 2;
         fold.add(next);
         all.push_back(next);
         if (auto due = fold.dueCheckpoint(next.received, std::chrono::milliseconds(interval))) {
@@ -77,7 +82,7 @@ TEST(Checkpoint, ABrokenOneIsPassedOver) {
     const MissionState expected = folded(log);
     int broken = 0;
     for (auto event = log.rbegin(); event != log.rend() && broken < 2; ++event) {
-        auto* checkpoint = std::get_if<CheckpointSample>(&event->sample);
+        auto* checkpoint = event->sample.edit<CheckpointSample>();
         if (checkpoint == nullptr) continue;
         if (broken++ == 0) {
             checkpoint->version = CheckpointVersion + 1;
@@ -118,7 +123,7 @@ TEST(Checkpoint, DamageIsToldByTheChecksumAndOtherVersionsByTheirNumber) {
     auto bytes = serialised(folded(test::randomMission(9, 100)));
     bytes[100] ^= std::byte{1};
     EXPECT_THAT(deserialised(bytes).error().text, HasSubstr("checksum"));
-    bytes[4] = std::byte{9};
+    bytes[4] = static_cast<std::byte>(CheckpointVersion + 1);
     EXPECT_THAT(deserialised(bytes).error().text,
                 HasSubstr("expected version " + std::to_string(OldestCheckpointVersion)));
 }

@@ -2,6 +2,15 @@
 
 #include <cmath>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/scan_links.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+
 namespace leitstand::test {
 
 Time at(std::int64_t milliseconds) {
@@ -223,8 +232,7 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
                 sample = odometry;
             }
         }
-        const bool own =
-            std::holds_alternative<FindSample>(sample) || std::holds_alternative<UndoSample>(sample);
+        const bool own = sample.is<FindSample>() || sample.is<UndoSample>();
         mission.push_back(event(sequence, std::move(sample), own ? "" : robot));
     }
     return mission;
@@ -233,7 +241,7 @@ std::vector<Event> randomMission(unsigned seed, std::size_t events) {
 std::optional<MissionHistory::StoredCheckpoint> MemoryHistory::checkpointUpTo(std::uint64_t sequence) {
     for (auto event = m_events.rbegin(); event != m_events.rend(); ++event) {
         if (event->sequence > sequence) continue;
-        if (const auto* checkpoint = std::get_if<CheckpointSample>(&event->sample)) {
+        if (const auto* checkpoint = event->sample.as<CheckpointSample>()) {
             return StoredCheckpoint{event->sequence, *checkpoint};
         }
     }

@@ -7,6 +7,10 @@
 #include <vector>
 
 #include "core/event/event.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_links.h"
+#include "core/event/station_samples.h"
 #include "core/mission/state/fold.h"
 
 namespace leitstand::test {

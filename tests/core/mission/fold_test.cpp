@@ -6,6 +6,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/scan_bodies.h"
+#include "core/event/status_samples.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/core/mission/event_stream.h"
 
 namespace leitstand {
@@ -237,7 +247,7 @@ TEST(Fold, TheMapsAreaIsTheNewestThatIsNotTakenBack) {
     EXPECT_THAT(folded(events).crop->sample.polygon, SizeIs(3));
     EXPECT_EQ(folded(events).crop->sequence, 1U);
     events.push_back(event(4, undo(1)));
-    EXPECT_FALSE(folded(events).crop.has_value());
+    EXPECT_EQ(folded(events).crop, nullptr);
     events.push_back(event(5, undo(3)));
     EXPECT_THAT(folded(events).crop->sample.polygon, IsEmpty());
 }

@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/mission/state/checkpoint.h"
+#include "core/event/map_samples.h"
+#include "core/event/station_samples.h"
+#include "core/mission/state/checkpoint/checkpoint.h"
 #include "core/mission/state/fold.h"
 #include "tests/core/mission/event_stream.h"
 

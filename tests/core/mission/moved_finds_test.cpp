@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/find_sample.h"
 #include "core/mission/state/fold.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/core/mission/event_stream.h"
 
 namespace leitstand {

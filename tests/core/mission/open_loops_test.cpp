@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/map_samples.h"
 #include "core/mission/state/fold.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/core/mission/event_stream.h"
 
 namespace leitstand {

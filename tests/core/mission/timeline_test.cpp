@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
 #include "core/mission/state/fold.h"
 
 namespace leitstand {

@@ -3,7 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/map_samples.h"
+#include "core/event/scan_links.h"
+#include "core/event/scan_pose.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/decision.h"
 #include "core/mission/state/fold.h"
+#include "core/mission/state/scan_state.h"
 #include "tests/core/mission/event_stream.h"
 
 namespace leitstand {
@@ -72,7 +78,7 @@ TEST_F(UndoOnMap, TakesAreasAndScansBackInTheirOrderAndDoesThemAgain) {
     ASSERT_TRUE(takeBack());
     EXPECT_EQ(state().keyScans->at(1).pose.trust, ScanTrust::Certain);
     ASSERT_TRUE(takeBack());
-    EXPECT_FALSE(state().crop.has_value());
+    EXPECT_EQ(state().crop, nullptr);
     EXPECT_FALSE(takeBack());
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(doAgain());
     EXPECT_FALSE(doAgain());

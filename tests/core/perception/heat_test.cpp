@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
 #include "core/perception/pictures/pixel_ray.h"
 
 namespace leitstand::test {

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+
 namespace leitstand {
 namespace {
 

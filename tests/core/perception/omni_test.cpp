@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
 #include "core/perception/omni/mei_camera.h"
 #include "core/perception/omni/panorama.h"
 

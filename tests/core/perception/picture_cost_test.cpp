@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
 #include "tests/core/perception/pictures.h"
 #include "tests/support/attack.h"
 

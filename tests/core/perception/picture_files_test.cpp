@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
 #include "core/perception/pictures/coding/picture_file.h"
 #include "tests/core/perception/pictures.h"
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 
 namespace leitstand {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
 #include "core/perception/surroundings/near_obstacles.h"
 #include "core/perception/surroundings/own_body_mask.h"
 #include "tests/core/perception/virtual_world.h"

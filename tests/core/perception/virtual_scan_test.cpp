@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
 #include "tests/core/perception/virtual_world.h"
 
 namespace leitstand::test {

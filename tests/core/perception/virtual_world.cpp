@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/event/cloud_sample.h"
+
 namespace leitstand::test {
 namespace {
 

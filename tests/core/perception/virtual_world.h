@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "core/event/cloud_sample.h"
 #include "core/perception/surroundings/virtual_scan.h"
 
 namespace leitstand::test {

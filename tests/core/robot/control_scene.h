@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/time.h"
+#include "core/event/station_samples.h"
 #include "core/robot/control/grants.h"
 #include "core/robot/link/link_status.h"
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/event/station_samples.h"
 #include "core/robot/control/grant_arbiter.h"
 #include "tests/core/robot/control_scene.h"
 

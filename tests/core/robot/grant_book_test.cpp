@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/event/station_samples.h"
 #include "core/robot/control/grant_book.h"
 #include "tests/core/robot/control_scene.h"
 

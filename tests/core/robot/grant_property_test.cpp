@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/station_samples.h"
 #include "core/robot/control/grant_book.h"
 #include "core/robot/control/robot_rules.h"
 #include "tests/core/robot/control_scene.h"

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/station_samples.h"
 #include "tests/core/robot/control_scene.h"
 
 namespace leitstand::test {

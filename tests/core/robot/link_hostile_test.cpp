@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/status_samples.h"
 #include "tests/core/robot/link_scene.h"
 
 namespace leitstand::test {

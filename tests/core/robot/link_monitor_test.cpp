@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/core/robot/link_scene.h"
 
 namespace leitstand::test {

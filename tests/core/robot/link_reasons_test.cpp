@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
+
 namespace leitstand {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 
 namespace leitstand::test {

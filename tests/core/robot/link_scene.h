@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/link/link_monitor.h"
 
 namespace leitstand::test {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "core/event/stream_role.h"
+
 namespace leitstand::test {
 namespace {
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/command_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
 #include "core/robot/control/robot_rules.h"
 #include "tests/core/robot/control_scene.h"
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+
 namespace leitstand::test {
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/station_samples.h"
 #include "core/robot/control/robot_rules.h"
 #include "core/robot/control/stop/stop_control.h"
 #include "tests/core/robot/control_scene.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 
 namespace leitstand::test {

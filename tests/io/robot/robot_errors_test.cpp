@@ -1,8 +1,10 @@
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/io/robot/robot_texts.h"
 
@@ -174,18 +176,22 @@ TEST(RobotErrors, TellOutlinesThatAreNone) {
     });
 }
 
+/// "points, ranges or ping".
+std::string allRoles() {
+    std::string text;
+    const auto roles = allStreamRoles();
+    for (std::size_t i = 0; i < roles.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == roles.size() ? " or " : ", ") + toString(roles[i]);
+    return text;
+}
+
 TEST(RobotErrors, TellWhatIsWrongWithAStream) {
     const std::string topic =
         "expected a topic such as /kurt3d/odom (words of letters, digits and _ that begin with no digit), "
         "found ";
     expectErrors({
         stream("topic: /a", ".role: expected what the topic carries, such as points, found nothing"),
-        stream(
-            "role: point",
-            ".role: expected points, ranges, odometry, imu, joints, transforms, static_transforms, picture, "
-            "camera_info, thermal, gas, battery, diagnostics, mode, bumps, sightings, stop_state, pong, "
-            "drive_command, track_command, stop_command, mode_command, goal_pose, pan_tilt_command, "
-            "stream_command or ping, found \"point\", did you mean points?"),
+        stream("role: point", ".role: expected " + allRoles() + ", found \"point\", did you mean points?"),
         stream("role: imu, topic: odom", ".topic: " + topic + "\"odom\""),
         stream("role: imu, topic: /odom/", ".topic: " + topic + "\"/odom/\""),
         stream("role: imu, topic: /a//b", ".topic: " + topic + "\"/a//b\""),

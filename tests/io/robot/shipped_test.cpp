@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/team.h"

@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/find_sample.h"
 #include "core/mission/score/score.h"
+#include "core/mission/state/find_state.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/event/cloud_sample.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "tests/support/places.h"
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
 #include "tests/robots/control/test_ground.h"
 
 namespace leitstand::test {

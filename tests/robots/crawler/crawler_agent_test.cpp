@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "tests/support/fake_robot.h"

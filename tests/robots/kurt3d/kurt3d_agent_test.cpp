@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "core/robot/robot_format.h"
 #include "robots/control/fuzzy/fuzzy_file.h"

@@ -4,6 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 #include "robots/agent/robot_agent.h"
 #include "tests/robots/wire/wire_station.h"
 #include "tests/support/fake_robot.h"
@@ -77,7 +82,7 @@ TEST_F(WireCommands, GrantsComeWithTheCommandsInOrderAndFromTheSameSender) {
     for (const ReceivedCommand& one : all) {
         EXPECT_EQ(one.from, all.front().from) << "one process";
         if (!one.grant) continue;
-        EXPECT_EQ(std::get<GrantSample>(one.sample).station, "a");
+        EXPECT_EQ(one.sample.get<GrantSample>().station, "a");
     }
 }
 
@@ -120,7 +125,7 @@ TEST_F(WireCommands, HostileBytesAreCountedAndStopDrivingAndNothingElse) {
                             received.role == StreamRole::TrackCommand)
                     << topic;
                 if (received.role != StreamRole::TrackCommand) continue;
-                const auto* twist = std::get_if<TwistSample>(&received.sample);
+                const auto* twist = received.sample.as<TwistSample>();
                 ASSERT_NE(twist, nullptr);
                 EXPECT_FALSE(twist->linear.allFinite()) << "no number: it stops";
             }
@@ -132,7 +137,7 @@ TEST_F(WireCommands, HostileBytesAreCountedAndStopDrivingAndNothingElse) {
     takeUntil([&](const auto& received) {
         station.publish(ping, PingSample{20, "a", Time{}});
         return std::any_of(received.begin(), received.end(), [](const auto& one) {
-            const auto* found = std::get_if<PingSample>(&one.sample);
+            const auto* found = one.sample.template as<PingSample>();
             return found != nullptr && found->number == 20;
         });
     });
@@ -158,7 +163,7 @@ TEST_F(WireCommands, AFloodIsDroppedButNeverAStop) {
     const auto all = m_wire->take();
     EXPECT_GE(all.size(), 1'000u);
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const ReceivedCommand& one) {
-        const auto* found = std::get_if<StopCommandSample>(&one.sample);
+        const auto* found = one.sample.as<StopCommandSample>();
         return found != nullptr && found->number == 77;
     }));
 }
@@ -172,7 +177,7 @@ TEST_F(WireCommands, ThroughTheAgentTheyReachTheHardwareAndAreAnswered) {
     const auto turn = [&] {
         for (const ReceivedCommand& received : m_wire->take()) {
             if (received.grant) {
-                agent.receive(std::get<GrantSample>(received.sample), received.from);
+                agent.receive(received.sample.get<GrantSample>(), received.from);
             } else {
                 agent.receive(received.role, received.sample, received.from);
             }

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/stream_role.h"
 #include "tests/robots/wire/wire_station.h"
 #include "tests/support/net/radio_link.h"
 

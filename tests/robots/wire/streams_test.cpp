@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
+#include "core/event/sample.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "robots/simulation/sensors/camera/picture_file_writing.h"
 #include "tests/robots/wire/wire_station.h"
 

@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/event/sample.h"
 #include "core/event/station_topics.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "robots/wire/robot_wire.h"
 #include "tests/support/dds/robot_listener.h"
@@ -28,7 +31,7 @@ namespace leitstand::test {
     for (const SampleCase& one : sampleCases()) {
         if (one.type != stream.type) continue;
         Sample sample = one.sample;
-        if (auto* diagnostics = std::get_if<DiagnosticsSample>(&sample)) {
+        if (auto* diagnostics = sample.edit<DiagnosticsSample>()) {
             for (DiagnosticStatus& status : diagnostics->statuses) status.hardwareId = stream.hardwareId;
         }
         return sample;

@@ -1,5 +1,7 @@
 #include "tests/simulation/arena/mesh_checks.h"
 
+#include "core/event/all_samples.h"
+
 namespace leitstand::simulation::test {
 namespace {
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
+#include "core/event/stream_role.h"
 #include "core/perception/heat/heat.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "robots/simulation/arena/random.h"
@@ -61,7 +63,7 @@ Approached approach(const Arena& arena, const Pose& start, int number) {
     DrivenWorld driven(arena, setup);
     PictureSample newest;
     driven.onSample = [&newest](const HardwareSample& one) {
-        const auto* picture = std::get_if<PictureSample>(&one.sample);
+        const auto* picture = one.sample.as<PictureSample>();
         if (picture != nullptr && one.role == StreamRole::Thermal) newest = *picture;
     };
     driven.pass(0.2);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/command_samples.h"
+#include "core/event/stream_role.h"
 #include "robots/simulation/arena/arena_generator.h"
 #include "tests/simulation/drives/seen_floor.h"
 #include "tests/simulation/world/operated_robot.h"

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "core/event/motion_samples.h"
 #include "robots/hardware/robot_hardware.h"
 
 namespace leitstand::simulation::test {

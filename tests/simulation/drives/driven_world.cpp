@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <variant>
 
 #include <gtest/gtest.h>
 
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "core/robot/robot_format.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
@@ -68,16 +70,15 @@ void DrivenWorld::step() {
     ++m_steps;
     for (HardwareSample& sample : agent->step()) {
         if (onSample) onSample(sample);
-        if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample)) {
+        if (const auto* odometry = sample.sample.as<OdometrySample>()) {
             m_baseInOdom = odometry->baseInOdom;
-        } else if (const auto* found = std::get_if<SightingSample>(&sample.sample)) {
+        } else if (const auto* found = sample.sample.as<SightingSample>()) {
             sightings = found->sightings;
-        } else if (const auto* mode = std::get_if<ModeSample>(&sample.sample)) {
+        } else if (const auto* mode = sample.sample.as<ModeSample>()) {
             for (const robot_format::Part& part : robot_format::partsOf(mode->reason))
                 EXPECT_NE(part.words, nullptr) << "stations cannot translate it: " << part.value;
             modes.push_back(*mode);
-        } else if (std::holds_alternative<StopStateSample>(sample.sample) ||
-                   std::holds_alternative<BumpSample>(sample.sample)) {
+        } else if (sample.sample.is<StopStateSample>() || sample.sample.is<BumpSample>()) {
             station->received(std::move(sample));
         }
     }

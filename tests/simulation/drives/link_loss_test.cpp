@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/simulation/drives/driven_world.h"
 #include "tests/simulation/drives/rooms.h"
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
 #include "tests/simulation/drives/driven_world.h"
 #include "tests/simulation/drives/rooms.h"
 

@@ -7,10 +7,11 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <variant>
 
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
 #include "core/mapping/motion/motion_buffer.h"
 #include "core/perception/surroundings/robot_profile.h"
 #include "core/perception/surroundings/virtual_scan.h"
@@ -59,14 +60,12 @@ private:
         return settings;
     }
     void take(const HardwareSample& sample) {
-        if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample)) {
+        if (const auto* odometry = sample.sample.as<OdometrySample>()) {
             m_motion.add(*odometry);
             m_base = odometry->baseInOdom;
             m_newest = odometry->header.stamp;
         }
-        if (std::holds_alternative<CloudSample>(sample.sample) ||
-            std::holds_alternative<RangesSample>(sample.sample))
-            m_held.push_back(sample);
+        if (sample.sample.is<CloudSample>() || sample.sample.is<RangesSample>()) m_held.push_back(sample);
         // A turn waits until odometry covers it.
         constexpr std::chrono::milliseconds Longest(110);
         while (!m_held.empty() && m_motion.covers(stampOf(m_held.front()) + Longest)) {
@@ -75,18 +74,18 @@ private:
         }
     }
     static Time stampOf(const HardwareSample& sample) {
-        if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) return cloud->header.stamp;
-        return std::get<RangesSample>(sample.sample).header.stamp;
+        if (const auto* cloud = sample.sample.as<CloudSample>()) return cloud->header.stamp;
+        return sample.sample.get<RangesSample>().header.stamp;
     }
     void add(const HardwareSample& sample) {
         const auto at = [this](Time stamp) -> std::optional<Pose> {
             const auto there = m_motion.at(stamp);
             return there ? std::optional(there->baseInOdom) : std::nullopt;
         };
-        if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) {
+        if (const auto* cloud = sample.sample.as<CloudSample>()) {
             m_scan.add(*cloud, m_robot.sensors.at("scanner").sensorInBase, at);
         } else {
-            m_scan.add(std::get<RangesSample>(sample.sample), m_robot.sensors.at("laser").sensorInBase, at);
+            m_scan.add(sample.sample.get<RangesSample>(), m_robot.sensors.at("laser").sensorInBase, at);
         }
     }
 

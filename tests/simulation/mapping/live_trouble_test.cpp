@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -11,9 +10,8 @@ namespace {
 
 std::size_t slicesIn(const RecordedDrive& drive) {
     return static_cast<std::size_t>(std::count_if(
-        drive.received.begin(), drive.received.end(), [](const RecordedDrive::Received& received) {
-            return std::holds_alternative<CloudSample>(received.sample.sample);
-        }));
+        drive.received.begin(), drive.received.end(),
+        [](const RecordedDrive::Received& received) { return received.sample.sample.is<CloudSample>(); }));
 }
 
 std::size_t slicesIn(const std::vector<LiveScan>& scans) {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <ctime>
 #include <functional>
-#include <variant>
 
 #include <Eigen/Geometry>
 
+#include "core/event/motion_samples.h"
 #include "core/mapping/relocalisation/place_recognition.h"
 
 namespace leitstand::simulation::test {
@@ -48,11 +48,11 @@ std::vector<LiveScan> cutScans(const RecordedDrive& drive, const ScanCutterSetti
     };
     for (const RecordedDrive::Received& received : drive.received) {
         const auto& sensors = drive.robot.sensors;
-        if (const auto* odometry = std::get_if<OdometrySample>(&received.sample.sample)) {
+        if (const auto* odometry = received.sample.sample.as<OdometrySample>()) {
             cutter.add(*odometry, received.at);
-        } else if (const auto* imu = std::get_if<ImuSample>(&received.sample.sample)) {
+        } else if (const auto* imu = received.sample.sample.as<ImuSample>()) {
             cutter.add(*imu, sensors.at(received.sample.sensor).sensorInBase, received.at);
-        } else if (const auto* cloud = std::get_if<CloudSample>(&received.sample.sample)) {
+        } else if (const auto* cloud = received.sample.sample.as<CloudSample>()) {
             cutter.add(*cloud, sensors.at(received.sample.sensor).sensorInBase, received.at);
         }
         keep(cutter.take(received.at));

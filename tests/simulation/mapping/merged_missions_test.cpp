@@ -15,6 +15,7 @@
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/merged_map.h"
 #include "app/services/review/map_tidying.h"
+#include "core/event/scan_bodies.h"
 #include "core/event/station_topics.h"
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/loops/map_problem.h"

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 #include <utility>
-#include <variant>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
 #include "robots/simulation/arena/arena_generator.h"
 #include "tests/simulation/drives/driven_world.h"
 
@@ -59,9 +60,8 @@ private:
 }  // namespace
 
 bool isForMapping(const HardwareSample& sample) {
-    return std::holds_alternative<CloudSample>(sample.sample) ||
-           std::holds_alternative<OdometrySample>(sample.sample) ||
-           std::holds_alternative<ImuSample>(sample.sample);
+    return sample.sample.is<CloudSample>() || sample.sample.is<OdometrySample>() ||
+           sample.sample.is<ImuSample>();
 }
 
 Pose RecordedDrive::baseInArena(Time stamp) const {
@@ -111,7 +111,7 @@ RecordedDrive withRadioGap(RecordedDrive drive, double from, double to) {
     };
     std::vector<RecordedDrive::Received> received, late;
     for (RecordedDrive::Received& one : drive.received) {
-        const bool gap = inGap(one), slice = std::holds_alternative<CloudSample>(one.sample.sample);
+        const bool gap = inGap(one), slice = one.sample.sample.is<CloudSample>();
         if (gap && slice) late.push_back(one);
         if (gap) continue;
         // What is new waits behind the history.

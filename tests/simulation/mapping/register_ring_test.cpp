@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mapping/mapper.h"
+#include "core/mapping/offline_mapper.h"
 #include "core/mapping/relaxation/closed_map.h"
 #include "tests/simulation/mapping/building_sets.h"
 #include "tests/support/latency.h"
@@ -33,7 +33,7 @@ double errorAt(const std::vector<Pose>& poses, const ScriptedDrive& made) {
 }
 
 MapPtr mapOf(const ScriptedDrive& made, const RegistrationSettings& settings) {
-    Mapper mapper(settings);
+    OfflineMapper mapper(settings);
     for (const LiveScan& live : made.scans) mapper.add(live.scan);
     return mapper.map();
 }

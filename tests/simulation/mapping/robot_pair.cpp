@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/mapping/sighting/other_bodies.h"
 #include "robots/simulation/arena/arena_generator.h"
 #include "tests/simulation/mapping/building_tour.h"

@@ -1,6 +1,8 @@
 #include "tests/simulation/mapping/toured_in_world.h"
 
-#include <variant>
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand::simulation::test {
 
@@ -10,9 +12,8 @@ TouredInWorld::TouredInWorld(OperatedRobot& robot) : m_robot(robot) {
 
 void TouredInWorld::receive(const std::vector<HardwareSample>& reported) {
     for (const HardwareSample& sample : reported) {
-        if (const auto* mode = std::get_if<ModeSample>(&sample.sample)) m_mode = *mode;
-        if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample))
-            m_baseInOdom = odometry->baseInOdom;
+        if (const auto* mode = sample.sample.as<ModeSample>()) m_mode = *mode;
+        if (const auto* odometry = sample.sample.as<OdometrySample>()) m_baseInOdom = odometry->baseInOdom;
     }
 }
 

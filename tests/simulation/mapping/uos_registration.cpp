@@ -8,7 +8,7 @@
 
 #include "core/io/clouds/scan_source.h"
 #include "core/io/clouds/uos.h"
-#include "core/mapping/mapper.h"
+#include "core/mapping/offline_mapper.h"
 #include "tests/support/temporary_folder.h"
 
 namespace leitstand::simulation::test {
@@ -22,7 +22,7 @@ UosRegistration registeredFromUos(const MappedDrive& drive) {
     UosRegistration result;
     RegistrationSettings settings;
     settings.guess = GuessSource::Odometry;
-    Mapper mapper(settings);
+    OfflineMapper mapper(settings);
     const auto files = listScans({folder.path()});
     for (const auto& file : files.value()) {
         auto reading = readScan(file).value();

@@ -2,10 +2,11 @@
 
 #include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/event/stream_role.h"
 
 namespace leitstand::simulation::test {
 namespace {
@@ -24,7 +25,7 @@ HardwareSample pictureOf(const std::string& sensor, int content, StreamRole role
 /// What is said in place of @p sample: its content and its stamp in seconds.
 std::pair<int, int> reported(FrozenPictures& cameras, HardwareSample sample, bool frozen) {
     cameras.pass(sample, frozen);
-    const auto& picture = std::get<PictureSample>(sample.sample);
+    const auto& picture = sample.sample.get<PictureSample>();
     return {static_cast<int>(picture.content.bytes.front()),
             static_cast<int>(picture.header.stamp.time_since_epoch() / 1s)};
 }

@@ -75,7 +75,7 @@ TEST(PointLabels, ArePerfectAlsoWhileTheRobotDrives) {
     while (world.seconds() < 2.5) {
         world.advance(5ms);
         for (const HardwareSample& sample : hardware->take()) {
-            const auto* cloud = std::get_if<CloudSample>(&sample.sample);
+            const auto* cloud = sample.sample.as<CloudSample>();
             if (cloud == nullptr) continue;
             const PictureSample picture = labels.of(*cloud, world);
             ASSERT_EQ(picture.encoding, "mono8");

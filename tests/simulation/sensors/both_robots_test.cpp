@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
 #include "core/io/robot/robot_file.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "robots/simulation/sensors/camera/camera_model.h"
@@ -53,9 +54,9 @@ struct Pair {
         }
     }
     void take(HardwareSample& sample, int robot) {
-        if (auto* picture = std::get_if<PictureSample>(&sample.sample)) {
-            pictures[sample.sensor] = std::move(*picture);
-        } else if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) {
+        if (const auto* picture = sample.sample.as<PictureSample>()) {
+            pictures[sample.sensor] = *picture;
+        } else if (const auto* cloud = sample.sample.as<CloudSample>()) {
             const Pose mount = poseFrom({0, 0, 0.48}, 0, 0, 0);
             for (std::size_t i = 0; i < cloud->points.size(); ++i) {
                 const Time shot = cloud->header.stamp + std::chrono::nanoseconds(cloud->times[i]);
@@ -63,7 +64,7 @@ struct Pair {
                     points.push_back(world->baseInArena(robot, shot) * mount *
                                      cloud->points[i].cast<double>());
             }
-        } else if (const auto* scan = std::get_if<RangesSample>(&sample.sample)) {
+        } else if (const auto* scan = sample.sample.as<RangesSample>()) {
             const Pose mount = poseFrom({0.14, 0, 0.20}, 0, 0, 0);
             for (std::size_t i = 0; i < scan->ranges.size(); ++i) {
                 const double angle = scan->angleMin + scan->angleStep * double(i),

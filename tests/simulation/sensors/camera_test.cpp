@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "core/event/stream_role.h"
 #include "core/perception/omni/panorama.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "robots/simulation/sensors/pan_tilt.h"
@@ -148,8 +149,8 @@ TEST(Camera, ShowsKnownCornersWhereTheyAreWhileItTurnsAndDrives) {
         samples.clear();
         camera.run(*world, robot, samples);
         for (std::size_t i = 0; i + 1 < samples.size(); i += 2) {
-            const auto& picture = std::get<PictureSample>(samples[i].sample);
-            const auto& info = std::get<CameraInfoSample>(samples[i + 1].sample);
+            const auto& picture = samples[i].sample.get<PictureSample>();
+            const auto& info = samples[i + 1].sample.get<CameraInfoSample>();
             EXPECT_EQ(info.distortionModel, "plumb_bob");
             const Time stamp = picture.header.stamp;
             const Pose place = world->baseInArena(robot, stamp) * settings.cameraInBase(stamp);
@@ -194,11 +195,11 @@ TEST(Camera, BelowTheMirrorShowsKnownCornersWhereTheyAre) {
         std::vector<HardwareSample> samples;
         camera.run(*world, robot, samples);
         ASSERT_EQ(samples.size(), 2U);
-        const auto& info = std::get<CameraInfoSample>(samples[1].sample);
+        const auto& info = samples[1].sample.get<CameraInfoSample>();
         EXPECT_EQ(info.distortionModel, "mei");
         const Pose place = world->state(robot).baseInArena * settings.cameraInBase(world->now());
         const auto [found, worst] =
-            reproject(stage, settings.model, info, place, std::get<PictureSample>(samples[0].sample));
+            reproject(stage, settings.model, info, place, samples[0].sample.get<PictureSample>());
         EXPECT_EQ(found, 20) << "all around";
         std::printf("%d corners in %d x %d, at worst %.2f px off\n", found, model.width, model.height, worst);
     }
@@ -220,10 +221,10 @@ TEST(Camera, BelowTheMirrorIsUnwrappedTrueToDirections) {
     std::vector<HardwareSample> samples;
     camera.run(*world, robot, samples);
     ASSERT_EQ(samples.size(), 2U);
-    const auto picture = decodePicture(std::get<PictureSample>(samples[0].sample));
+    const auto picture = decodePicture(samples[0].sample.get<PictureSample>());
     ASSERT_TRUE(picture);
     const auto panorama =
-        Panorama::of(std::get<CameraInfoSample>(samples[1].sample), picture->width, picture->height, mount);
+        Panorama::of(samples[1].sample.get<CameraInfoSample>(), picture->width, picture->height, mount);
     ASSERT_TRUE(panorama);
     Picture unwrapped = panorama->unwrapped(*picture);
     const cv::Mat rgb(unwrapped.height, unwrapped.width, CV_8UC3, unwrapped.bytes.data());
@@ -260,7 +261,7 @@ TEST(Camera, AdaptsToLightAndDark) {
         Camera camera(settings, std::make_shared<SharedLight>(), Noise(1, "left"), world->now());
         std::vector<HardwareSample> samples;
         camera.run(*world, robot, samples);
-        const cv::Mat grey = greyOf(std::get<PictureSample>(samples.at(0).sample));
+        const cv::Mat grey = greyOf(samples.at(0).sample.get<PictureSample>());
         const double mean = cv::mean(grey)[0];
         EXPECT_GT(mean, light > 0.5 ? 70 : 25);
         EXPECT_LT(mean, 180);
@@ -307,11 +308,11 @@ TEST(Camera, HonoursWhatIsAskedOfItsStream) {
         std::size_t bytes = 0;
         int pictures = 0, width = 0;
         for (const HardwareSample& sample : samples) {
-            if (const auto* picture = std::get_if<PictureSample>(&sample.sample)) {
+            if (const auto* picture = sample.sample.as<PictureSample>()) {
                 bytes += picture->content.bytes.size();
                 ++pictures;
             } else {
-                width = std::get<CameraInfoSample>(sample.sample).width;
+                width = sample.sample.get<CameraInfoSample>().width;
             }
         }
         return std::tuple(pictures, width, pictures == 0 ? 0 : bytes / std::size_t(pictures));

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "robots/simulation/simulated_robot.h"
 #include "tests/simulation/sensors/room.h"
@@ -162,11 +166,11 @@ TEST(Hardware, RepeatsItselfForASeedHoweverOftenItIsAsked) {
         robot.hardware->setMotors(0.4, 0.5);
         double sum = 0.0;
         for (const HardwareSample& sample : drive(*robot.world, *robot.hardware, 3s, step)) {
-            if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) {
+            if (const auto* cloud = sample.sample.as<CloudSample>()) {
                 for (const float value : cloud->intensities) sum += double{value};
-            } else if (const auto* odometry = std::get_if<OdometrySample>(&sample.sample)) {
+            } else if (const auto* odometry = sample.sample.as<OdometrySample>()) {
                 sum += odometry->baseInOdom.translation().x();
-            } else if (const auto* gas = std::get_if<GasSample>(&sample.sample)) {
+            } else if (const auto* gas = sample.sample.as<GasSample>()) {
                 sum += gas->ppm;
             }
         }
@@ -183,9 +187,9 @@ TEST(Hardware, TurnsItsPanTiltUnitsAndTellsTheirFrames) {
     std::map<std::string, FrameTransform> frames;
     JointSample joints;
     for (const HardwareSample& sample : drive(*robot.world, *robot.hardware, 1s)) {
-        if (const auto* transforms = std::get_if<TransformsSample>(&sample.sample)) {
+        if (const auto* transforms = sample.sample.as<TransformsSample>()) {
             for (const FrameTransform& one : transforms->transforms) frames[one.childFrame] = one;
-        } else if (const auto* one = std::get_if<JointSample>(&sample.sample)) {
+        } else if (const auto* one = sample.sample.as<JointSample>()) {
             joints = *one;
         }
     }
@@ -235,7 +239,7 @@ TEST(Hardware, SeesItsOwnBodyAndNoneOfItsScannersHead) {
     Robot robot = kurt3d({.cameras = false});
     int own = 0, points = 0;
     for (const HardwareSample& sample : drive(*robot.world, *robot.hardware, 2400ms)) {
-        const auto* cloud = std::get_if<CloudSample>(&sample.sample);
+        const auto* cloud = sample.sample.as<CloudSample>();
         if (cloud == nullptr) continue;
         for (const Eigen::Vector3f& point : cloud->points) {
             if (!point.allFinite()) continue;

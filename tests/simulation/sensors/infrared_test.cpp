@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "robots/simulation/sensors/camera/infrared_camera.h"
 #include "tests/simulation/sensors/room.h"
@@ -23,7 +24,7 @@ InfraredSettings mounted() {
 }
 
 ThermalPicture pictureOf(const HardwareSample& sample) {
-    const auto picture = decodePicture(std::get<PictureSample>(sample.sample));
+    const auto picture = decodePicture(sample.sample.get<PictureSample>());
     EXPECT_TRUE(picture);
     const auto thermal = temperatures(*picture, {});
     EXPECT_TRUE(thermal);

@@ -32,7 +32,7 @@ std::string readFrom(World& world, const std::shared_ptr<SharedLight>& light, co
     Camera camera(settings, light, Noise(3, "left"), world.now());
     std::vector<HardwareSample> samples;
     camera.run(world, robot, samples);
-    const auto& bytes = std::get<PictureSample>(samples.at(0).sample).content.bytes;
+    const auto& bytes = samples.at(0).sample.get<PictureSample>().content.bytes;
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     return leitstand::test::runProcess(Decoder, {"--quiet", "--raw", file.string()}).out;

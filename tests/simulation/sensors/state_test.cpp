@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
 #include "robots/simulation/sensors/state/battery.h"
 #include "robots/simulation/sensors/state/bumpers.h"
 #include "robots/simulation/sensors/state/diagnostics.h"
@@ -19,7 +21,7 @@ template <class Kind>
 std::vector<Kind> allOf(const std::vector<HardwareSample>& samples) {
     std::vector<Kind> found;
     for (const HardwareSample& sample : samples) {
-        if (const auto* one = std::get_if<Kind>(&sample.sample)) found.push_back(*one);
+        if (const auto* one = sample.sample.as<Kind>()) found.push_back(*one);
     }
     return found;
 }

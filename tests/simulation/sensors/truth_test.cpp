@@ -92,7 +92,7 @@ TrueTurn trueTurn(Grade grade, std::uint64_t seed) {
         samples.clear();
         scanner.run(world, robot, samples);
         for (const HardwareSample& sample : samples) {
-            auto turn = assembler.add(std::get<CloudSample>(sample.sample), std::nullopt);
+            auto turn = assembler.add(sample.sample.get<CloudSample>(), std::nullopt);
             if (turn) scan = std::move(turn);
         }
     }
@@ -162,7 +162,7 @@ TEST(Truth, TheUrgErrsAsItsDataSheetSays) {
     RangeErrors errors;
     const Pose place = world.state(robot).baseInArena * settings.laserInBase;
     for (const HardwareSample& sample : samples) {
-        const auto& scan = std::get<RangesSample>(sample.sample);
+        const auto& scan = sample.sample.get<RangesSample>();
         for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
             const double angle = scan.angleMin + scan.angleStep * double(i);
             Ray ray;
@@ -205,7 +205,7 @@ TEST(Truth, InfraredPixelsTellTheTemperatureOfWhatTheySee) {
             InfraredCamera infrared(settings, Noise(7, "ir"), world.now());
             std::vector<HardwareSample> samples;
             infrared.run(world, robot, samples);
-            const auto decoded = decodePicture(std::get<PictureSample>(samples.at(0).sample));
+            const auto decoded = decodePicture(samples.at(0).sample.get<PictureSample>());
             ASSERT_TRUE(decoded);
             const auto picture = temperatures(*decoded, {});
             ASSERT_TRUE(picture);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/mapping/motion/turn_assembler.h"
 #include "robots/simulation/sensors/laser/tilting_scanner.h"
 #include "robots/simulation/sensors/laser/turning_scanner.h"
@@ -33,7 +35,7 @@ std::vector<CloudSample> clouds(World& world, int robot, Sensor& sensor, std::ch
     std::vector<CloudSample> found;
     for (HardwareSample& sample : samples) {
         if (sample.role == StreamRole::Points && sample.reach != Reach::OnBoard)
-            found.push_back(std::get<CloudSample>(sample.sample));
+            found.push_back(sample.sample.get<CloudSample>());
     }
     return found;
 }
@@ -129,7 +131,7 @@ TEST(TurningScanner, SeesFlatWallsOnceTheMotionIsUndone) {
         samples.clear();
         scanner.run(*world, robot, samples);
         for (const HardwareSample& sample : samples) {
-            const auto& slice = std::get<CloudSample>(sample.sample);
+            const auto& slice = sample.sample.get<CloudSample>();
             for (std::size_t i = 0; i < slice.points.size(); ++i) {
                 const Eigen::Vector3d point = slice.points[i].cast<double>();
                 const auto offWalls = [&](const Pose& base) {
@@ -250,11 +252,11 @@ TEST(TurningScanner, OfTheCrawlerGivesPointsAndItsFan) {
     Pose fan = Pose::Identity();
     int turns = 0, ranges = 0;
     for (const HardwareSample& sample : samples) {
-        if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) {
+        if (const auto* cloud = sample.sample.as<CloudSample>()) {
             turns += assembler.add(*cloud, std::nullopt).has_value() ? 1 : 0;
-        } else if (const auto* transforms = std::get_if<TransformsSample>(&sample.sample)) {
+        } else if (const auto* transforms = sample.sample.as<TransformsSample>()) {
             fan = transforms->transforms.at(0).childInParent;
-        } else if (const auto* scan = std::get_if<RangesSample>(&sample.sample)) {
+        } else if (const auto* scan = sample.sample.as<RangesSample>()) {
             ++ranges;
             for (std::size_t i = 0; i < scan->ranges.size(); ++i) {
                 if (!std::isfinite(scan->ranges[i])) continue;

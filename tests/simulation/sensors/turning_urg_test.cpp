@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "robots/simulation/simulated_hardware.h"
 #include "tests/simulation/sensors/room.h"
@@ -53,13 +56,13 @@ TEST(TurningUrg, ItsSlicesAndFansLieOnTheTrueWallsWhileItDrives) {
     for (int step = 0; step < 650; ++step) {
         world->advance(10ms);
         for (const HardwareSample& sample : hardware->take()) {
-            if (const auto* tf = std::get_if<TransformsSample>(&sample.sample)) {
+            if (const auto* tf = sample.sample.as<TransformsSample>()) {
                 for (const FrameTransform& one : tf->transforms) {
                     if (sample.role == StreamRole::StaticTransforms)
                         inBase[one.childFrame] = one.childInParent;
                     if (one.childFrame == "laser_fan") fans[one.header.stamp] = one.childInParent;
                 }
-            } else if (const auto* cloud = std::get_if<CloudSample>(&sample.sample)) {
+            } else if (const auto* cloud = sample.sample.as<CloudSample>()) {
                 ++clouds;
                 ASSERT_EQ(cloud->header.frame, "laser");
                 ASSERT_TRUE(inBase.contains("laser"));
@@ -70,7 +73,7 @@ TEST(TurningUrg, ItsSlicesAndFansLieOnTheTrueWallsWhileItDrives) {
                     const Eigen::Vector3d point = cloud->points[i].cast<double>();
                     slices.add(world->baseInArena(robot, shot) * inBase["laser"] * point, point.norm());
                 }
-            } else if (const auto* fan = std::get_if<RangesSample>(&sample.sample)) {
+            } else if (const auto* fan = sample.sample.as<RangesSample>()) {
                 ASSERT_TRUE(fans.contains(fan->header.stamp)) << "tf tells how it stood";
                 for (std::size_t i = 0; i < fan->ranges.size(); ++i) {
                     const double range = double{fan->ranges[i]};

@@ -4,7 +4,11 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <variant>
+
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand::simulation::test {
 namespace {
@@ -118,11 +122,11 @@ void SearchDrive::receive(const HardwareSample& sample) {
 void SearchDrive::map(const Event& event) {
     const Time now = event.received;
     const auto& sensors = m_robot.sensors;
-    if (const auto* odometry = std::get_if<OdometrySample>(&event.sample)) {
+    if (const auto* odometry = event.sample.as<OdometrySample>()) {
         m_cutter.add(*odometry, now);
-    } else if (const auto* imu = std::get_if<ImuSample>(&event.sample)) {
+    } else if (const auto* imu = event.sample.as<ImuSample>()) {
         m_cutter.add(*imu, sensors.at(event.sensor).sensorInBase, now);
-    } else if (const auto* cloud = std::get_if<CloudSample>(&event.sample)) {
+    } else if (const auto* cloud = event.sample.as<CloudSample>()) {
         m_cutter.add(*cloud, sensors.at(event.sensor).sensorInBase, now);
     }
     for (const LiveScan& scan : m_cutter.take(now)) {
@@ -152,7 +156,7 @@ void SearchDrive::map(const Event& event) {
 }
 
 void SearchDrive::look(const Event& event) {
-    const auto* picture = std::get_if<PictureSample>(&event.sample);
+    const auto* picture = event.sample.as<PictureSample>();
     if (picture == nullptr) return;
     const bool infrared = event.role == StreamRole::Thermal;
     if (!infrared && event.sensor != "left") return;

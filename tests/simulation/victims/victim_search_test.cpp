@@ -8,13 +8,13 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "app/services/finds/find_desk.h"
 #include "app/services/victims/victim_watch.h"
+#include "core/event/picture_samples.h"
 #include "robots/simulation/arena/arena_generator.h"
 #include "robots/simulation/arena/reachable_floor.h"
 #include "tests/simulation/drives/exploration.h"
@@ -112,7 +112,7 @@ TEST_F(LookAtAVictim, ItIsFoundWhereItLies) {
     for (const Event& event : m_log) {
         watch.onEvent(event);
         // A log comes faster than it can be worked through; pictures would be left out.
-        if (std::holds_alternative<PictureSample>(event.sample)) {
+        if (event.sample.is<PictureSample>()) {
             ASSERT_TRUE(leitstand::test::waitUntil([&] { return watch.waiting() < 20; }, Patience));
         }
     }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
 #include "tests/simulation/world/operated_robot.h"
 #include "tests/simulation/world/test_arena.h"
 

@@ -6,6 +6,10 @@
 #include <numbers>
 
 #include "core/base/rotation/heading.h"
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "robots/crawler/crawler_agent.h"

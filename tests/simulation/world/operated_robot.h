@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "core/event/motion_samples.h"
 #include "core/robot/control/drive_setpoint.h"
 #include "robots/agent/robot_agent.h"
 #include "robots/simulation/simulated_hardware.h"
@@ -51,7 +51,7 @@ public:
     [[nodiscard]] std::vector<Kind> all() const {
         std::vector<Kind> found;
         for (const HardwareSample& sample : m_said) {
-            if (const auto* one = std::get_if<Kind>(&sample.sample)) found.push_back(*one);
+            if (const auto* one = sample.sample.as<Kind>()) found.push_back(*one);
         }
         return found;
     }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 
+#include "core/event/stream_role.h"
 #include "core/robot/robot_description.h"
 #include "tests/transport/dds/test_node.h"
 

@@ -7,9 +7,10 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "core/event/sample.h"
+#include "core/event/stream_role.h"
 #include "core/robot/robot_description.h"
 #include "tests/support/wait.h"
 #include "transport/convert/decode.h"
@@ -57,7 +58,7 @@ public:
     [[nodiscard]] std::vector<Kind> all(const std::string& topic) const {
         std::vector<Kind> found;
         for (const Received& gotSample : on(topic)) {
-            if (const auto* one = std::get_if<Kind>(&gotSample.sample)) found.push_back(*one);
+            if (const auto* one = gotSample.sample.as<Kind>()) found.push_back(*one);
         }
         return found;
     }

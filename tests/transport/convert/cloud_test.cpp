@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/cloud_sample.h"
+#include "core/event/stream_role.h"
 #include "messages/sensor_msgs.h"
 #include "tests/transport/convert/conversion.h"
 
@@ -61,7 +63,7 @@ public:
         const SampleCase one{PointCloud2::RosName, StreamRole::Points, {}};
         auto sample = decodeCase(one, rawEvent(one, std::move(out).finish()));
         if (!sample) return sample.error();
-        return std::get<CloudSample>(std::move(sample).value());
+        return sample->get<CloudSample>();
     }
     [[nodiscard]] std::string error() {
         const auto result = decoded();
@@ -257,8 +259,8 @@ TEST(Clouds, LateTimesAndHighRingsSurviveEncoding) {
     const SampleCase one{PointCloud2::RosName, StreamRole::Points, cloud};
     const auto sample = decodeCase(one, rawEvent(one, encoded(one)));
     ASSERT_TRUE(sample) << sample.error().text;
-    EXPECT_EQ(std::get<CloudSample>(*sample).times, cloud.times);
-    EXPECT_EQ(std::get<CloudSample>(*sample).rings, cloud.rings);
+    EXPECT_EQ(sample->get<CloudSample>().times, cloud.times);
+    EXPECT_EQ(sample->get<CloudSample>().rings, cloud.rings);
 }
 
 }  // namespace

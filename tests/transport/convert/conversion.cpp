@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/sample.h"
 #include "messages/diagnostic_msgs.h"
 #include "messages/leitstand_msgs.h"
 #include "messages/nav_msgs.h"

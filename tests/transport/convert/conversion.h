@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/event/raw_event.h"
+#include "core/event/sample.h"
 #include "tests/support/samples.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
 #include "messages/diagnostic_msgs.h"
 #include "messages/leitstand_msgs.h"
 #include "messages/sensor_msgs.h"

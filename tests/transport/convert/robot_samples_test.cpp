@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/frame_names.h"
 #include "messages/diagnostic_msgs.h"
 #include "messages/nav_msgs.h"
@@ -76,7 +80,7 @@ std::vector<std::string> frames(const wire::tf2_msgs::TFMessage& message, TfPref
     const auto event = decodeEvent(eventOf(message, stream), robot(prefix), stream);
     if (!event) return {event.error().text};
     std::vector<std::string> found;
-    for (const FrameTransform& one : std::get<TransformsSample>(event->sample).transforms) {
+    for (const FrameTransform& one : event->sample.get<TransformsSample>().transforms) {
         found.push_back(one.header.frame + " > " + one.childFrame);
     }
     return found;
@@ -110,8 +114,8 @@ TEST(Frames, OfEverySampleAreNamedAlike) {
     EXPECT_EQ(event->robot, "kurt3d");
     EXPECT_EQ(event->role, StreamRole::Odometry);
     EXPECT_EQ(event->sensor, "wheels");
-    EXPECT_EQ(std::get<OdometrySample>(event->sample).header.frame, "kurt3d/odom");
-    EXPECT_EQ(std::get<OdometrySample>(event->sample).childFrame, "kurt3d/base_link");
+    EXPECT_EQ(event->sample.get<OdometrySample>().header.frame, "kurt3d/odom");
+    EXPECT_EQ(event->sample.get<OdometrySample>().childFrame, "kurt3d/base_link");
     EXPECT_EQ(frameName(robot(TfPrefix::Topic), ""), "");
 }
 
@@ -138,7 +142,7 @@ TEST(Diagnostics, OnlyThoseOfTheRobotsHardwareCount) {
     const auto names = [&] {
         std::string text;
         const auto sample = decode(eventOf(message, stream), stream);
-        for (const auto& status : std::get<DiagnosticsSample>(*sample).statuses) text += status.name;
+        for (const auto& status : sample->get<DiagnosticsSample>().statuses) text += status.name;
         return text;
     };
     EXPECT_EQ(names(), "abc");
@@ -154,8 +158,8 @@ TEST(Gas, MayBeABareNumber) {
     stream.sensor = "methane";
     const auto sample = decode(eventOf(message, stream), stream);
     ASSERT_TRUE(sample);
-    EXPECT_EQ(std::get<GasSample>(*sample).ppm, 415.5);
-    EXPECT_EQ(std::get<GasSample>(*sample).gas, "methane");
+    EXPECT_EQ(sample->get<GasSample>().ppm, 415.5);
+    EXPECT_EQ(sample->get<GasSample>().gas, "methane");
     for (const float wrong : {NaN, -1.0F, 2e6F}) {
         message.data = wrong;
         EXPECT_THAT(errorOf(message, StreamRole::Gas), HasSubstr("ppm"));
@@ -170,7 +174,7 @@ TEST(Imu, TellsWhatItDoesNotMeasure) {
     message.angular_velocity_covariance[0] = Infinity;
     const auto sample = decoded(message, StreamRole::Imu);
     ASSERT_TRUE(sample) << sample.error().text;
-    const auto& imu = std::get<ImuSample>(*sample);
+    const auto& imu = sample->get<ImuSample>();
     EXPECT_FALSE(imu.orientation);
     EXPECT_FALSE(imu.linearAcceleration);
     EXPECT_EQ(imu.angularVelocity, Eigen::Vector3d(0, 0, 0.5));
@@ -184,12 +188,12 @@ TEST(Battery, UnderstandsPercentAndUnmeasuredNumbers) {
     message.power_supply_status = 77;
     const auto sample = decoded(message, StreamRole::Battery);
     ASSERT_TRUE(sample);
-    const auto& battery = std::get<BatterySample>(*sample);
+    const auto& battery = sample->get<BatterySample>();
     EXPECT_DOUBLE_EQ(battery.fraction, 0.87);
     EXPECT_TRUE(std::isnan(battery.voltage));
     EXPECT_EQ(battery.status, BatterySample::Status::Unknown);
     message.percentage = -1.0F;
-    EXPECT_TRUE(std::isnan(std::get<BatterySample>(*decoded(message, StreamRole::Battery)).fraction));
+    EXPECT_TRUE(std::isnan(decoded(message, StreamRole::Battery)->get<BatterySample>().fraction));
 }
 
 TEST(Ranges, NeedAnglesAndMatchingLists) {

@@ -5,6 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 #include "tests/transport/convert/conversion.h"
 #include "transport/convert/message_catalog.h"
@@ -66,11 +70,11 @@ TEST(RoundTrip, EveryTypeOfTheTableOfStreamsIsTried) {
 
 TEST(RoundTrip, PicturesAreNotCopied) {
     for (const SampleCase& one : sampleCases()) {
-        if (!std::holds_alternative<PictureSample>(one.sample)) continue;
+        if (!one.sample.is<PictureSample>()) continue;
         const RawEvent event = rawEvent(one, encoded(one));
         const auto sample = decodeCase(one, event);
         ASSERT_TRUE(sample);
-        const SharedBytes& content = std::get<PictureSample>(*sample).content;
+        const SharedBytes& content = sample->get<PictureSample>().content;
         EXPECT_GE(content.bytes.data(), event.cdr->data());
         EXPECT_LE(content.bytes.data() + content.bytes.size(), event.cdr->data() + event.cdr->size());
         EXPECT_EQ(content.owner, event.cdr);

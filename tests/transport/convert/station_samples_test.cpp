@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/map_samples.h"
+#include "core/event/sample.h"
 #include "messages/leitstand_msgs.h"
 #include "messages/sensor_msgs.h"
 #include "tests/transport/convert/conversion.h"
@@ -119,7 +121,7 @@ TEST(MapCrops, WithoutACeilingComeBackSo) {
     open.sample = MapCropSample{Time{}, "station-1", {}, Infinity};
     const auto back = decodeCase(open, rawEvent(open, encoded(open)));
     ASSERT_TRUE(back.ok()) << back.error().text;
-    EXPECT_EQ(std::get<MapCropSample>(*back).ceiling, Infinity);
+    EXPECT_EQ(back->get<MapCropSample>().ceiling, Infinity);
 }
 
 TEST(RobotPlaces, AreRigidAndOfARobot) {

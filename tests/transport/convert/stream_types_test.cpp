@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/raw_event.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 #include "transport/convert/decode.h"
 

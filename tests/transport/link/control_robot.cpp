@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/encode.h"

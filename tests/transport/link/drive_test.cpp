@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/sample.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"
@@ -35,7 +38,7 @@ public:
     struct Command {
         Clock::time_point at;
         Sample sample;
-        [[nodiscard]] double speed() const { return std::get<TwistSample>(sample).linear.x(); }
+        [[nodiscard]] double speed() const { return sample.get<TwistSample>().linear.x(); }
     };
     [[nodiscard]] std::vector<Command> commands() const {
         const std::scoped_lock lock(m_mutex);
@@ -311,7 +314,7 @@ TEST_F(Drive, StampsAreWhoseTheRobotsFileSays) {
         DriveStreamerSettings settings;
         settings.clockAhead = [] { return 5s; };
         start(robot, StreamRole::DriveCommand, settings);
-        const auto command = std::get<TwistSample>(m_wire->last()->sample);
+        const auto command = m_wire->last()->sample.get<TwistSample>();
         ASSERT_TRUE(command.stamp);
         const auto off = *command.stamp - std::chrono::system_clock::now();
         EXPECT_LT(std::chrono::abs(off - one.off), 2s);
@@ -321,7 +324,7 @@ TEST_F(Drive, StampsAreWhoseTheRobotsFileSays) {
     robot.streams[1].type = "geometry_msgs/msg/TwistStamped";
     robot.streams[1].stamp = StampSource::Zero;
     start(robot);
-    EXPECT_FALSE(std::get<TwistSample>(m_wire->last()->sample).stamp);
+    EXPECT_FALSE(m_wire->last()->sample.get<TwistSample>().stamp);
 }
 
 TEST_F(Drive, TracksAreDrivenWhereThereIsNothingElse) {
@@ -337,7 +340,7 @@ TEST_F(Drive, TracksAreDrivenWhereThereIsNothingElse) {
         const DriveVelocity velocity = moving.commands().commanded();
         return std::abs(velocity.forward - 0.2) < 1e-9 && std::abs(velocity.turn - 0.5) < 1e-9;
     }));
-    const auto command = std::get<TrackCommand>(m_wire->last()->sample);
+    const auto command = m_wire->last()->sample.get<TrackCommand>();
     EXPECT_EQ(command.names, (std::vector<std::string>{"left_track", "right_track"}));
 }
 

@@ -9,6 +9,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/transport/link/control_robot.h"
 #include "tests/transport/link/control_station.h"
 #include "transport/convert/decode.h"
@@ -100,7 +102,7 @@ protected:
         m_wire = must(m_robotNode->subscribe(
             {stream.topic, stream.type, stream.qos}, [this, stream](const ReceivedSample& sample) {
                 if (senderOf(sample.writer) != senderOf(m_guardNode->guid())) return;
-                const auto twist = std::get<TwistSample>(must(decode(sample.event, stream)));
+                const auto twist = must(decode(sample.event, stream)).get<TwistSample>();
                 m_zeros += twist.linear.isZero() && twist.angular.isZero() ? 1 : 0;
                 m_others += twist.linear.isZero() ? 0 : 1;
             }));

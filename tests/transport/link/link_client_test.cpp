@@ -1,10 +1,13 @@
 #include <cmath>
 #include <cstdio>
-#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/command_samples.h"
+#include "core/event/scan_links.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "tests/transport/link/link_robot.h"
 #include "tests/transport/link/link_station.h"
@@ -154,8 +157,8 @@ TEST_F(Link, WhatIsSaidAndHeardIsGivenToTheLog) {
     const auto ping = decode(station.pings()[0], *m_robot.stream(StreamRole::Ping));
     const auto pong = decode(station.pongs()[0], *m_robot.stream(StreamRole::Pong));
     ASSERT_TRUE(ping && pong);
-    EXPECT_EQ(std::get<PingSample>(*ping).station, "station one");
-    EXPECT_EQ(std::get<PongSample>(*pong).station, "station one");
+    EXPECT_EQ(ping->get<PingSample>().station, "station one");
+    EXPECT_EQ(pong->get<PongSample>().station, "station one");
     EXPECT_EQ(station.pings()[0].topic, "/kurt3d/ping");
     EXPECT_EQ(station.pongs()[0].topic, "/kurt3d/pong");
 }

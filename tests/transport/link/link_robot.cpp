@@ -2,8 +2,11 @@
 
 #include <condition_variable>
 #include <mutex>
-#include <variant>
 
+#include "core/event/command_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/decode.h"
@@ -53,7 +56,7 @@ void LinkRobot::answer(const ReceivedSample& sample) {
     const Time received = clock();
     const auto decoded = decode(sample.event, *m_robot.stream(StreamRole::Ping));
     if (!decoded) return;
-    const auto& ping = std::get<PingSample>(*decoded);
+    const auto& ping = decoded->get<PingSample>();
     ++m_pings;
     m_lastPing = ping.number;
     if (m_garbage) static_cast<void>(m_pong->write(testPayload(23, 1)));

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/link/link_client.h"
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/event/station_topics.h"
+#include "core/event/stream_role.h"
 #include "tests/support/child_process.h"
 #include "tests/support/net/radio_link.h"
 #include "tests/support/places.h"

@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "core/event/stream_role.h"
 #include "tests/support/dds/going_listeners.h"
 #include "tests/support/dds/test_domain.h"
 #include "tests/support/temporary_folder.h"

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <QLocale>
 
+#include "core/event/status_samples.h"
+#include "tests/support/latest.h"
 #include "tests/widgets/live/sample_robot.h"
 #include "widgets/models/live/robots/drive_state.h"
 #include "widgets/models/live/robots/robot_chip.h"
@@ -30,8 +32,8 @@ TEST_F(BatteryWords, BatteryTellsMinutesAndWarnsWhenLow) {
     EXPECT_EQ(state().battery.left.toStdString(), "38 min at this load");
     EXPECT_EQ(state().battery.leftBrief.toStdString(), "38 min");
     const auto toneOf = [this](double share, double current, const AlarmLimits& limits = {}) {
-        robot.reported.battery->sample.fraction = share;
-        robot.reported.battery->sample.current = current;
+        test::editable(robot.reported.battery).sample.fraction = share;
+        test::editable(robot.reported.battery).sample.current = current;
         return state(0.0, limits).battery.charge.tone;
     };
     EXPECT_EQ(toneOf(0.24, -1.0), Tone::Normal) << "as the alarms have it";
@@ -44,7 +46,7 @@ TEST_F(BatteryWords, BatteryTellsMinutesAndWarnsWhenLow) {
     AlarmLimits own;
     own.batteryShare = 0.6;
     EXPECT_EQ(toneOf(0.5, -1.0, own), Tone::Attention) << "limits are the operator's";
-    robot.reported.battery->sample.current = Unknown;
+    test::editable(robot.reported.battery).sample.current = Unknown;
     EXPECT_TRUE(state().battery.left.isEmpty());
     robot.reported.battery.reset();
     EXPECT_EQ(state().battery.left.toStdString(), "not reported");
@@ -62,7 +64,7 @@ TEST_F(BatteryWords, ABatteryThatIsNotToldAnyMoreIsADashInTheBarAndGreyInTheStri
     EXPECT_THAT(old.details.toStdString(), HasSubstr("battery 71\u202f%, no data for 12 s"));
     EXPECT_EQ(state(9.0).battery.charge.tone, Tone::Normal);
     EXPECT_EQ(state(12.0).battery.charge.tone, Tone::Muted);
-    robot.reported.battery->sample.fraction = 0.05;
+    test::editable(robot.reported.battery).sample.fraction = 0.05;
     EXPECT_EQ(state(12.0).battery.charge.tone, Tone::Muted) << "not the alarm of now";
 }
 

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand::test {
 
@@ -43,12 +48,17 @@ OdometrySample odometryOf(double speed, double turn, double roll, double pitch) 
     return odometry;
 }
 
+std::shared_ptr<const JointSample> trackSpeeds(std::vector<double> speeds) {
+    return std::make_shared<const JointSample>(
+        JointSample{{}, {"left_track", "right_track"}, {}, std::move(speeds), {}});
+}
+
 void setMode(SampleRobot& robot, const std::string& mode, bool autonomous, const std::string& reason) {
     ModeSample sample;
     sample.mode = mode;
     sample.autonomous = autonomous;
     sample.reason = reason;
-    robot.reported.mode = Latest<ModeSample>{3, at(-5), sample};
+    robot.reported.mode = latestPtr(Latest<ModeSample>{3, at(-5), sample});
 }
 
 void setStop(SampleRobot& robot, bool acknowledged, bool standing) {
@@ -86,20 +96,20 @@ SampleRobot sampleRobot(const std::string& letter, const std::string& title, int
     robot.view.around = corridor();
 
     setMode(robot, "teleoperation");
-    robot.reported.odometry =
-        Latest<OdometrySample>{1, at(-0.03), odometryOf(0.42, degrees(-8), degrees(6), degrees(-3))};
+    robot.reported.odometry = latestPtr(
+        Latest<OdometrySample>{1, at(-0.03), odometryOf(0.42, degrees(-8), degrees(6), degrees(-3))});
     BatterySample battery;
     battery.fraction = 0.71;
     battery.capacity = 10.0;
     battery.current = -11.2;
-    robot.reported.battery = Latest<BatterySample>{4, at(-0.4), battery};
+    robot.reported.battery = latestPtr(Latest<BatterySample>{4, at(-0.4), battery});
     GasSample gas;
     for (int i = 0; i < 110; ++i) {
         gas.ppm = 640.0 + 12.0 * std::sin(0.9 * i) + (i > 70 ? 13.2 * (i - 70) : 0.0);
         robot.gas.add(at(i - 109.5), gas.ppm);
     }
     gas.ppm = 1180;
-    robot.reported.gas = Latest<GasSample>{5, at(-0.5), gas};
+    robot.reported.gas = latestPtr(Latest<GasSample>{5, at(-0.5), gas});
     return robot;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <vector>
 
+#include "core/event/motion_samples.h"
 #include "core/mission/state/robot_state.h"
 #include "core/robot/robot_description.h"
 #include "core/station/robot_view.h"
@@ -32,6 +35,8 @@ struct SampleRobot {
 [[nodiscard]] VirtualScanView corridor(double gap = 0.9);
 /// The odometry of a robot that rolls and pitches [rad].
 [[nodiscard]] OdometrySample odometryOf(double speed, double turn, double roll, double pitch);
+/// What its chains do, left and right [m/s]; empty: they do not tell.
+[[nodiscard]] std::shared_ptr<const JointSample> trackSpeeds(std::vector<double> speeds);
 /// Its mode as it says it.
 void setMode(SampleRobot& robot, const std::string& mode, bool autonomous = false,
              const std::string& reason = {});

@@ -6,6 +6,8 @@
 #include <QLocale>
 #include <QSignalSpy>
 
+#include "core/event/stream_role.h"
+
 namespace leitstand {
 namespace {
 

@@ -7,6 +7,10 @@
 #include <QTranslator>
 
 #include "core/base/pose.h"
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+#include "tests/support/latest.h"
 #include "tests/widgets/live/sample_robot.h"
 #include "widgets/models/live/robots/drive_state.h"
 #include "widgets/models/live/robots/robot_chip.h"
@@ -50,7 +54,7 @@ TEST_F(LiveWords, ARobotWhoseLinkIsLostDrivesItselfAsLongAsItSaidSoAndNoStopStan
     robot.view.stop.stopped = false;
     setMode(robot, "stopped", false, "");
     EXPECT_FALSE(drivesItself(robot.view, robot.reported.mode));
-    EXPECT_FALSE(drivesItself(robot.view, std::nullopt)) << "it never said";
+    EXPECT_FALSE(drivesItself(robot.view, nullptr)) << "it never said";
 }
 
 TEST_F(LiveWords, AModeHasItsKind) {
@@ -211,19 +215,19 @@ TEST_F(LiveWords, ChainsAreToldMeasuredOfCommanded) {
     EXPECT_TRUE(stateOf(robot).tracks.text.isEmpty()) << "wheels";
     robot.description.drive = DriveType::Tracked;
     robot.view.drive.velocity = {0.25, 0.0, 0.0};
-    robot.view.joints = JointSample{{}, {"left_track", "right_track"}, {}, {0.21, 0.24}, {}};
+    robot.view.joints = test::trackSpeeds({0.21, 0.24});
     robot.view.jointsAge = 0.1;
     EXPECT_EQ(stateOf(robot).tracks.text.toStdString(), "chains 0.21 of 0.25 · 0.24 of 0.25 m/s");
     EXPECT_EQ(stateOf(robot).tracks.tone, Tone::Muted);
-    robot.view.joints->velocities = {0.01, 0.24};
+    robot.view.joints = test::trackSpeeds({0.01, 0.24});
     EXPECT_EQ(stateOf(robot).tracks.note.toStdString(), "the left chain does not follow");
     EXPECT_EQ(stateOf(robot).tracks.tone, Tone::Attention);
-    robot.view.joints->velocities = {0.0, -0.1};
+    robot.view.joints = test::trackSpeeds({0.0, -0.1});
     EXPECT_EQ(stateOf(robot).tracks.note.toStdString(), "the chains do not follow");
     robot.view.jointsAge = 2.0;
     EXPECT_TRUE(stateOf(robot).tracks.text.isEmpty());
     robot.view.jointsAge = 0.1;
-    robot.view.joints->velocities.clear();
+    robot.view.joints = test::trackSpeeds({});
     EXPECT_TRUE(stateOf(robot).tracks.text.isEmpty()) << "not told";
 }
 
@@ -265,9 +269,9 @@ TEST_F(LiveWords, FiguresAreMutedOrGoneWhenTheyAreOld) {
 
 TEST_F(LiveWords, WhatIsNoNumberIsADash) {
     const QString dash(QChar(0x2013));
-    robot.reported.odometry->sample = test::odometryOf(Unknown, Unknown, Unknown, Unknown);
-    robot.reported.gas->sample.ppm = Unknown;
-    robot.reported.battery->sample = {};
+    test::editable(robot.reported.odometry).sample = test::odometryOf(Unknown, Unknown, Unknown, Unknown);
+    test::editable(robot.reported.gas).sample.ppm = Unknown;
+    test::editable(robot.reported.battery).sample = {};
     robot.view.around->obstacles = {{Eigen::Vector2d(Unknown, 1.0), 0.0}};
     robot.view.drive.velocity = {Unknown, 0.0, Unknown};
     const DriveState state = stateOf(robot);
@@ -281,7 +285,8 @@ TEST_F(LiveWords, WhatIsNoNumberIsADash) {
 
 TEST_F(LiveWords, AttitudeWarnsBeforeItsLimits) {
     const auto toneAt = [this](double roll, double pitch) {
-        robot.reported.odometry->sample = test::odometryOf(0, 0, degrees(roll), degrees(pitch));
+        test::editable(robot.reported.odometry).sample =
+            test::odometryOf(0, 0, degrees(roll), degrees(pitch));
         return stateOf(robot).attitude.tone;
     };
     EXPECT_EQ(toneAt(6, -3), Tone::Normal);
@@ -295,7 +300,7 @@ TEST_F(LiveWords, AttitudeWarnsBeforeItsLimits) {
     ImuSample imu;
     imu.orientation = Eigen::Quaterniond(poseFrom({0, 0, 0}, degrees(10), 0, 0.3).linear() *
                                          poseFrom({0, 0, 0}, degrees(90), 0, 0).linear());
-    robot.reported.imu = Latest<ImuSample>{9, at(0), imu};
+    robot.reported.imu = latestPtr(Latest<ImuSample>{9, at(0), imu});
     EXPECT_NEAR(stateOf(robot).attitude.roll, degrees(10), 1e-9);
     EXPECT_NEAR(stateOf(robot).attitude.pitch, 0.0, 1e-9);
 }
@@ -312,7 +317,7 @@ TEST_F(LiveWords, GasRisesFallsAndRaisesItsVoice) {
     EXPECT_LE(steady.samples(at(0)).size(), 121u);
     steady.add(at(-400), 800.0);
     EXPECT_EQ(steady.samples(at(-400)).size(), 1u) << "a clock that went back begins anew";
-    robot.reported.gas->sample.ppm = 2400;
+    test::editable(robot.reported.gas).sample.ppm = 2400;
     EXPECT_EQ(stateOf(robot).gas.value.tone, Tone::Attention);
 }
 

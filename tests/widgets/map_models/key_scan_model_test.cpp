@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/scan_pose.h"
 #include "widgets/models/map/doubt_text.h"
 #include "widgets/models/tone.h"
 

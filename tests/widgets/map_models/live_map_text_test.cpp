@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/scan_pose.h"
+
 namespace leitstand::test {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "core/event/motion_samples.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/drive/drive_strip.h"
 #include "widgets/painting/theme.h"
@@ -83,7 +84,7 @@ TEST_P(AlarmPanes, AChosenOneIsAcknowledgedByReturnTheNewestByTheButton) {
 TEST_P(AlarmPanes, TheStripTellsChainsCapAndOverride) {
     SampleRobot crawler = sampleRobot("C", "Crawler", 1);
     crawler.description.drive = DriveType::Tracked;
-    crawler.view.joints = JointSample{{}, {"left_track", "right_track"}, {}, {0.41, 0.40}, {}};
+    crawler.view.joints = trackSpeeds({0.41, 0.40});
     crawler.view.jointsAge = 0.1;
     crawler.view.drive.sight = {.factor = 0.0, .reason = SightReason::FrozenPicture, .age = 2.4};
     DriveStrip strip;
@@ -94,7 +95,7 @@ TEST_P(AlarmPanes, TheStripTellsChainsCapAndOverride) {
         EXPECT_TRUE(textFaults(strip).isEmpty()) << textFaults(strip).join('\n').toStdString();
     }
     crawler.view.drive.sight.overridden = true;
-    crawler.view.joints->velocities = {0.0, 0.4};
+    crawler.view.joints = trackSpeeds({0.0, 0.4});
     strip.show(driveStateOf(crawler));
     static_cast<void>(pictureOf(strip, {900, 190}, named("override")));
 }

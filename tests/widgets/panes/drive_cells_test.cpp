@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "app/language/language.h"
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
+#include "tests/support/latest.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/drive/drive_strip.h"
 #include "widgets/drive/energy_cell.h"
@@ -32,7 +35,7 @@ SampleRobot trackedRobot(double left, double right) {
     SampleRobot robot = sampleRobot("C", "Crawler", 1);
     robot.description.drive = DriveType::Tracked;
     robot.view.drive.velocity = {0.25, 0.0, 0.0};
-    robot.view.joints = JointSample{{}, {"left_track", "right_track"}, {}, {left, right}, {}};
+    robot.view.joints = trackSpeeds({left, right});
     robot.view.jointsAge = 0.1;
     return robot;
 }
@@ -107,7 +110,7 @@ TEST_P(DriveCells, HowMuchIsLostOnTheLinkIsToldWholeInEveryLanguage) {
 
 TEST_P(DriveCells, ABatteryWithFewMinutesIsLoudHoweverFullItIs) {
     SampleRobot robot = sampleRobot();
-    robot.reported.battery->sample.current = -60.0;  // 7 minutes
+    editable(robot.reported.battery).sample.current = -60.0;  // 7 minutes
     EnergyCell cell;
     cell.show(driveStateOf(robot));
     EXPECT_GT(countOf(pictureOf(cell, {141, 178}, "few_minutes"), colours().attention, 20), 100);

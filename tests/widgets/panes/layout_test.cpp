@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QTranslator>
 
+#include "core/event/stream_role.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/camera/camera_pane.h"
 #include "widgets/drive/drive_strip.h"

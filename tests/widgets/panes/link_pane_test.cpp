@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QTest>
 
+#include "core/event/stream_role.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/painting/number_box.h"
 

@@ -8,6 +8,8 @@
 #include <QTableView>
 #include <QTest>
 
+#include "core/event/candidate_sample.h"
+#include "core/mission/state/find_state.h"
 #include "tests/widgets/panes/shown.h"
 #include "widgets/models/victims/tag_choices.h"
 #include "widgets/painting/theme.h"

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/find_sample.h"
+#include "core/mission/state/find_state.h"
+
 namespace leitstand {
 namespace {
 
@@ -31,7 +34,7 @@ MissionState mission() {
     victim.status = FindSample::Status::Hypothesis;
     state.finds.edit()[{victim.kind, 2U}] = {2, 2, victim};
     state.robots["kurt3d"].edit().contacts = {{5, {}, "front", 2, std::nullopt}};
-    state.info = Latest<MissionInfoSample>{3, {}, {.operators = 2}};
+    state.info = latestPtr(Latest<MissionInfoSample>{3, {}, {.operators = 2}});
     return state;
 }
 

@@ -5,6 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/fold.h"
 #include "widgets/models/times.h"
 #include "widgets/models/victims/move_text.h"

@@ -2,9 +2,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/event/all_samples.h"
+#include "messages/sensor_msgs.h"
 #include "transport/convert/detail/cloud_column.h"
+#include "transport/convert/detail/cloud_encoding.h"
 #include "transport/convert/detail/cloud_times.h"
-#include "transport/convert/detail/from_wire.h"
+#include "transport/convert/detail/conversion.h"
 
 namespace leitstand::detail {
 namespace {
@@ -168,6 +171,13 @@ RangesSample fromWire(const wire::sensor_msgs::LaserScan& from, const Source&, C
             from.range_max,
             from.ranges,
             from.intensities};
+}
+
+std::vector<Conversion> cloudConversions() {
+    return {
+        conversion<wire::sensor_msgs::PointCloud2, CloudSample>(),
+        conversion<wire::sensor_msgs::LaserScan, RangesSample>(),
+    };
 }
 
 }  // namespace leitstand::detail

@@ -1,6 +1,6 @@
 #include <limits>
 
-#include "transport/convert/detail/to_wire.h"
+#include "transport/convert/detail/cloud_encoding.h"
 
 namespace leitstand::detail {
 namespace {

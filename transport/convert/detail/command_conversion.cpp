@@ -1,5 +1,6 @@
-#include "transport/convert/detail/from_wire.h"
-#include "transport/convert/detail/to_wire.h"
+#include "core/event/all_samples.h"
+#include "messages/leitstand_msgs.h"
+#include "transport/convert/detail/conversion.h"
 
 namespace leitstand::detail {
 namespace {
@@ -55,6 +56,15 @@ PingSample fromWire(const wire::leitstand_msgs::Ping& from, const Source&, Check
 
 void toWire(const PingSample& from, wire::leitstand_msgs::Ping& to, Buffer&, Checks& checks) {
     to = {from.number, from.station, checks.wireTime("sent", from.sent)};
+}
+
+std::vector<Conversion> commandConversions() {
+    return {
+        conversion<wire::leitstand_msgs::StopCommand, StopCommandSample>(),
+        conversion<wire::leitstand_msgs::ModeCommand, ModeCommandSample>(),
+        conversion<wire::leitstand_msgs::StreamCommand, StreamCommandSample>(),
+        conversion<wire::leitstand_msgs::Ping, PingSample>(),
+    };
 }
 
 }  // namespace leitstand::detail

@@ -6,8 +6,9 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "transport/convert/detail/from_wire.h"
-#include "transport/convert/detail/to_wire.h"
+#include "core/event/all_samples.h"
+#include "messages/leitstand_msgs.h"
+#include "transport/convert/detail/conversion.h"
 
 namespace leitstand::detail {
 namespace {
@@ -339,6 +340,17 @@ void toWire(const RobotPlaceSample& from, wire::leitstand_msgs::RobotPlace& to, 
           from.overlap,
           from.certain,
           from.how};
+}
+
+std::vector<Conversion> mapConversions() {
+    return {
+        stationConversion<wire::leitstand_msgs::KeyScan, KeyScanSample>(),
+        stationConversion<wire::leitstand_msgs::ScanPoses, ScanPosesSample>(),
+        stationConversion<wire::leitstand_msgs::ScanLinks, ScanLinksSample>(),
+        stationConversion<wire::leitstand_msgs::ScanBodies, ScanBodiesSample>(),
+        stationConversion<wire::leitstand_msgs::MapCrop, MapCropSample>(),
+        stationConversion<wire::leitstand_msgs::RobotPlace, RobotPlaceSample>(),
+    };
 }
 
 }  // namespace leitstand::detail

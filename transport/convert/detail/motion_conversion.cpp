@@ -1,5 +1,9 @@
-#include "transport/convert/detail/from_wire.h"
-#include "transport/convert/detail/to_wire.h"
+#include "core/event/all_samples.h"
+#include "messages/geometry_msgs.h"
+#include "messages/nav_msgs.h"
+#include "messages/sensor_msgs.h"
+#include "messages/tf2_msgs.h"
+#include "transport/convert/detail/conversion.h"
 
 namespace leitstand::detail {
 namespace {
@@ -173,6 +177,18 @@ void toWire(const TwistSample& from, wire::geometry_msgs::Twist& to, Buffer&, Ch
 void toWire(const TwistSample& from, wire::geometry_msgs::TwistStamped& to, Buffer& buffer, Checks& checks) {
     to.header = checks.wireHeader({from.stamp.value_or(Time{}), from.frame});
     toWire(from, to.twist, buffer, checks);
+}
+
+std::vector<Conversion> motionConversions() {
+    return {
+        conversion<wire::nav_msgs::Odometry, OdometrySample>(),
+        conversion<wire::sensor_msgs::Imu, ImuSample>(),
+        conversion<wire::sensor_msgs::JointState, JointSample>(),
+        conversion<wire::tf2_msgs::TFMessage, TransformsSample>(),
+        conversion<wire::geometry_msgs::Twist, TwistSample>(),
+        conversion<wire::geometry_msgs::TwistStamped, TwistSample>(),
+        conversion<wire::geometry_msgs::PoseStamped, PoseSample>(),
+    };
 }
 
 }  // namespace leitstand::detail

@@ -1,9 +1,10 @@
 #include <algorithm>
 
+#include "core/event/all_samples.h"
 #include "core/perception/pictures/coding/picture_encoding.h"
 #include "core/perception/pictures/coding/picture_file.h"
-#include "transport/convert/detail/from_wire.h"
-#include "transport/convert/detail/to_wire.h"
+#include "messages/sensor_msgs.h"
+#include "transport/convert/detail/conversion.h"
 
 namespace leitstand::detail {
 namespace {
@@ -119,6 +120,14 @@ void toWire(const CameraInfoSample& from, wire::sensor_msgs::CameraInfo& to, Buf
     to.roi = {checks.wireSize("roi.x_offset", from.roiX), checks.wireSize("roi.y_offset", from.roiY),
               checks.wireSize("roi.height", from.roiHeight), checks.wireSize("roi.width", from.roiWidth),
               false};
+}
+
+std::vector<Conversion> pictureConversions() {
+    return {
+        conversion<wire::sensor_msgs::Image, PictureSample>(),
+        conversion<wire::sensor_msgs::CompressedImage, PictureSample>(),
+        conversion<wire::sensor_msgs::CameraInfo, CameraInfoSample>(),
+    };
 }
 
 }  // namespace leitstand::detail

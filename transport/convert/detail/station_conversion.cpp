@@ -1,5 +1,6 @@
-#include "transport/convert/detail/from_wire.h"
-#include "transport/convert/detail/to_wire.h"
+#include "core/event/all_samples.h"
+#include "messages/leitstand_msgs.h"
+#include "transport/convert/detail/conversion.h"
 
 namespace leitstand::detail {
 
@@ -135,6 +136,20 @@ void toWire(const AlarmSample& from, wire::leitstand_msgs::Alarm& to, Buffer&, C
           static_cast<std::uint8_t>(from.severity),
           static_cast<std::uint8_t>(from.state),
           from.text};
+}
+
+std::vector<Conversion> stationConversions() {
+    return {
+        stationConversion<wire::leitstand_msgs::Grant, GrantSample>(),
+        stationConversion<wire::leitstand_msgs::MissionClock, ClockSample>(),
+        stationConversion<wire::leitstand_msgs::MissionInfo, MissionInfoSample>(),
+        stationConversion<wire::leitstand_msgs::ClockOffset, ClockOffsetSample>(),
+        stationConversion<wire::leitstand_msgs::Undo, UndoSample>(),
+        stationConversion<wire::leitstand_msgs::Checkpoint, CheckpointSample>(),
+        stationConversion<wire::leitstand_msgs::Note, NoteSample>(),
+        stationConversion<wire::leitstand_msgs::Session, SessionSample>(),
+        stationConversion<wire::leitstand_msgs::Alarm, AlarmSample>(),
+    };
 }
 
 }  // namespace leitstand::detail

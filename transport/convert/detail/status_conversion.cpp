@@ -1,5 +1,9 @@
-#include "transport/convert/detail/from_wire.h"
-#include "transport/convert/detail/to_wire.h"
+#include "core/event/all_samples.h"
+#include "messages/diagnostic_msgs.h"
+#include "messages/leitstand_msgs.h"
+#include "messages/sensor_msgs.h"
+#include "messages/std_msgs.h"
+#include "transport/convert/detail/conversion.h"
 
 namespace leitstand::detail {
 namespace {
@@ -166,6 +170,21 @@ PongSample fromWire(const wire::leitstand_msgs::Pong& from, const Source&, Check
 void toWire(const PongSample& from, wire::leitstand_msgs::Pong& to, Buffer&, Checks& checks) {
     to = {from.number, from.station, checks.wireTime("sent", from.sent),
           checks.wireTime("received", from.received), checks.wireTime("replied", from.replied)};
+}
+
+std::vector<Conversion> statusConversions() {
+    return {
+        conversion<wire::leitstand_msgs::GasConcentration, GasSample>(),
+        conversion<wire::std_msgs::Float32, GasSample>(),
+        conversion<wire::sensor_msgs::BatteryState, BatterySample>(),
+        conversion<wire::diagnostic_msgs::DiagnosticArray, DiagnosticsSample>(),
+        conversion<wire::leitstand_msgs::Mode, ModeSample>(),
+        conversion<wire::leitstand_msgs::Bumps, BumpSample>(),
+        conversion<wire::leitstand_msgs::Sightings, SightingSample>(),
+        conversion<wire::leitstand_msgs::StopState, StopStateSample>(),
+        conversion<wire::leitstand_msgs::Pong, PongSample>(),
+        decoding<wire::std_msgs::Float64, GasSample>(),
+    };
 }
 
 }  // namespace leitstand::detail

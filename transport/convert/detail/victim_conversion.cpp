@@ -1,5 +1,6 @@
-#include "transport/convert/detail/from_wire.h"
-#include "transport/convert/detail/to_wire.h"
+#include "core/event/all_samples.h"
+#include "messages/leitstand_msgs.h"
+#include "transport/convert/detail/conversion.h"
 
 namespace leitstand::detail {
 namespace {
@@ -122,6 +123,13 @@ void toWire(const CandidateSample& from, wire::leitstand_msgs::Candidate& to, Bu
         to.cues.push_back({one.kind, one.robot, one.sensor, one.topic, one.sequence,
                            checks.wireTime("cues.stamp", one.stamp), one.value, one.confidence, one.text});
     }
+}
+
+std::vector<Conversion> victimConversions() {
+    return {
+        stationConversion<wire::leitstand_msgs::Victim, FindSample>(),
+        stationConversion<wire::leitstand_msgs::Candidate, CandidateSample>(),
+    };
 }
 
 }  // namespace leitstand::detail

@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include "core/base/pose.h"
+#include "core/event/stream_role.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/others_text.h"
 

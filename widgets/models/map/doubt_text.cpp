@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "core/event/scan_pose.h"
+
 namespace leitstand {
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
 #include "widgets/models/tone.h"
 
 namespace leitstand {

@@ -7,6 +7,7 @@
 #include <QDateTime>
 #include <QLocale>
 
+#include "core/event/scan_pose.h"
 #include "widgets/models/map/doubt_text.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/times.h"

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "core/event/scan_pose.h"
 #include "widgets/models/map/doubt_text.h"
 #include "widgets/models/numbers.h"
 

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "core/mission/state/find_state.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/others_text.h"
 #include "widgets/models/victims/victim_choices.h"

@@ -5,6 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/mission_state.h"
+
 namespace leitstand {
 
 QStringList tagChoices(const MissionState& mission, const FindSample& find) {

@@ -2,9 +2,10 @@
 
 #include <QStringList>
 
-#include "core/mission/state/mission_state.h"
-
 namespace leitstand {
+
+struct FindSample;
+struct MissionState;
 
 /// Returns the texts that may be @p find's tag, the nearest to it first. They come from filed codes and from
 /// codes that the station believes to have seen.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/event/find_sample.h"
+
 namespace leitstand {
 
 VictimListModel::VictimListModel(std::vector<Column> columns, QObject* parent)

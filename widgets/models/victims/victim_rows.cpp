@@ -7,7 +7,10 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
 #include "core/mission/finds/find_book.h"
+#include "core/mission/state/find_state.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/others_text.h"
 #include "widgets/models/times.h"

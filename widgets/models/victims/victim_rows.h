@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
+#include "core/event/find_sample.h"
 #include "core/mission/finds/find_moves.h"
 #include "core/mission/state/mission_state.h"
 #include "widgets/models/tone.h"

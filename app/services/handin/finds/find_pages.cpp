@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "app/services/finds/evidence_picture.h"
 #include "app/services/handin/frozen_traces.h"
 #include "app/services/handin/report_source.h"
 #include "core/base/words.h"
+#include "core/event/event.h"
+#include "core/event/find_sample.h"
+#include "core/event/picture_samples.h"
 
 namespace leitstand {
 namespace {
@@ -52,7 +54,7 @@ FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource
                                     find.name, nameOf(evidence.kind), event.error().text));
             continue;
         }
-        if (const auto* sample = std::get_if<PictureSample>(&event->sample)) {
+        if (const auto* sample = event->sample.as<PictureSample>()) {
             if (pages.pictures.size() >= MostPictures) {
                 ++pages.morePictures;
                 continue;

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "app/services/handin/report_text.h"
+#include "core/event/find_sample.h"
+#include "core/mission/state/find_state.h"
 
 namespace leitstand {
 namespace {

@@ -16,6 +16,7 @@
 #include "app/services/progress_part.h"
 #include "core/base/time.h"
 #include "core/base/words.h"
+#include "core/event/find_sample.h"
 #include "core/handin/file_names.h"
 #include "core/io/clouds/ply.h"
 #include "core/io/detail/output_file.h"
@@ -24,6 +25,7 @@
 #include "core/io/handin/octomap_file.h"
 #include "core/io/handin/search_list.h"
 #include "core/io/settings/score_file.h"
+#include "core/mission/state/find_state.h"
 
 namespace leitstand {
 namespace {

@@ -1,6 +1,7 @@
 #include "app/services/log/replay/bag_history.h"
 
 #include "app/services/log/decoded_log.h"
+#include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 
 namespace leitstand {
@@ -10,7 +11,7 @@ std::optional<MissionHistory::StoredCheckpoint> BagHistory::checkpointUpTo(std::
     if (!raw) return std::nullopt;
     std::optional<StoredCheckpoint> found;
     m_decoder.decode(*raw, [&](const Event& event) {
-        if (const auto* checkpoint = std::get_if<CheckpointSample>(&event.sample)) {
+        if (const auto* checkpoint = event.sample.as<CheckpointSample>()) {
             found = StoredCheckpoint{event.sequence, *checkpoint};
         }
     });

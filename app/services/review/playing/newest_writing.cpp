@@ -5,7 +5,11 @@
 #include <limits>
 #include <variant>
 
+#include "core/event/station_samples.h"
 #include "core/mission/finds/dismissal.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/mission_state.h"
+#include "core/mission/state/session_state.h"
 
 namespace leitstand {
 namespace {

@@ -2,9 +2,11 @@
 
 #include <string_view>
 
-#include "core/mission/state/mission_state.h"
-
 namespace leitstand {
+
+struct CandidateSample;
+struct Decision;
+struct MissionState;
 
 /// Distinguish a review's session in the log from those of the mission: its title, and the beginning of the
 /// names of stations that write reviews.

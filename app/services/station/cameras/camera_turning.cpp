@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
-#include <variant>
+
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand {
 namespace {
@@ -34,7 +38,7 @@ CameraTurning::CameraTurning(const std::vector<RobotDescription>& robots, Wire w
 }
 
 void CameraTurning::onEvent(const Event& event) {
-    const auto* joints = std::get_if<JointSample>(&event.sample);
+    const auto* joints = event.sample.as<JointSample>();
     if (joints == nullptr || event.role != StreamRole::Joints) return;
     const auto angleOf = [joints](const std::string& joint) -> std::optional<double> {
         const auto found = std::find(joints->names.begin(), joints->names.end(), joint);

@@ -10,12 +10,14 @@
 
 #include "app/services/log/event_sink.h"
 #include "core/base/result.h"
-#include "core/event/event.h"
+#include "core/event/motion_samples.h"
 #include "core/robot/control/grant_book.h"
 #include "core/robot/control/pan_tilt.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct Event;
 
 /// A camera that can be turned, in its present state.
 struct CameraTurn {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/event/picture_samples.h"
+#include "core/event/stream_role.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "core/perception/pictures/content_hash.h"
 
@@ -19,12 +21,12 @@ PictureFeed::~PictureFeed() = default;
 
 void PictureFeed::onEvent(const Event& event) {
     const Camera camera(event.robot, event.sensor);
-    if (const auto* info = std::get_if<CameraInfoSample>(&event.sample)) {
+    if (const auto* info = event.sample.as<CameraInfoSample>()) {
         const std::lock_guard lock(m_mutex);
         m_infos[camera] = std::make_shared<const CameraInfoSample>(*info);
         return;
     }
-    if (!std::holds_alternative<PictureSample>(event.sample)) return;
+    if (!event.sample.is<PictureSample>()) return;
     {
         const std::lock_guard lock(m_mutex);
         m_waiting.insert_or_assign(camera, event);
@@ -107,7 +109,7 @@ void PictureFeed::apply(const Work& work, Picture picture, ShownPicture& shown) 
 
 void PictureFeed::decode(const Work& work) {
     const Event& event = work.event;
-    const auto& sample = std::get<PictureSample>(event.sample);
+    const auto& sample = event.sample.get<PictureSample>();
     auto shown = std::make_shared<ShownPicture>();
     shown->robot = event.robot;
     shown->sensor = event.sensor;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/event/event.h"
+#include "core/event/picture_samples.h"
 #include "core/perception/heat/heat.h"
 #include "core/perception/omni/panorama.h"
 #include "core/perception/pictures/contrast.h"
@@ -21,6 +22,8 @@
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct CameraInfoSample;
 
 /// How the operator wants to see pictures of a camera. The log and snapshots keep them as they came.
 struct PictureLook {

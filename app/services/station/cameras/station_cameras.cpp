@@ -4,6 +4,7 @@
 
 #include "app/services/log/sequencer.h"
 #include "core/base/words.h"
+#include "core/event/motion_samples.h"
 
 namespace leitstand {
 namespace {

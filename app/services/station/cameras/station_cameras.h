@@ -6,9 +6,12 @@
 #include "app/services/log/live_mission.h"
 #include "app/services/station/cameras/camera_turning.h"
 #include "app/services/station/cameras/snapshots.h"
+#include "core/event/motion_samples.h"
 #include "transport/link/grant_keeper.h"
 
 namespace leitstand {
+
+struct NoteSample;
 
 /// What a station does with cameras: turns them, and keeps snapshots, each with a note in the log.
 class StationCameras {

@@ -9,6 +9,11 @@
 
 #include "app/services/log/sequencer.h"
 #include "core/base/time.h"
+#include "core/event/event.h"
+#include "core/event/scan_pose.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+#include "core/mission/state/session_state.h"
 #include "core/station/alarms/logged_alarm.h"
 
 namespace leitstand {
@@ -49,7 +54,7 @@ void StationAlarms::close() {
 }
 
 void StationAlarms::onEvent(const Event& event) {
-    const auto* bumps = std::get_if<BumpSample>(&event.sample);
+    const auto* bumps = event.sample.as<BumpSample>();
     if (bumps == nullptr) return;
     const std::lock_guard lock(m_mutex);
     const auto [known, first] = m_bumps.try_emplace(event.robot);

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "app/services/log/event_sink.h"
-#include "core/event/event.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mission/state/mission_state.h"
@@ -19,6 +18,9 @@
 #include "core/station/alarms/alarm_rules.h"
 
 namespace leitstand {
+
+struct AlarmSample;
+struct Event;
 
 /// Inputs of a station's alarms. The functions are called on the alarms' own thread.
 struct StationAlarmsSetup {

@@ -3,10 +3,11 @@
 #include <chrono>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "app/services/log/sequencer.h"
 #include "core/base/time.h"
+#include "core/event/event.h"
+#include "core/event/motion_samples.h"
 #include "core/io/robot/brake_file.h"
 
 namespace leitstand {
@@ -81,7 +82,7 @@ void StationBrakes::end(const std::string& robot) {
 }
 
 void StationBrakes::onEvent(const Event& event) {
-    const auto* odometry = std::get_if<OdometrySample>(&event.sample);
+    const auto* odometry = event.sample.as<OdometrySample>();
     Entry* const entry = odometry == nullptr ? nullptr : find(event.robot);
     if (entry == nullptr || !entry->running) return;
     {

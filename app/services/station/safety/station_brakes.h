@@ -11,11 +11,12 @@
 
 #include "app/services/log/event_sink.h"
 #include "core/base/result.h"
-#include "core/event/event.h"
 #include "core/robot/robot_description.h"
 #include "core/station/preflight/brake_test.h"
 
 namespace leitstand {
+
+struct Event;
 
 /// Brake tests of the station's robots, and which robots may be driven after them. A robot that failed is
 /// refused until it passes, or the operator drives it nevertheless. Any thread.

@@ -13,6 +13,7 @@
 
 #include "app/services/station/choose_robots.h"
 #include "app/services/station/safety/station_brakes.h"
+#include "app/services/station/station.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/frame/corner_badge.h"
 #include "app/window/frame/pane_docks.h"

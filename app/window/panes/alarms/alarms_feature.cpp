@@ -9,6 +9,7 @@
 #include <QTimer>
 
 #include "app/services/station/safety/station_alarms.h"
+#include "app/services/station/station.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/input/selection.h"
 #include "app/window/source/moment_source.h"

@@ -16,6 +16,8 @@
 #include "app/window/panes/camera/camera_keys.h"
 #include "app/window/panes/camera/camera_overlays.h"
 #include "app/window/source/moment_source.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "widgets/camera/camera_pane.h"
 #include "widgets/models/camera/camera_text.h"
 #include "widgets/models/live/texts/sight_text.h"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/event/stream_role.h"
+
 namespace leitstand {
 namespace {
 

@@ -18,6 +18,7 @@
 #include "app/window/panes/map/robots_on_map.h"
 #include "app/window/panes/scan/scan_feature.h"
 #include "app/window/source/moment_source.h"
+#include "core/event/find_sample.h"
 #include "core/mission/finds/find_book.h"
 #include "widgets/models/map/robot_mark.h"
 

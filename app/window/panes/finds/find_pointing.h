@@ -9,6 +9,7 @@
 
 #include "app/services/finds/freezing.h"
 #include "app/window/panes/view_context.h"
+#include "core/event/find_sample.h"
 
 class QAction;
 

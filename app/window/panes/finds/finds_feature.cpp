@@ -12,6 +12,7 @@
 #include "app/window/input/selection.h"
 #include "app/window/panes/finds/form_pictures.h"
 #include "app/window/source/review_bridge.h"
+#include "core/mission/state/find_state.h"
 #include "widgets/models/timeline/timeline_text.h"
 #include "widgets/models/times.h"
 #include "widgets/models/victims/merge_text.h"

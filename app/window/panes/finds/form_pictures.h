@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include "app/services/finds/evidence_reader.h"
+#include "core/event/find_sample.h"
 
 namespace leitstand {
 

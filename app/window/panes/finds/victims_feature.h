@@ -8,6 +8,7 @@
 
 #include "app/window/panes/view_context.h"
 #include "core/base/result.h"
+#include "core/event/find_sample.h"
 #include "core/mission/finds/find_moves.h"
 #include "core/mission/state/mission_state.h"
 #include "widgets/map_view/gestures/ground_pose.h"

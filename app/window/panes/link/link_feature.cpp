@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMainWindow>
 
+#include "app/services/station/station.h"
 #include "app/services/station/station_streams.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/frame/corner_badge.h"

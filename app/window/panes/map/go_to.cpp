@@ -7,6 +7,7 @@
 
 #include <QAction>
 
+#include "app/services/station/station.h"
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/input/selection.h"
@@ -14,6 +15,9 @@
 #include "app/window/panes/map/map_gestures.h"
 #include "app/window/panes/map/robots_on_map.h"
 #include "app/window/source/moment_source.h"
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/mapping/live/map/moved_places.h"
 #include "core/robot/goal.h"
 #include "widgets/models/others_text.h"

@@ -9,6 +9,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/source/live_moment.h"
 #include "app/window/source/moment_source.h"
+#include "core/event/scan_links.h"
 #include "widgets/map_view/map_view.h"
 
 namespace leitstand {

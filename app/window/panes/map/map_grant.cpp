@@ -4,6 +4,7 @@
 
 #include <QAction>
 
+#include "app/services/station/station.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/panes/map/map_feature.h"
 #include "app/window/source/moment_source.h"

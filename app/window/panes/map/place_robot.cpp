@@ -2,6 +2,7 @@
 
 #include <QAction>
 
+#include "app/services/station/station.h"
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/input/selection.h"

@@ -12,6 +12,9 @@
 #include "app/window/input/selection.h"
 #include "app/window/source/moment_source.h"
 #include "core/base/time.h"
+#include "core/event/stream_role.h"
+#include "core/mission/state/scan_state.h"
+#include "core/robot/streams/stream_table.h"
 #include "widgets/virtual_scan/virtual_scan_pane.h"
 
 namespace leitstand {
@@ -21,7 +24,7 @@ namespace {
 double scanAge(const RobotState& reported, Time now) {
     double age = std::numeric_limits<double>::infinity();
     for (const auto& [topic, stream] : reported.streams) {
-        if (stream.role != StreamRole::Points && stream.role != StreamRole::Ranges) continue;
+        if (!stream.role || !streamFacts(*stream.role).obstacles) continue;
         age = std::min(age, toSeconds(now - stream.received));
     }
     return age;

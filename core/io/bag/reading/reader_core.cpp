@@ -6,6 +6,7 @@
 #include "core/base/words.h"
 #include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/salvage/salvaged_file.h"
+#include "core/mission/state/robot_state.h"
 
 namespace leitstand::detail {
 

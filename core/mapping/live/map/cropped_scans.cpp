@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/event/scan_bodies.h"
 #include "core/mapping/live/scan_work.h"
 
 namespace leitstand {

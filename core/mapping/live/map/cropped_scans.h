@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/event/scan_bodies.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/scan_cleaning.h"
 

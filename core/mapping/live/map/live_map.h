@@ -10,7 +10,7 @@
 #include "core/base/pose.h"
 #include "core/base/time.h"
 #include "core/cloud/scan.h"
-#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
 #include "core/mapping/graph/map_parts.h"
 #include "core/mapping/live/map/kept_scan.h"
 #include "core/mapping/live/map/matched_clouds.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/event/scan_pose.h"
 #include "core/mapping/live/scan_doubts.h"
 
 namespace leitstand {

@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/words.h"
+#include "core/event/picture_samples.h"
 #include "core/perception/pictures/coding/picture_cost.h"
 #include "core/perception/pictures/coding/picture_encoding.h"
 

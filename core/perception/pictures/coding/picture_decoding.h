@@ -1,11 +1,12 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/event/picture_samples.h"
 #include "core/perception/pictures/picture.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
+
+struct PictureSample;
 
 /// Limits that are checked before anything is allocated. Those for files allow 16 megapixels in colour, which
 /// take less than a second.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/event/station_samples.h"
+
 namespace leitstand {
 namespace {
 

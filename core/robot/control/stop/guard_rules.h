@@ -11,6 +11,8 @@
 
 namespace leitstand {
 
+struct GrantSample;
+
 /// What a station sends to its guard of a robot, through a pipe, after every drive command.
 struct GuardPulse {
     bool driving = false;  ///< commands go on: the next pulse comes within GuardTiming::silence

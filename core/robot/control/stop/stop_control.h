@@ -10,6 +10,7 @@
 #include "core/event/command_samples.h"
 #include "core/event/status_samples.h"
 #include "core/robot/control/stop/stop_latch.h"
+#include "core/robot/control/stop/stop_status.h"
 #include "core/robot/link/link_status.h"
 
 namespace leitstand {
@@ -19,21 +20,6 @@ struct StopTiming {
     std::chrono::nanoseconds repeat = std::chrono::milliseconds(100);  ///< until it is acknowledged
     std::chrono::nanoseconds release = std::chrono::seconds(2);        ///< taken back if still unanswered
     StandingRules standing = {};
-};
-
-/// State of one robot's stop as its operator sees it.
-struct StopStatus {
-    bool supported = true;       ///< the robot obeys stop commands; else only its drive commands become zero
-    bool sent = false;           ///< a stop of this station is in force
-    bool acknowledged = false;   ///< ... and the robot has taken it
-    bool stopped = false;        ///< by any station, as the robot reports
-    bool standing = false;       ///< it does not move
-    bool standingKnown = false;  ///< whether anything reports it
-    bool releasing = false;      ///< a release is on its way
-    std::string stoppedBy;  ///< identity of the station that the robot answered last; empty: its own button
-    std::string refused;    ///< why the last release had no effect; until the next command
-    std::chrono::nanoseconds unanswered{};  ///< how long the robot has not answered; 0 when it has
-    friend bool operator==(const StopStatus&, const StopStatus&) = default;
 };
 
 /// Stops and releases one robot, on the station's side (docs/design.md, "The wire"). Pure.

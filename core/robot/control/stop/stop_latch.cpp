@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/event/command_samples.h"
+
 namespace leitstand {
 namespace {
 

@@ -6,12 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "core/event/command_samples.h"
 #include "core/event/status_samples.h"
 #include "core/robot/control/grants.h"
 #include "core/robot/link/link_status.h"
 
 namespace leitstand {
+
+struct StopCommandSample;
 
 /// Limits below which a robot stands.
 struct StandingRules {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/event/stream_role.h"
 #include "robots/simulation/sensors/camera/picture_file_writing.h"
 
 namespace leitstand::simulation {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/event/stream_role.h"
 #include "robots/simulation/sensors/camera/picture_file_writing.h"
 
 namespace leitstand::simulation {

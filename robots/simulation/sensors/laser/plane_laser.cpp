@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "core/base/time.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand::simulation {
 

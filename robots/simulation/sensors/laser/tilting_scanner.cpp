@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/event/stream_role.h"
+
 namespace leitstand::simulation {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/event/cloud_sample.h"
 #include "robots/simulation/sensors/laser/laser_head.h"
 #include "robots/simulation/sensors/sensor.h"
 

@@ -5,6 +5,10 @@
 #include <utility>
 
 #include "core/base/time.h"
+#include "core/event/cloud_sample.h"
+#include "core/event/motion_samples.h"
+#include "core/event/sample_header.h"
+#include "core/event/stream_role.h"
 
 namespace leitstand::simulation {
 namespace {

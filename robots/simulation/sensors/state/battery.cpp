@@ -4,6 +4,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+
 namespace leitstand::simulation {
 
 BatterySettings kurt3dBattery() {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/robot_format.h"
 
 namespace leitstand::simulation {

@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+
 namespace leitstand::simulation {
 namespace {
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+
 namespace leitstand::simulation {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/event/motion_samples.h"
 #include "robots/simulation/sensors/noise.h"
 #include "robots/simulation/sensors/schedule.h"
 #include "robots/simulation/sensors/sensor.h"

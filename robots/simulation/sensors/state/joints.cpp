@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
+
 namespace leitstand::simulation {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/event/motion_samples.h"
 #include "robots/simulation/sensors/pan_tilt.h"
 #include "robots/simulation/sensors/schedule.h"
 #include "robots/simulation/sensors/sensor.h"

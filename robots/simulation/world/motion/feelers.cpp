@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/event/sample.h"
+
 namespace leitstand::simulation {
 namespace {
 

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>
 
+#include "core/event/sample.h"
+
 namespace leitstand {
 namespace {
 

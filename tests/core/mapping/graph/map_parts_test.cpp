@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/scan_links.h"
+
 namespace leitstand {
 namespace {
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/event/station_samples.h"
+#include "core/mission/state/scan_state.h"
+
 namespace leitstand::test {
 
 LiveScan scanAt(const Pose& sensorInRoom, unsigned seed, const Pose& drift) {
@@ -24,8 +27,8 @@ LiveScan scanAt(const Pose& sensorInRoom, unsigned seed, const Pose& drift) {
 }
 
 std::uint64_t MapLog::publish(Sample sample, std::string topic) {
-    if (const auto* keyScan = std::get_if<KeyScanSample>(&sample)) m_keyScans.push_back(*keyScan);
-    if (const auto* links = std::get_if<ScanLinksSample>(&sample)) m_links.push_back(*links);
+    if (const auto* keyScan = sample.as<KeyScanSample>()) m_keyScans.push_back(*keyScan);
+    if (const auto* links = sample.as<ScanLinksSample>()) m_links.push_back(*links);
     Event event;
     event.sequence = ++m_sequence;
     event.topic = std::move(topic);

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/scan_bodies.h"
 #include "core/mapping/live/scan_cleaning.h"
 #include "tests/core/mapping/live/mapped_room.h"
 

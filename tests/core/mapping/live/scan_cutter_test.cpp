@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/motion_samples.h"
 #include "tests/core/mapping/live/slices.h"
 
 namespace leitstand::test {

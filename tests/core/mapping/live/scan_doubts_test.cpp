@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/scan_pose.h"
 #include "core/mapping/live/scan_work.h"
 #include "tests/support/rooms.h"
 

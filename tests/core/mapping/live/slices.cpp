@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/event/motion_samples.h"
+
 namespace leitstand::test {
 
 using std::chrono::milliseconds;

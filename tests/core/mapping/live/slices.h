@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/event/motion_samples.h"
 #include "core/mapping/motion/scan_cutter.h"
 
 namespace leitstand::test {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
 #include "core/mission/coverage/missed_floor.h"
 #include "core/mission/coverage/searched_floor.h"
 #include "tests/core/mission/coverage/search_scene.h"

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/event/picture_samples.h"
 #include "core/mission/coverage/search_book.h"
 #include "core/perception/pictures/pixel_ray.h"
 

@@ -5,7 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/candidate_sample.h"
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
+#include "core/event/status_samples.h"
 #include "core/mission/state/decisions.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/fold.h"
 
 namespace leitstand {
@@ -208,7 +214,7 @@ TEST(FindBook, ACandidateIsFiledWithItsCues) {
     Mission mission;
     ModeSample mode;
     mode.autonomous = true;
-    mission.state.robots["kurt3d"].edit().mode = {1, Now, mode};
+    mission.state.robots["kurt3d"].edit().mode = latestPtr(Latest<ModeSample>{1, Now, mode});
     CandidateSample candidate;
     candidate.id = 1;
     candidate.positionInMap = {3.0, 1.0, 0.2};

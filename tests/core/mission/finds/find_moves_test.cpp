@@ -3,7 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/find_sample.h"
+#include "core/event/map_samples.h"
+#include "core/event/scan_pose.h"
+#include "core/event/station_samples.h"
 #include "core/mission/finds/find_book.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/fold.h"
 
 namespace leitstand {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/mission/state/mission_state.h"
 #include "tests/core/mission/finds/told_book.h"
 
 namespace leitstand::test {

@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/find_sample.h"
+#include "core/event/station_samples.h"
+#include "core/mission/state/find_state.h"
+#include "core/mission/state/scan_state.h"
+
 namespace leitstand {
 namespace {
 
@@ -74,7 +79,7 @@ TEST(Score, TellsWhatOneMoreSignWouldBringLargestFirst) {
 
 TEST(Score, OperatorsDivideAsTheRulesSay) {
     auto state = missionOf({whole(1, "red")});
-    state.info = Latest<MissionInfoSample>{1, {}, {.operators = 2}};
+    state.info = latestPtr(Latest<MissionInfoSample>{1, {}, {.operators = 2}});
     auto profile = rules();
     profile.operators = OperatorRule::SquaredOfMore;
     EXPECT_DOUBLE_EQ(score(profile, state).score, 50.0 / 9.0);
@@ -85,7 +90,7 @@ TEST(Score, OperatorsDivideAsTheRulesSay) {
 TEST(Score, WhatNoAreaIsToldOfIsInTheMissions) {
     auto state = missionOf({whole(1, "")});
     EXPECT_DOUBLE_EQ(score(rules(), state).score, 50.0) << "an unknown area weighs one";
-    state.info = Latest<MissionInfoSample>{1, {}, {.area = "yellow"}};
+    state.info = latestPtr(Latest<MissionInfoSample>{1, {}, {.area = "yellow"}});
     EXPECT_DOUBLE_EQ(score(rules(), state).score, 25.0);
 }
 

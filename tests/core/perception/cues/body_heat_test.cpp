@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/pose.h"
+#include "core/event/picture_samples.h"
 
 namespace leitstand::test {
 namespace {

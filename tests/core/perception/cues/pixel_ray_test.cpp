@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/picture_samples.h"
+
 namespace leitstand::test {
 namespace {
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
+
 namespace leitstand {
 namespace {
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
+
 namespace leitstand::test {
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/event/scan_links.h"
 #include "tests/core/robot/control_scene.h"
 
 namespace leitstand::test {

@@ -11,8 +11,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/result.h"
+#include "core/base/unknown.h"
+#include "core/event/motion_samples.h"
+#include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+#include "core/mission/state/robot_state.h"
 #include "core/station/alarms/logged_alarm.h"
 #include "tests/core/robot/control_scene.h"
+#include "tests/support/latest.h"
 
 namespace leitstand::test {
 namespace {
@@ -34,21 +41,22 @@ struct Calm {
         battery.fraction = 0.7;
         battery.capacity = 10.0;
         battery.current = -7.0;
-        reported.battery = Latest<BatterySample>{1, wallAt(-500), battery};
+        reported.battery = latestPtr(Latest<BatterySample>{1, wallAt(-500), battery});
         GasSample gas;
         gas.ppm = 640.0;
-        reported.gas = Latest<GasSample>{1, wallAt(-500), gas};
-        reported.diagnostics = Latest<DiagnosticsSample>{1, wallAt(-500), {}};
-        reported.diagnostics->sample.statuses.push_back(
-            {DiagnosticStatus::Level::Warning, "motor_driver", "warm", "kurt3d", {}});
+        reported.gas = latestPtr(Latest<GasSample>{1, wallAt(-500), gas});
+        reported.diagnostics = latestPtr(Latest<DiagnosticsSample>{1, wallAt(-500), {}});
+        editable(reported.diagnostics)
+            .sample.statuses.push_back(
+                {DiagnosticStatus::Level::Warning, "motor_driver", "warm", "kurt3d", {}});
         view.link.clock = ClockStatus{.ahead = milliseconds(900), .uncertainty = milliseconds(20)};
     }
     void tilt(double roll, double pitch) {
         OdometrySample odometry;
         odometry.baseInOdom = poseFrom({1, 2, 0}, roll, pitch, 0.7);
-        reported.odometry = Latest<OdometrySample>{1, wallAt(-20), odometry};
+        reported.odometry = latestPtr(Latest<OdometrySample>{1, wallAt(-20), odometry});
     }
-    BatterySample& battery() { return reported.battery->sample; }
+    BatterySample& battery() { return editable(reported.battery).sample; }
     [[nodiscard]] std::vector<AlarmCause> causes(const AlarmBook& book = AlarmBook()) const {
         return alarmsOf({description, view, reported, bumpAge, "front_left", spinning}, book, wallAt(0));
     }
@@ -135,7 +143,7 @@ const std::vector<Case>& cases() {
                     Case{"attitude of long ago",
                          [](Calm& r) {
                              r.tilt(degrees(85), 0);
-                             r.reported.odometry->received = wallAt(-1'500);
+                             editable(r.reported.odometry).received = wallAt(-1'500);
                          },
                          nullptr},
                     Case{"link lost",
@@ -175,9 +183,9 @@ const std::vector<Case>& cases() {
                          },
                          nullptr},
                     Case{"nothing known of the battery", [](Calm& r) { r.battery() = {}; }, nullptr},
-                    Case{"breath", [](Calm& r) { r.reported.gas->sample.ppm = 2'100; }, alarm_key::Gas, Look,
+                    Case{"breath", [](Calm& r) { editable(r.reported.gas).sample.ppm = 2'100; }, alarm_key::Gas, Look,
                          "gas value=2100"},
-                    Case{"a broken sensor", [](Calm& r) { r.reported.gas->sample.ppm = Unknown; }, nullptr},
+                    Case{"a broken sensor", [](Calm& r) { editable(r.reported.gas).sample.ppm = Unknown; }, nullptr},
                     Case{"a bump", [](Calm& r) { r.bumpAge = 0.4; }, alarm_key::Bump, Look, "bump"},
                     Case{"a bump of before", [](Calm& r) { r.bumpAge = 3.4; }, nullptr},
                     Case{"wheels that spin", [](Calm& r) { r.spinning = 0.84; }, alarm_key::WheelsSpin, Look,
@@ -185,7 +193,7 @@ const std::vector<Case>& cases() {
                     Case{"wheels that slip", [](Calm& r) { r.spinning = 0.3; }, nullptr},
                     Case{"a part in error",
                          [](Calm& r) {
-                             r.reported.diagnostics->sample.statuses[0].level =
+                             editable(r.reported.diagnostics).sample.statuses[0].level =
                                  DiagnosticStatus::Level::Error;
                          },
                          alarm_key::Diagnostics, Act, "note=warm"},
@@ -255,7 +263,7 @@ TEST(AlarmRules, WhatStandsTakesMoreToEndThanItTookToBegin) {
     Calm robot;
     AlarmBook book;
     const auto tellFor = [&](double value) {
-        robot.reported.gas->sample.ppm = value;
+        editable(robot.reported.gas).sample.ppm = value;
         const auto causes = robot.causes(book);
         book.update(causes, wallAt(0));
         book.update(causes, wallAt(1'000));

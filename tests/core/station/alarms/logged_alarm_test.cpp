@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/station_samples.h"
 #include "core/station/alarms/log_format.h"
 
 namespace leitstand {

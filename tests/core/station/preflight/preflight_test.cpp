@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/stream_role.h"
 #include "core/station/alarms/alarm_rules.h"
 
 namespace leitstand::test {

@@ -11,6 +11,8 @@
 #include <string>
 #include <thread>
 
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "tests/transport/link/control_robot.h"
 #include "tests/transport/link/control_station.h"
 #include "tests/transport/link/link_robot.h"
@@ -51,7 +53,7 @@ void publish(const char* word) {
     std::atomic<bool> moves = false;
     const auto listening =
         must(node.subscribe({odometry.topic, odometry.type, odometry.qos}, [&](const ReceivedSample& sample) {
-            moves = std::get<OdometrySample>(must(decode(sample.event, odometry))).linear.x() == speed;
+            moves = must(decode(sample.event, odometry)).get<OdometrySample>().linear.x() == speed;
         }));
     if (station.driveUntil(speed, [&] { return moves.load(); })) publish("drives");
     waitForTheEnd();

@@ -6,6 +6,9 @@
 #include <QCoreApplication>
 
 #include "core/base/time.h"
+#include "core/event/motion_samples.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "widgets/models/live/robots/proximity.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/live/texts/link_text.h"
@@ -190,7 +193,7 @@ GasFigures gasOf(const RobotDescription& description, const RobotState& reported
                  Time now, double alarm) {
     GasFigures figures;
     figures.alarm = alarm;
-    figures.fitted = reported.gas.has_value() || description.stream(StreamRole::Gas) != nullptr;
+    figures.fitted = reported.gas != nullptr || description.stream(StreamRole::Gas) != nullptr;
     figures.value = {Dash, DriveTexts::tr("ppm"), Tone::Muted};
     if (!figures.fitted) {
         figures.caption = DriveTexts::tr("not fitted");

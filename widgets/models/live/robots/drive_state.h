@@ -7,7 +7,6 @@
 #include <QString>
 #include <QStringList>
 
-#include "core/mission/state/robot_state.h"
 #include "core/robot/robot_description.h"
 #include "core/station/alarms/alarm_rules.h"
 #include "core/station/robot_figures.h"
@@ -18,6 +17,8 @@
 #include "widgets/models/tone.h"
 
 namespace leitstand {
+
+struct RobotState;
 
 /// A number as a gauge shows it.
 struct Figure {

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "core/base/time.h"
+#include "core/event/status_samples.h"
 #include "core/station/robot_figures.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/live/texts/link_text.h"
@@ -44,8 +45,7 @@ QString batteryDetails(const RobotState& reported, Time now) {
 
 /// Returns @p label within a line, with @p name as the name of its mode. The name is written as the language
 /// writes it: German has capitals.
-QString inALine(const ModeLabel& label, const std::optional<Latest<ModeSample>>& reported,
-                const QString& name) {
+QString inALine(const ModeLabel& label, const LatestPtr<ModeSample>& reported, const QString& name) {
     const QString large = reported ? modeName(reported->sample.mode).toUpper() : QString();
     if (large.isEmpty() || !label.text.startsWith(large)) return label.text.toLower();
     return name + label.text.sliced(large.size()).toLower();

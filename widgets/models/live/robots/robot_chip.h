@@ -2,13 +2,14 @@
 
 #include <QStringList>
 
-#include "core/mission/state/robot_state.h"
 #include "core/station/robot_view.h"
 #include "widgets/models/live/robots/robot_face.h"
 #include "widgets/models/live/texts/mode_label.h"
 #include "widgets/models/tone.h"
 
 namespace leitstand {
+
+struct RobotState;
 
 /// A robot in the bar on top.
 struct RobotChip {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 #include "widgets/models/others_text.h"
 

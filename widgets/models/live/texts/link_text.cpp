@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/numbers.h"

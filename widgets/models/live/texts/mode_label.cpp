@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include "core/event/status_samples.h"
 #include "core/robot/robot_format.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/numbers.h"
@@ -73,7 +74,7 @@ QString modeBrief(const std::string& mode) {
     return modeName(mode);
 }
 
-ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSample>>& reported) {
+ModeLabel modeLabelOf(const RobotView& robot, const LatestPtr<ModeSample>& reported) {
     switch (robot.link.state) {
         case LinkState::NeverSeen:
             return {ModeKind::Stopped, ModeTexts::tr("NOT HEARD YET"), ModeTexts::tr("waits for the robot")};
@@ -99,7 +100,7 @@ ModeLabel modeLabelOf(const RobotView& robot, const std::optional<Latest<ModeSam
     return label;
 }
 
-bool drivesItself(const RobotView& robot, const std::optional<Latest<ModeSample>>& reported) {
+bool drivesItself(const RobotView& robot, const LatestPtr<ModeSample>& reported) {
     const ModeKind kind = modeLabelOf(robot, reported).kind;
     if (kind != ModeKind::Lost) return kind == ModeKind::Autonomous;
     return reported && labelOf(reported->sample).kind == ModeKind::Autonomous && !robot.stop.stopped;

@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include "core/event/status_samples.h"
 #include "core/mission/state/robot_state.h"
 #include "core/station/robot_view.h"
 
@@ -29,12 +30,11 @@ struct ModeLabel {
 };
 
 /// Returns what @p robot does. A lost link comes before a stop, which comes before what the robot reported.
-[[nodiscard]] ModeLabel modeLabelOf(const RobotView& robot,
-                                    const std::optional<Latest<ModeSample>>& reported);
+[[nodiscard]] ModeLabel modeLabelOf(const RobotView& robot, const LatestPtr<ModeSample>& reported);
 
 /// Whether @p robot drives itself, as far as is known: it reported so last, and no stop stands. A robot whose
 /// link is lost goes on by itself.
-[[nodiscard]] bool drivesItself(const RobotView& robot, const std::optional<Latest<ModeSample>>& reported);
+[[nodiscard]] bool drivesItself(const RobotView& robot, const LatestPtr<ModeSample>& reported);
 
 /// Returns what a robot reported about itself, in the window's language as far as the words are known
 /// (robot_format.h), otherwise as it was reported.

@@ -14,6 +14,7 @@
 #include "app/window/source/live_moment.h"
 #include "app/window/source/moment_source.h"
 #include "core/base/rotation/heading.h"
+#include "core/mission/state/decision.h"
 #include "widgets/map_decisions/decisions_panel.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/map/decision_text.h"

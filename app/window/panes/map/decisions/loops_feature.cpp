@@ -16,6 +16,7 @@
 #include "app/window/source/live_moment.h"
 #include "app/window/source/moment_source.h"
 #include "core/mission/loops/moved_finds.h"
+#include "core/mission/state/decision.h"
 #include "widgets/map_decisions/loop_notice.h"
 #include "widgets/map_decisions/map_question.h"
 #include "widgets/map_view/map_view.h"

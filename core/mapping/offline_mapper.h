@@ -10,12 +10,12 @@ namespace leitstand {
 
 /// Registers scans one after another into a map: label, filter, reduce, align, add (paper, section 2.1).
 /// One thread at a time.
-class Mapper {
+class OfflineMapper {
 public:
-    explicit Mapper(RegistrationSettings settings);
-    ~Mapper();
-    Mapper(Mapper&&) noexcept;
-    Mapper& operator=(Mapper&&) noexcept;
+    explicit OfflineMapper(RegistrationSettings settings);
+    ~OfflineMapper();
+    OfflineMapper(OfflineMapper&&) noexcept;
+    OfflineMapper& operator=(OfflineMapper&&) noexcept;
 
     /// Adds @p scan at its registered pose; returns false, and adds nothing, when @p progress was cancelled.
     /// A scan that cannot be aligned enters at its guess with converged false.

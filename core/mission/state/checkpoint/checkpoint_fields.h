@@ -1,11 +1,26 @@
 #pragma once
 
 // The fields of a checkpoint, in the order of its bytes. A change here needs a new CheckpointVersion; a new
-// field stands behind `if (a.version() >= N)`, so that older checkpoints are read.
+// field is described by since<N>(a, v.field), so that older checkpoints are read.
 
+#include "core/event/all_samples.h"
+#include "core/event/stream_role.h"
+#include "core/mission/state/checkpoint/checkpoint.h"
+#include "core/mission/state/crop_state.h"
+#include "core/mission/state/decision.h"
+#include "core/mission/state/find_state.h"
 #include "core/mission/state/mission_state.h"
+#include "core/mission/state/scan_state.h"
+#include "core/mission/state/session_state.h"
 
 namespace leitstand {
+
+/// Reads or writes @p fields, which checkpoints hold from version @p Version on.
+template <std::uint32_t Version, class A, class... T>
+void since(A& a, T&... fields) {
+    static_assert(Version <= CheckpointVersion, "a new field raises CheckpointVersion (checkpoint.h)");
+    if (a.version() >= Version) a(fields...);
+}
 
 inline StreamRole lastOf(StreamRole) {
     return allStreamRoles().back();

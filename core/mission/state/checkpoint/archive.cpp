@@ -1,4 +1,4 @@
-#include "core/mission/state/archive.h"
+#include "core/mission/state/checkpoint/archive.h"
 
 #include <cstring>
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,8 +42,7 @@ public:
     [[nodiscard]] std::span<const std::byte> rest() const { return m_rest; }
     [[nodiscard]] std::vector<std::byte> take() { return std::move(m_bytes); }
     void fail() { m_ok = false; }
-    /// The version of the bytes; a field that is newer is not in them: `if (archive.version() >= 9)
-    /// archive(value.new)`.
+    /// The version of the bytes, which lack fields that are newer: since() in checkpoint_fields.h.
     [[nodiscard]] std::uint32_t version() const { return m_version; }
     void setVersion(std::uint32_t version) { m_version = version; }
 
@@ -142,6 +142,14 @@ private:
         }
         if constexpr (!Writing) value.emplace();
         one(*value);
+    }
+
+    template <class T>
+    void one(std::shared_ptr<const T>& value) {
+        std::optional<T> content;
+        if (value) content = *value;
+        one(content);
+        if constexpr (!Writing) value = content ? std::make_shared<const T>(std::move(*content)) : nullptr;
     }
 
     template <class T>

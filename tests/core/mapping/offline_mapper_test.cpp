@@ -1,4 +1,4 @@
-#include "core/mapping/mapper.h"
+#include "core/mapping/offline_mapper.h"
 
 #include <limits>
 
@@ -43,7 +43,7 @@ Drive driveThroughARoom(int count, double drift, Sweep sweep = Sweep::Tilting) {
 }
 
 MapPtr mapOf(const Drive& drive, const RegistrationSettings& settings) {
-    Mapper mapper(settings);
+    OfflineMapper mapper(settings);
     for (const ScanPtr& scan : drive.scans) EXPECT_TRUE(mapper.add(scan));
     return mapper.map();
 }
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(All, MapperOnBothScanners,
                          testing::Combine(testing::Values(Sweep::Tilting, Sweep::Yawing),
                                           testing::Values(Reference::Previous, Reference::Map)));
 
-TEST(Mapper, CountsLabelsAndKeepsThePointsOfAScan) {
+TEST(OfflineMapper, CountsLabelsAndKeepsThePointsOfAScan) {
     const Drive drive = driveThroughARoom(1, 0.0);
     const MapPtr map = mapOf(drive, {});
     const MapScan& scan = map->scans.front();
@@ -88,7 +88,7 @@ TEST(Mapper, CountsLabelsAndKeepsThePointsOfAScan) {
     EXPECT_EQ(scan.scan->points.size(), drive.scans.front()->points.size());
 }
 
-TEST(Mapper, GuessesComeFromWhereTheSettingsSay) {
+TEST(OfflineMapper, GuessesComeFromWhereTheSettingsSay) {
     const Drive drive = driveThroughARoom(3, 0.02);
     RegistrationSettings settings;
     const MapPtr odometry = mapOf(drive, settings);
@@ -105,7 +105,7 @@ TEST(Mapper, GuessesComeFromWhereTheSettingsSay) {
     EXPECT_TRUE(poses->scans[2].guessInMap.isApprox(drive.truth[2], 1e-9));
 }
 
-TEST(Mapper, LearnsHowFarTheRobotGoesByItsOdometry) {
+TEST(OfflineMapper, LearnsHowFarTheRobotGoesByItsOdometry) {
     constexpr double TooLong = 1.08;
     Drive drive;
     Pose odometry = Pose::Identity(), previous = Pose::Identity();
@@ -135,7 +135,7 @@ TEST(Mapper, LearnsHowFarTheRobotGoesByItsOdometry) {
     EXPECT_NEAR(guessed(44), 0.3, 0.5 * 0.3 * (TooLong - 1.0)) << "after 13 m";
 }
 
-TEST(Mapper, ScansWithoutOdometryStartAtThePreviousPose) {
+TEST(OfflineMapper, ScansWithoutOdometryStartAtThePreviousPose) {
     Drive drive = driveThroughARoom(2, 0.0);
     Scan blind = *drive.scans[1];
     blind.hasOdometry = false;
@@ -146,7 +146,7 @@ TEST(Mapper, ScansWithoutOdometryStartAtThePreviousPose) {
     EXPECT_LT(distanceBetween(map->scans[1].poseInMap, drive.truth[1]), 0.02);
 }
 
-TEST(Mapper, AScanThatCannotBeAlignedEntersAtItsGuessAndTheNextOneGoesOn) {
+TEST(OfflineMapper, AScanThatCannotBeAlignedEntersAtItsGuessAndTheNextOneGoesOn) {
     Drive drive = driveThroughARoom(3, 0.0);
     Scan dark = *drive.scans[1];
     for (Eigen::Vector3f& point : dark.points) point.setConstant(std::numeric_limits<float>::quiet_NaN());
@@ -164,9 +164,9 @@ TEST(Mapper, AScanThatCannotBeAlignedEntersAtItsGuessAndTheNextOneGoesOn) {
     }
 }
 
-TEST(Mapper, CancellingLeavesWhatWasFinished) {
+TEST(OfflineMapper, CancellingLeavesWhatWasFinished) {
     const Drive drive = driveThroughARoom(3, 0.0);
-    Mapper mapper({});
+    OfflineMapper mapper({});
     std::stop_source stop;
     EXPECT_TRUE(mapper.add(drive.scans[0]));
     EXPECT_TRUE(mapper.add(drive.scans[1]));
@@ -177,9 +177,9 @@ TEST(Mapper, CancellingLeavesWhatWasFinished) {
     EXPECT_EQ(mapper.map()->scans.size(), 3u);
 }
 
-TEST(Mapper, ProgressRisesToOne) {
+TEST(OfflineMapper, ProgressRisesToOne) {
     const Drive drive = driveThroughARoom(2, 0.0);
-    Mapper mapper({});
+    OfflineMapper mapper({});
     ASSERT_TRUE(mapper.add(drive.scans[0]));
     double last = 0.0;
     ASSERT_TRUE(mapper.add(drive.scans[1], {[&](double fraction) {
@@ -190,16 +190,16 @@ TEST(Mapper, ProgressRisesToOne) {
     EXPECT_EQ(last, 1.0);
 }
 
-TEST(Mapper, SnapshotsDoNotChangeLater) {
+TEST(OfflineMapper, SnapshotsDoNotChangeLater) {
     const Drive drive = driveThroughARoom(2, 0.0);
-    Mapper mapper({});
+    OfflineMapper mapper({});
     ASSERT_TRUE(mapper.add(drive.scans[0]));
     const MapPtr before = mapper.map();
     ASSERT_TRUE(mapper.add(drive.scans[1]));
     EXPECT_EQ(before->scans.size(), 1u);
 }
 
-TEST(Mapper, TheResultDoesNotDependOnThreads) {
+TEST(OfflineMapper, TheResultDoesNotDependOnThreads) {
     const Drive drive = driveThroughARoom(3, 0.03);
     RegistrationSettings settings;
     settings.threads = 1;

@@ -1,4 +1,4 @@
-#include "core/mission/state/checkpoint.h"
+#include "core/mission/state/checkpoint/checkpoint.h"
 
 #include <algorithm>
 #include <memory>
@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 // The fields come before the archive, whose templates look them up.
-#include "core/mission/state/checkpoint_fields.h"
+#include "core/mission/state/checkpoint/checkpoint_fields.h"
 
-#include "core/mission/state/archive.h"
+#include "core/mission/state/checkpoint/archive.h"
 #include "core/mission/state/decisions.h"
 
 namespace leitstand {

@@ -7,10 +7,11 @@
 
 #include "core/base/result.h"
 #include "core/base/time.h"
-#include "core/event/station_samples.h"
 #include "core/mission/state/mission_state.h"
 
 namespace leitstand {
+
+struct CheckpointSample;
 
 /// CheckpointSample::version of the bytes that this program writes.
 inline constexpr std::uint32_t CheckpointVersion = 8;

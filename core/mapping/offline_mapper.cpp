@@ -1,4 +1,4 @@
-#include "core/mapping/mapper.h"
+#include "core/mapping/offline_mapper.h"
 
 #include <chrono>
 #include <optional>
@@ -38,7 +38,7 @@ IcpSettings icpSettings(const RegistrationSettings& settings) {
 
 }  // namespace
 
-struct Mapper::State {
+struct OfflineMapper::State {
     explicit State(RegistrationSettings chosen)
         : settings(std::move(chosen)),
           metascan({settings.reduce > 0.0 ? settings.reduce : FinestMetascan, settings.search,
@@ -122,12 +122,13 @@ struct Mapper::State {
     Pose targetInMap = Pose::Identity();
 };
 
-Mapper::Mapper(RegistrationSettings settings) : m_state(std::make_unique<State>(std::move(settings))) {}
-Mapper::~Mapper() = default;
-Mapper::Mapper(Mapper&&) noexcept = default;
-Mapper& Mapper::operator=(Mapper&&) noexcept = default;
+OfflineMapper::OfflineMapper(RegistrationSettings settings)
+    : m_state(std::make_unique<State>(std::move(settings))) {}
+OfflineMapper::~OfflineMapper() = default;
+OfflineMapper::OfflineMapper(OfflineMapper&&) noexcept = default;
+OfflineMapper& OfflineMapper::operator=(OfflineMapper&&) noexcept = default;
 
-bool Mapper::add(const ScanPtr& scan, const Progress& progress) {
+bool OfflineMapper::add(const ScanPtr& scan, const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     if (progress.cancelled()) return false;
     MapScan entry;
@@ -164,7 +165,7 @@ bool Mapper::add(const ScanPtr& scan, const Progress& progress) {
     return true;
 }
 
-MapPtr Mapper::map() const {
+MapPtr OfflineMapper::map() const {
     return std::make_shared<const Map>(m_state->map);
 }
 

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/services/places/sensor_poses.h"
+#include "core/mapping/live/live_mapper.h"
+#include "core/mapping/live/robot_in_map.h"
+#include "core/mapping/live/robot_tracker.h"
+#include "core/mapping/motion/scan_cutter.h"
+#include "core/mapping/placement/laser_robot.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+struct Event;
+struct MappingContext;
+
+/// A scan as received, and as it would enter the map.
+struct SeenScan {
+    LiveScan live;
+    ScanPtr ready;
+};
+
+/// A robot whose scans are mapped.
+struct MappedRobot {
+    MappedRobot(const RobotDescription& description, const std::string& station);
+    SensorPoses poses;
+    std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
+    RobotTracker tracker;
+    LaserRobot laser;                        ///< corrects the tracker while none of its own 3D scans does
+    std::chrono::nanoseconds ahead{};        ///< how far its clock is ahead of the station's
+    std::optional<Time> matched;             ///< RobotInMap::matched
+    std::optional<RobotFix> followed;        ///< the fix that corrected the tracker last
+    std::shared_ptr<const SeenScan> newest;  ///< its newest scan that has enough points
+    std::string scanner;                     ///< its only scanner; empty: it has several, or none
+};
+
+/// The robots of LiveMapping: what moves them, and where they are. On the mapping's thread, except where it
+/// says otherwise.
+class MappedRobots {
+public:
+    /// Turn of a plane laser, and which robot's.
+    using SeesByLaser = std::function<void(const std::string& name, MappedRobot&, LaserView, Time now)>;
+    MappedRobots(MappingContext& context, const std::vector<RobotDescription>& robots,
+                 const std::string& station, SeesByLaser sees);
+
+    /// Takes odometry, inertial unit, fixed frames, 3D scans, turns of a plane laser, and clock offsets of
+    /// robots that isOfOurs().
+    void add(const Event& event);
+    [[nodiscard]] bool isOfOurs(const Event& event) const;  ///< and one that add() takes; any thread
+    /// Returns when a scanner's slices need work at the latest, without another event; station's clock.
+    /// Empty: nothing waits.
+    [[nodiscard]] std::optional<Time> due() const;
+
+    [[nodiscard]] const std::vector<RobotDescription>& descriptions() const { return m_descriptions; }
+    [[nodiscard]] std::map<std::string, MappedRobot>& byName() { return m_robots; }  ///< the set is fixed
+    [[nodiscard]] MappedRobot& at(const std::string& name) { return m_robots.at(name); }
+    [[nodiscard]] bool contains(const std::string& name) const { return m_robots.contains(name); }
+    /// Returns where robots other than @p robot stand; @p certain: only those whose places are.
+    [[nodiscard]] std::vector<Disc> othersThan(const MappedRobot& robot, bool certain) const;
+
+    void followFixes();  ///< sets robots to where the mapper has them
+    void layTrails();    ///< moves trails to where decisions moved the scans
+    void carryAlong();   ///< moves robots without scans in the map with the scans about them
+    /// Records that a 3D scan of @p name came in, which another station registers; any thread.
+    void scanReceived(const std::string& name, Time received);
+    void matched(const std::string& name, Time now);  ///< a scan of it was registered here
+    void matchedElsewhere();                          ///< another station registers their scans now
+    void publish();                                   ///< for inMap()
+    /// Where the robots are; never null after publish(). Any thread.
+    [[nodiscard]] RobotsInMapPtr inMap() const;
+
+private:
+    MappingContext& m_context;
+    const std::vector<RobotDescription> m_descriptions;
+    const SeesByLaser m_sees;
+    std::map<std::string, MappedRobot> m_robots;
+    mutable std::mutex m_mutex;
+    RobotsInMapPtr m_places;                 ///< under the mutex
+    std::map<std::string, Time> m_received;  ///< under the mutex: newest scans that other stations register
+};
+
+/// Whether scans of @p before, which may be null, have other poses in @p after, or were set aside or taken
+/// back since.
+[[nodiscard]] bool scansMoved(const LiveMapPtr& before, const LiveMap& after);
+
+}  // namespace leitstand

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "app/services/job_queue.h"
+#include "app/services/mapping/live_mapping_listener.h"
+#include "core/mapping/live/live_mapper.h"
+
+namespace leitstand {
+
+/// What LiveMapping and its parts share; on the mapping's thread, unless it says otherwise.
+struct MappingContext {
+    using Post = std::function<void(std::function<void(LiveMapper&)>)>;
+    MappingContext(const std::string& station, LiveSettings how, LiveMappingListener listening, Post posting)
+        : listener(std::move(listening)),
+          settings(std::move(how)),
+          post(std::move(posting)),
+          mapper(station, settings),
+          crop(settings.crop) {}
+
+    const LiveMappingListener listener;
+    const LiveSettings settings;  ///< any thread
+    /// Runs a task with the mapper on the mapping's thread, after waiting work. The map then counts as moved.
+    /// Any thread.
+    const Post post;
+    LiveMapper mapper;
+    LiveMapPtr map;    ///< newest; null before there is one
+    MapCrop crop;      ///< what of the world belongs into the map
+    JobQueue solving;  ///< jobs of the solver's thread; any thread
+
+    /// Whether this station's poses of scans are valid.
+    [[nodiscard]] bool makesMap() const { return !listener.makesMap || listener.makesMap(); }
+};
+
+}  // namespace leitstand

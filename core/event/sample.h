@@ -1,0 +1,145 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace leitstand {
+
+struct AlarmSample;
+struct BatterySample;
+struct BumpSample;
+struct CameraInfoSample;
+struct CandidateSample;
+struct CheckpointSample;
+struct ClockOffsetSample;
+struct ClockSample;
+struct CloudSample;
+struct DiagnosticsSample;
+struct FindSample;
+struct GasSample;
+struct GrantSample;
+struct ImuSample;
+struct JointSample;
+struct KeyScanSample;
+struct MapCropSample;
+struct MissionInfoSample;
+struct ModeCommandSample;
+struct ModeSample;
+struct NoteSample;
+struct OdometrySample;
+struct PictureSample;
+struct PingSample;
+struct PongSample;
+struct PoseSample;
+struct RangesSample;
+struct RobotPlaceSample;
+struct ScanBodiesSample;
+struct ScanLinksSample;
+struct ScanPosesSample;
+struct SessionSample;
+struct SightingSample;
+struct StopCommandSample;
+struct StopStateSample;
+struct StreamCommandSample;
+struct TransformsSample;
+struct TwistSample;
+struct UndoSample;
+
+/// A list of types, which need not be defined.
+template <class... Types>
+struct TypeList {
+    static constexpr std::size_t Size = sizeof...(Types);
+    /// Returns the place of @p Type in the list, from 0; Size: it is not in it.
+    template <class Type>
+    static constexpr std::size_t indexOf() {
+        std::size_t index = 0;
+        static_cast<void>(((std::is_same_v<Type, Types> || (++index, false)) || ...));
+        return index;
+    }
+};
+
+/// All that a sample may be. Neither log nor wire knows the order.
+using SampleTypes =
+    TypeList<CloudSample, RangesSample, OdometrySample, ImuSample, JointSample, TransformsSample,
+             PictureSample, CameraInfoSample, GasSample, BatterySample, DiagnosticsSample, ModeSample,
+             BumpSample, SightingSample, StopStateSample, PongSample, TwistSample, StopCommandSample,
+             ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, FindSample,
+             KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
+             CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample, MissionInfoSample,
+             MapCropSample, ScanLinksSample, ScanBodiesSample>;
+
+template <class Type>
+concept IsSample = (SampleTypes::indexOf<Type>() < SampleTypes::Size);
+
+/// The content of an event, in core's own types: one of SampleTypes. Who uses one includes its header; who
+/// passes it on needs none. Copies share the content until one of them is edited; a copy may be read, copied
+/// and destroyed in any thread. core/event/all_samples.h has visit(), and edit() for
+/// whatever it is.
+class Sample {
+public:
+    Sample() = default;  ///< has no content yet
+    template <IsSample Type>
+    Sample(Type content)  // NOLINT(google-explicit-constructor): a sample is one of them
+        : m_content(std::make_shared<Type>(std::move(content))), m_index(SampleTypes::indexOf<Type>()) {}
+    Sample(const Sample& other) : m_content(other.m_content), m_index(other.m_index), m_shared(true) {
+        other.m_shared.store(true, std::memory_order_relaxed);
+    }
+    Sample(Sample&& other) noexcept
+        : m_content(std::move(other.m_content)),
+          m_index(std::exchange(other.m_index, SampleTypes::Size)),
+          m_shared(other.m_shared.load(std::memory_order_relaxed)) {}
+    Sample& operator=(Sample other) noexcept {
+        m_content = std::move(other.m_content);
+        m_index = other.m_index;
+        m_shared.store(other.m_shared.load(std::memory_order_relaxed), std::memory_order_relaxed);
+        return *this;
+    }
+    ~Sample() = default;
+
+    /// Place of the content's type in SampleTypes; SampleTypes::Size: there is none.
+    [[nodiscard]] std::size_t index() const { return m_index; }
+    template <IsSample Type>
+    [[nodiscard]] bool is() const {
+        return m_index == SampleTypes::indexOf<Type>();
+    }
+    /// Returns the content if it is a @p Type; else null. Valid until this sample is edited, assigned or
+    /// destroyed.
+    template <IsSample Type>
+    [[nodiscard]] const Type* as() const& {
+        return is<Type>() ? static_cast<const Type*>(m_content.get()) : nullptr;
+    }
+    template <IsSample Type>
+    const Type* as() const&& = delete;
+    /// Returns the content, which the caller knows to be a @p Type; valid as as(). Throws std::logic_error if
+    /// it is none.
+    template <IsSample Type>
+    [[nodiscard]] const Type& get() const& {
+        if (!is<Type>()) throw std::logic_error("a sample is of another type than expected");
+        return *as<Type>();
+    }
+    template <IsSample Type>
+    [[nodiscard]] Type get() const&& {
+        return get<Type>();  // of the lvalue that it is here
+    }
+    /// Returns the content to change, if it is a @p Type; else null. It is a new copy when other samples may
+    /// share it.
+    template <IsSample Type>
+    [[nodiscard]] Type* edit() & {
+        if (!is<Type>()) return nullptr;
+        if (m_shared.load(std::memory_order_relaxed)) *this = Sample(Type(*as<Type>()));
+        return static_cast<Type*>(m_content.get());
+    }
+
+private:
+    std::shared_ptr<void> m_content;
+    std::size_t m_index = SampleTypes::Size;
+    /// Another sample may hold the content, too; until the next edit(). Not use_count(): when another thread
+    /// let go of it, its reads need not be over.
+    mutable std::atomic<bool> m_shared = false;
+};
+
+}  // namespace leitstand

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/pose.h"
+
+namespace leitstand {
+
+/// Whether a key scan counts.
+enum class ScanTrust : std::uint8_t {
+    Certain,    ///< part of the map, others are registered against it
+    Uncertain,  ///< shown, but nothing is built on it until the operator decides
+    SetAside,   ///< rejected or rewound: not shown
+};
+
+/// Why a scan is uncertain, and remarks on it: bits of ScanPose::doubts.
+enum class ScanDoubt : std::uint8_t {
+    Overlap = 1 << 0,    ///< too few of its points meet the map
+    Residual = 1 << 1,   ///< those that do are too far from it
+    Jump = 1 << 2,       ///< it would have moved differently from the odometry
+    Certainty = 1 << 3,  ///< it could be shifted or turned in some direction
+    Diverged = 1 << 4,   ///< the registration did not converge
+    Odometry = 1 << 5,   ///< it is unknown how the robot came there
+    Points = 1 << 6,     ///< it has too few points
+    Guessed = 1 << 7,    ///< odometry was missing within it; this alone makes no scan uncertain
+};
+
+/// Pose of a key scan and how certain it is.
+struct ScanPose {
+    std::uint64_t scan = 0;  ///< KeyScanSample::id
+    Pose scanInMap = Pose::Identity();
+    double rms = 0.0;          ///< of paired points [m]
+    double inlierRatio = 0.0;  ///< 0 to 1
+    double overlap = 0.0;      ///< 0 to 1
+    double certainty = 0.0;    ///< 0 to 1
+    bool converged = false;
+    ScanTrust trust = ScanTrust::Certain;
+    std::uint8_t doubts = 0;  ///< bits of ScanDoubt
+};
+
+[[nodiscard]] constexpr bool has(std::uint8_t doubts, ScanDoubt doubt) {
+    return (doubts & static_cast<std::uint8_t>(doubt)) != 0;
+}
+
+}  // namespace leitstand

@@ -1,0 +1,17 @@
+#include "transport/convert/detail/conversion.h"
+
+namespace leitstand::detail {
+
+const std::vector<Conversion>& conversions() {
+    static const std::vector<Conversion> all = [] {
+        std::vector<Conversion> rows;
+        for (const auto& some :
+             {cloudConversions(), motionConversions(), pictureConversions(), statusConversions(),
+              commandConversions(), mapConversions(), stationConversions(), victimConversions()})
+            rows.insert(rows.end(), some.begin(), some.end());
+        return rows;
+    }();
+    return all;
+}
+
+}  // namespace leitstand::detail
