@@ -6,6 +6,7 @@
 #include "messages/tf2_msgs.h"
 #include "transport/cdr/cdr_reader.h"
 #include "transport/cdr/cdr_writer.h"
+#include "transport/dds/ros_nodes.h"
 
 namespace {
 
@@ -55,6 +56,7 @@ constexpr auto Checks =
 /// The structs that stand for messages; the first byte chooses which, the rest is CDR.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
+    static_cast<void>(leitstand::rosProcess({reinterpret_cast<const std::byte*>(data), size}));
     Checks[data[0] % Checks.size()]({reinterpret_cast<const std::byte*>(data + 1), size - 1});
     return 0;
 }

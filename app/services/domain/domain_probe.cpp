@@ -14,6 +14,7 @@
 #include "app/services/domain/topic_lane.h"
 #include "core/base/time.h"
 #include "transport/dds/node.h"
+#include "transport/dds/ros_nodes.h"
 
 namespace leitstand {
 namespace {
@@ -30,7 +31,7 @@ struct Probe {
 
 class Listening {
 public:
-    explicit Listening(Node& node) : m_node(node) {}
+    explicit Listening(Node& node) : m_node(node), m_watch(node) {}
     /// Looks up who is there, and subscribes to new topics.
     void look();
     [[nodiscard]] std::vector<ProbedTopic> topics();
@@ -39,6 +40,7 @@ private:
     void listen(Probe& probe);
 
     Node& m_node;
+    const RosNodeWatch m_watch;
     std::map<std::string, Probe> m_probes;  ///< by topic
 };
 
@@ -58,13 +60,15 @@ void Listening::look() {
     for (auto& [name, probe] : m_probes) {
         probe.probed.writers = probe.probed.readers = 0;
         probe.probed.topic.read = false;
+        probe.probed.topic.nodes.clear();
     }
     for (const RemoteEndpoint& endpoint : m_node.endpoints()) {
+        if (endpoint.topic == RosDiscoveryTopic) continue;  // ROS 2's own, and our watch
         const bool writes = endpoint.kind == RemoteEndpoint::Kind::Writer;
         auto [place, isNew] = m_probes.try_emplace(endpoint.topic);
         Probe& probe = place->second;
         SeenTopic& topic = probe.probed.topic;
-        if (see(topic, isNew, endpoint)) probe.hosts.clear();
+        if (see(topic, isNew, endpoint, m_watch.nodes())) probe.hosts.clear();
         ++(writes ? probe.probed.writers : probe.probed.readers);
         if (writes == topic.written) probe.hosts.insert(endpoint.host);
         if (writes && endpoint.ros && topic.obstacle.empty() && !probe.subscription) listen(probe);

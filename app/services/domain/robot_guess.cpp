@@ -1,14 +1,17 @@
 #include "app/services/domain/robot_guess.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <set>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "app/services/domain/robot_spaces.h"
 #include "core/event/station_topics.h"
 #include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
@@ -21,13 +24,6 @@ namespace {
 /// Last part of a name: "/kurt3d/odom" -> "odom".
 std::string_view leafOf(std::string_view name) {
     return name.substr(name.rfind('/') + 1);
-}
-
-/// First part of a name with several: "/kurt3d/odom" -> "kurt3d"; empty for "/odom".
-std::string namespaceOf(std::string_view name) {
-    if (name.empty() || name.front() != '/') return {};
-    const auto end = name.find('/', 1);
-    return end == std::string_view::npos ? std::string() : std::string(name.substr(1, end - 1));
 }
 
 /// Whether a part of @p name is one of @p words.
@@ -68,19 +64,23 @@ std::optional<StreamRole> roleInTable(const SeenTopic& topic, bool commands) {
     return found == nullptr ? std::nullopt : std::optional(found->role);
 }
 
-/// Camera or sensor that a picture topic belongs to: "/kurt3d/left/image/compressed" -> "left".
-std::string sensorOf(const std::string& name, const std::string& robot) {
-    std::string_view rest = name;
-    if (!robot.empty() && namespaceOf(name) == robot) rest.remove_prefix(robot.size() + 1);
-    const std::string first = namespaceOf(rest);
-    return first.empty() ? std::string("camera") : first;
-}
+/// Parts of the names of pictures that hold distances.
+constexpr std::array<std::string_view, 1> OfDepth = {"depth"}, OfStereo = {"stereo"};
+constexpr std::array<std::string_view, 2> OfEyes = {"left", "right"};
+/// Endings of a camera's topics, below its name.
+constexpr std::array<std::string_view, 12> OfPictures = {
+    "image",      "image_raw", "image_rect", "image_rect_raw",  "image_color", "image_mono",
+    "compressed", "raw",       "theora",     "compressedDepth", "zstd",        "camera_info"};
 
-/// Whether topics of this name mark their namespace as a robot's.
-bool namesARobot(std::string_view leaf) {
-    const auto table = streamTable();
-    return std::any_of(table.begin(), table.end(),
-                       [leaf](const StreamFacts& row) { return row.namesRobot && row.topic == leaf; });
+/// Camera that a topic belongs to: "/kurt3d/left/image/compressed" -> "left".
+std::string sensorOf(const std::string& name, const std::string& space) {
+    std::string_view rest = name;
+    if (!space.empty() && namespaceOf(name) == space) rest.remove_prefix(space.size() + 1);
+    while (!rest.empty() && std::find(OfPictures.begin(), OfPictures.end(), leafOf(rest)) != OfPictures.end())
+        rest = rest.substr(0, rest.rfind('/'));
+    std::string sensor(rest.substr(rest.empty() ? 0 : 1));
+    std::replace(sensor.begin(), sensor.end(), '/', '_');
+    return sensor.empty() ? "camera" : sensor;
 }
 
 std::string letterFor(const std::string& name, std::set<std::string>& taken) {
@@ -92,33 +92,72 @@ std::string letterFor(const std::string& name, std::set<std::string>& taken) {
     }
     const auto free = std::find_if(letters.begin(), letters.end(),
                                    [&](char letter) { return !taken.contains(std::string(1, letter)); });
-    const std::string letter(1, free == letters.end() ? 'R' : *free);
+    std::string letter(1, free == letters.end() ? 'R' : *free);
     taken.insert(letter);
     return letter;
 }
 
-void addTopic(RobotGuess& guess, const SeenTopic& topic) {
+/// The stream of @p robot that @p topic would be a second one of; null: it is the first of its kind.
+StreamDescription* sameAs(const StreamDescription& stream, RobotDescription& robot) {
+    const StreamFacts& facts = streamFacts(stream.role);
+    if (facts.several) return nullptr;
+    const auto same = std::find_if(robot.streams.begin(), robot.streams.end(), [&](const auto& one) {
+        return one.role == stream.role && (!facts.ofCamera || one.sensor == stream.sensor);
+    });
+    return same == robot.streams.end() ? nullptr : &*same;
+}
+
+StreamDescription streamOf(const SeenTopic& topic, StreamRole role, const RobotGuess& guess,
+                           const std::string& space) {
+    StreamDescription stream{.role = role,
+                             .sensor = {},
+                             .topic = topic.name,
+                             .type = topic.type,
+                             .qos = topic.qos,
+                             .thermal = {},
+                             .hardwareId = {}};
+    const StreamFacts& facts = streamFacts(role);
+    if (facts.ofCamera) stream.sensor = sensorOf(topic.name, space);
+    // DDS does not announce the depth of a history.
+    const Qos usual = defaultStream(role, guess.robot.name, stream.sensor).qos;
+    stream.qos.depth = usual.depth;
+    // Nor how long a command of ours counts: an old one must not drive the robot.
+    if (isCommand(role)) stream.qos.lifespan = usual.lifespan;
+    // On a radio link the next picture is better than the same again.
+    if (facts.picture) stream.qos.reliability = Qos::Reliability::BestEffort;
+    return stream;
+}
+
+TopicVerdict* verdictOn(const std::string& topic, RobotGuess& guess) {
+    const auto found = std::find_if(guess.topics.begin(), guess.topics.end(),
+                                    [&](const TopicVerdict& one) { return one.topic.name == topic; });
+    return found == guess.topics.end() ? nullptr : &*found;
+}
+
+/// @p space: the robot's namespace.
+void addTopic(RobotGuess& guess, const SeenTopic& topic, const std::string& space) {
+    constexpr std::string_view Compressed = "sensor_msgs/msg/CompressedImage";
+    constexpr const char* Smaller = "the same pictures come compressed: {} is used";
     TopicVerdict verdict{.topic = topic, .role = {}, .remark = {}};
     verdict.role = roleOf(topic, verdict.remark);
     if (verdict.role) {
-        StreamDescription stream{.role = *verdict.role,
-                                 .sensor = {},
-                                 .topic = topic.name,
-                                 .type = topic.type,
-                                 .qos = topic.qos,
-                                 .thermal = {},
-                                 .hardwareId = {}};
-        const bool picture = streamFacts(*verdict.role).ofCamera;
-        if (picture) stream.sensor = sensorOf(topic.name, guess.robot.name);
-        // DDS does not announce the depth of a history.
-        stream.qos.depth = defaultStream(stream.role, guess.robot.name, stream.sensor).qos.depth;
-        const bool again = !picture && !streamFacts(*verdict.role).several &&
-                           guess.robot.stream(*verdict.role) != nullptr;
-        if (again) {
-            verdict.remark = fmt::format("a second topic of this kind; the first one is used ({})",
-                                         guess.robot.stream(*verdict.role)->topic);
-        } else {
+        const StreamDescription stream = streamOf(topic, *verdict.role, guess, space);
+        StreamDescription* const same = sameAs(stream, guess.robot);
+        if (same == nullptr) {
             guess.robot.streams.push_back(stream);
+        } else if (streamFacts(stream.role).picture && stream.type == Compressed &&
+                   same->type != Compressed) {
+            if (TopicVerdict* const before = verdictOn(same->topic, guess)) {
+                before->role.reset();
+                before->remark = fmt::format(Smaller, stream.topic);
+            }
+            *same = stream;
+        } else {
+            verdict.role.reset();
+            verdict.remark =
+                same->type == Compressed && stream.type != Compressed
+                    ? fmt::format(Smaller, same->topic)
+                    : fmt::format("a second topic of this kind; the first one is used ({})", same->topic);
         }
     }
     guess.topics.push_back(std::move(verdict));
@@ -175,6 +214,12 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
             "pictures of the transport \"{}\" are not understood, expected raw or compressed", leaf);
         return std::nullopt;
     }
+    // A stereo camera that names no eye publishes what it computes from both.
+    const bool depth = hasPart(name, OfDepth) || (hasPart(name, OfStereo) && !hasPart(name, OfEyes));
+    if (role == StreamRole::Picture && depth) {
+        remark = "pictures of depths: the station does not use them";
+        return std::nullopt;
+    }
     if (!role) {
         remark = findMessageType(topic.type) != nullptr
                      ? "nothing in the station shows it"
@@ -187,41 +232,37 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
 }
 
 std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
-    std::set<std::string> names, letters;
-    for (const SeenTopic& topic : topics) {
-        const std::string space = namespaceOf(topic.name);
-        const bool direct = !space.empty() && topic.name.size() > space.size() + 2 &&
-                            topic.name.find('/', space.size() + 2) == std::string::npos;
-        if (direct && space != "leitstand" && namesARobot(leafOf(topic.name))) names.insert(space);
-    }
-    const bool prefixed = !names.empty();
-    std::string rest = names.size() == 1 ? *names.begin() : std::string();
-    if (names.empty()) names.insert(rest = "robot");
+    const std::set<std::string> spaces = robotSpaces(topics);
+    std::set<std::string> letters;
     std::map<std::string, RobotGuess> guesses;
-    for (const std::string& name : names) guesses.emplace(name, named(name, prefixed, letters));
+    for (const std::string& space : spaces)
+        guesses.emplace(space, named(space.empty() ? "robot" : space, !space.empty(), letters));
+    RobotGuess* const rest = spaces.contains("")  ? &guesses.at("")
+                             : spaces.size() == 1 ? &guesses.begin()->second
+                                                  : nullptr;
     for (const SeenTopic& topic : topics) {
         if (topic.name.starts_with(station_topic::Prefix)) continue;
-        const auto own = guesses.find(namespaceOf(topic.name));
-        if (own != guesses.end()) {
-            addTopic(own->second, topic);
-        } else if (!rest.empty()) {
-            addTopic(guesses.at(rest), topic);
-        } else if (topic.name == "/tf" || topic.name == "/tf_static" || topic.name == "/diagnostics") {
-            for (auto& [name, guess] : guesses) {
+        const auto own = guesses.find(spaceOf(topic));
+        const bool tree = topic.name == "/tf" || topic.name == "/tf_static";
+        if (tree || topic.name == "/diagnostics") {
+            for (auto& [space, guess] : guesses) {
                 // Of a tree that all share, a robot has the frames with its name. A robot with its own tree
                 // uses that instead.
-                const bool tree = topic.name != "/diagnostics";
-                if (tree && hasOwn(name, topic.name, topics)) continue;
-                if (tree) guess.robot.tfPrefix = TfPrefix::Frame;
-                addTopic(guess, topic);
+                if (tree && hasOwn(space, topic.name, topics)) continue;
+                if (tree && guesses.size() > 1 && !space.empty()) guess.robot.tfPrefix = TfPrefix::Frame;
+                addTopic(guess, topic, space);
             }
+        } else if (own != guesses.end()) {
+            addTopic(own->second, topic, own->first);
+        } else if (rest != nullptr) {
+            addTopic(*rest, topic, spaces.contains("") ? std::string() : *spaces.begin());
         }
     }
     std::vector<RobotGuess> result;
-    for (auto& [name, guess] : guesses) {
+    for (auto& [space, guess] : guesses) {
         for (StreamDescription& stream : guess.robot.streams) {
             // Named robots share it with others that are here, or will be.
-            if (prefixed && stream.topic == "/diagnostics") stream.hardwareId = name;
+            if (!space.empty() && stream.topic == "/diagnostics") stream.hardwareId = space;
         }
         if (!guess.topics.empty()) result.push_back(std::move(guess));
     }

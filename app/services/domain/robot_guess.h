@@ -16,6 +16,9 @@ struct SeenTopic {
     bool written = true;   ///< somebody publishes it
     bool read = false;     ///< somebody other than us subscribes to it: commands
     std::string obstacle;  ///< why DDS keeps its samples from us; may be empty
+    /// Whole names of the nodes of ROS 2 that publish it, or read it when nobody does: "/kurt3d/driver".
+    /// Empty: unknown.
+    std::vector<std::string> nodes = {};
 };
 
 /// What a topic is good for.
@@ -31,8 +34,9 @@ struct RobotGuess {
     std::vector<TopicVerdict> topics;
 };
 
-/// Assigns @p topics to robots by namespace ("/kurt3d/odom" belongs to kurt3d) and rates what each is good
-/// for. Topics outside any robot's namespace belong to the only robot, or to one called "robot".
+/// Assigns @p topics to the robots of robotSpaces() ("/kurt3d/odom" belongs to kurt3d) and rates what each is
+/// good for. Topics of no robot's namespace, as of the drivers of sensors, belong to the robot without one,
+/// which is called "robot", or to the only one.
 [[nodiscard]] std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics);
 
 /// Returns what @p topic carries; sets @p remark to why it is of no use, or what to check.

@@ -1,6 +1,8 @@
 #include "app/services/domain/seen_topics.h"
 
+#include <algorithm>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,7 +18,7 @@ std::string obstacleOf(const RemoteEndpoint& endpoint) {
     return {};
 }
 
-bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint) {
+bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint, const RosNodes& nodes) {
     const bool writes = endpoint.kind == RemoteEndpoint::Kind::Writer;
     const bool again = isNew || (writes && !topic.written);
     if (again) {
@@ -28,16 +30,21 @@ bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint) {
                  .obstacle = obstacleOf(endpoint)};
     }
     topic.read |= !writes;
+    std::string node = writes == topic.written ? nodes.of(endpoint.guid) : std::string();
+    if (!node.empty() && std::find(topic.nodes.begin(), topic.nodes.end(), node) == topic.nodes.end())
+        topic.nodes.push_back(std::move(node));
     return again;
 }
 
-std::vector<SeenTopic> seenTopics(const std::vector<RemoteEndpoint>& endpoints) {
+std::vector<SeenTopic> seenTopics(const std::vector<RemoteEndpoint>& endpoints, const RosNodes& nodes) {
     std::map<std::string, SeenTopic> topics;
     for (const RemoteEndpoint& endpoint : endpoints) {
+        if (endpoint.topic == RosDiscoveryTopic) continue;  // ROS 2's own, and our watch
         const auto [place, isNew] = topics.try_emplace(endpoint.topic);
-        see(place->second, isNew, endpoint);
+        see(place->second, isNew, endpoint, nodes);
     }
     std::vector<SeenTopic> all;
+    all.reserve(topics.size());
     for (auto& [name, topic] : topics) all.push_back(std::move(topic));
     return all;
 }

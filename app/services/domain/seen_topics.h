@@ -5,6 +5,7 @@
 
 #include "app/services/domain/robot_guess.h"
 #include "transport/dds/endpoint.h"
+#include "transport/dds/ros_nodes.h"
 
 namespace leitstand {
 
@@ -13,9 +14,10 @@ namespace leitstand {
 
 /// Adds @p endpoint to what is known of its topic; @p isNew: nothing is known yet. True when @p topic was set
 /// from it.
-bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint);
+bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint, const RosNodes& nodes);
 
 /// Returns the topics of @p endpoints, each once: as offered where somebody writes it, else as requested.
-[[nodiscard]] std::vector<SeenTopic> seenTopics(const std::vector<RemoteEndpoint>& endpoints);
+[[nodiscard]] std::vector<SeenTopic> seenTopics(const std::vector<RemoteEndpoint>& endpoints,
+                                                const RosNodes& nodes);
 
 }  // namespace leitstand

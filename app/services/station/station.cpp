@@ -181,7 +181,7 @@ std::vector<std::string> Station::limits() const {
 }
 
 std::vector<SeenTopic> Station::visibleTopics() const {
-    return seenTopics(m_state->node->endpoints());
+    return seenTopics(m_state->node->endpoints(), m_state->rosNodes->nodes());
 }
 
 const StationSettings& Station::settings() const {

@@ -53,6 +53,7 @@ Station::State::~State() {
     brakes.reset();
     stops.reset();
     grants.reset();
+    rosNodes.reset();
     node.reset();
 }
 
@@ -322,6 +323,7 @@ Result<void> Station::State::start() {
     auto joined = Node::create(*network);
     if (!joined) return joined.error();
     node = std::move(joined).value();
+    rosNodes.emplace(*node);
     for (const std::string& warning : node->warnings()) notify(warning);
     LiveMission::Listener log;
     log.onAlarm = [this](const std::string& text) { notify(text); };

@@ -30,6 +30,7 @@
 #include "core/io/settings/station_file.h"
 #include "core/robot/link/screen_report.h"
 #include "transport/dds/node.h"
+#include "transport/dds/ros_nodes.h"
 
 namespace leitstand {
 
@@ -42,6 +43,7 @@ struct Station::State {
     StationListener listener;
     std::optional<StationFile> memory;
     std::unique_ptr<Node> node;
+    std::optional<RosNodeWatch> rosNodes;  ///< of all processes in the domain
     std::unique_ptr<GrantKeeper> grants;
     std::unique_ptr<StopSender> stops;
     std::unique_ptr<StationStreams> streams;

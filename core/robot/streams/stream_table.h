@@ -34,13 +34,13 @@ struct StreamFacts {
     Qos qos;                                  ///< usual one
     bool ofCamera = false;                    ///< its topic lies below the name of its camera
     bool picture = false;
-    bool single = false;    ///< a robot has at most one: it would be unclear which one to obey or believe
-    bool shared = false;    ///< robots may share one topic for it
-    bool steady = false;    ///< sent periodically; others only on a change or a request
-    bool quick = false;     ///< ... several times a second
-    bool alwaysOn = false;  ///< ... and no robot switches it off
-    bool needed = false;    ///< must be received before a start, if the robot has it
-    bool several = false;   ///< a guessed robot may have more than one; of cameras, one for each
+    bool single = false;     ///< a robot has at most one: it would be unclear which one to obey or believe
+    bool shared = false;     ///< robots may share one topic for it
+    bool steady = false;     ///< sent periodically; others only on a change or a request
+    bool quick = false;      ///< ... several times a second
+    bool alwaysOn = false;   ///< ... and no robot switches it off
+    bool needed = false;     ///< must be received before a start, if the robot has it
+    bool several = false;    ///< a guessed robot may have more than one; of cameras, one for each
     bool obstacles = false;  ///< shows what stands around the robot
     bool indexed = false;    ///< a review reads all of it when it opens the mission
     /// The lower, the better its stamps: of the computer whose clock matters most, written at once.
@@ -52,7 +52,6 @@ struct StreamFacts {
     std::string_view inLog = {};  ///< its name in sentences of the log; empty: the stream's own name
     GuessedBy guessedBy = GuessedBy::Type;
     std::span<const std::string_view> words = {};
-    bool namesRobot = false;  ///< a name directly above the usual topic is a robot's
 };
 
 inline constexpr const char* StreamTitles = "leitstand::LinkStatus";  ///< context of their translation

@@ -110,6 +110,130 @@ TEST(RobotGuess, LettersDiffer) {
     EXPECT_NE(guesses[0].robot.letter, guesses[2].robot.letter);
 }
 
+/// What @p guess takes as @p role; empty: nothing.
+std::string topicOf(const RobotGuess& guess, StreamRole role, const std::string& sensor = {}) {
+    const StreamDescription* const stream = guess.robot.stream(role, sensor);
+    return stream == nullptr ? std::string() : stream->topic;
+}
+
+// Names and types as the drivers' sources have them: turtlebot4_bringup and irobot_create_msgs (Humble),
+// clearpath_robot (Humble), ouster-ros (ros2), livox_ros_driver2, depthai-ros, nav2_bringup.
+std::vector<SeenTopic> turtlebot4(const std::string& space) {
+    std::vector<SeenTopic> topics = {
+        topic(space + "/odom", "nav_msgs/msg/Odometry"),
+        topic(space + "/imu", "sensor_msgs/msg/Imu"),
+        topic(space + "/scan", "sensor_msgs/msg/LaserScan"),
+        topic(space + "/battery_state", "sensor_msgs/msg/BatteryState"),
+        topic(space + "/joint_states", "sensor_msgs/msg/JointState"),
+        topic(space + "/diagnostics", "diagnostic_msgs/msg/DiagnosticArray"),
+        topic(space + "/oakd/rgb/preview/image_raw", "sensor_msgs/msg/Image"),
+        topic(space + "/oakd/rgb/preview/image_raw/compressed", "sensor_msgs/msg/CompressedImage"),
+        topic(space + "/oakd/rgb/preview/image_raw/compressedDepth", "sensor_msgs/msg/CompressedImage"),
+        topic(space + "/oakd/rgb/preview/camera_info", "sensor_msgs/msg/CameraInfo"),
+        topic(space + "/oakd/stereo/image_raw", "sensor_msgs/msg/Image"),
+        topic(space + "/oakd/imu/data", "sensor_msgs/msg/Imu"),
+        topic(space + "/cmd_vel", "geometry_msgs/msg/TwistStamped", false),
+        topic(space + "/diffdrive_controller/cmd_vel", "geometry_msgs/msg/TwistStamped", false),
+        topic(space + "/diffdrive_controller/odom", "nav_msgs/msg/Odometry"),
+        topic(space + "/tf", "tf2_msgs/msg/TFMessage"),
+        topic(space + "/tf_static", "tf2_msgs/msg/TFMessage"),
+        topic(space + "/dock_status", "irobot_create_msgs/msg/DockStatus")};
+    topics.back().read = false;
+    return topics;
+}
+
+std::vector<SeenTopic> sensorsWithNamespaces() {
+    return {topic("/ouster/points", "sensor_msgs/msg/PointCloud2"),
+            topic("/ouster/imu", "sensor_msgs/msg/Imu"),
+            topic("/ouster/scan", "sensor_msgs/msg/LaserScan"),
+            topic("/livox/lidar", "sensor_msgs/msg/PointCloud2"),
+            topic("/livox/imu", "sensor_msgs/msg/Imu"),
+            topic("/camera/odom/sample", "nav_msgs/msg/Odometry")};
+}
+
+std::vector<SeenTopic> operator+(std::vector<SeenTopic> a, const std::vector<SeenTopic>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+TEST(RobotGuess, DriversOfSensorsAreNoRobots) {
+    const auto guesses = guessRobots(turtlebot4("") + sensorsWithNamespaces());
+    ASSERT_EQ(guesses.size(), 1U);
+    const RobotGuess& robot = guesses[0];
+    EXPECT_EQ(robot.robot.name, "robot");
+    EXPECT_EQ(topicOf(robot, StreamRole::DriveCommand), "/cmd_vel");
+    EXPECT_EQ(topicOf(robot, StreamRole::Odometry), "/odom");
+    EXPECT_EQ(topicOf(robot, StreamRole::Transforms), "/tf");
+    EXPECT_EQ(topicOf(robot, StreamRole::Imu), "/imu");
+    EXPECT_NE(topicOf(robot, StreamRole::Points), "");
+}
+
+TEST(RobotGuess, ASensorWithANamespaceIsOfTheOnlyRobot) {
+    const auto guesses = guessRobots(turtlebot4("/tb4") + sensorsWithNamespaces());
+    ASSERT_EQ(guesses.size(), 1U);
+    EXPECT_EQ(guesses[0].robot.name, "tb4");
+    EXPECT_EQ(guesses[0].robot.tfPrefix, TfPrefix::Topic);
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::DriveCommand), "/tb4/cmd_vel");
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::Odometry), "/tb4/odom");
+    EXPECT_NE(topicOf(guesses[0], StreamRole::Points), "");
+}
+
+TEST(RobotGuess, RobotsOfOneKindAndOneWithoutANamespaceAreToldApart) {
+    const auto guesses = guessRobots(turtlebot4("") + turtlebot4("/tb1") + turtlebot4("/tb2"));
+    ASSERT_EQ(guesses.size(), 3U);
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::Odometry), "/odom");
+    EXPECT_EQ(topicOf(guesses[1], StreamRole::Odometry), "/tb1/odom");
+    EXPECT_EQ(topicOf(guesses[2], StreamRole::DriveCommand), "/tb2/cmd_vel");
+    EXPECT_EQ(topicOf(guesses[2], StreamRole::Transforms), "/tb2/tf");
+}
+
+TEST(RobotGuess, TopicsInDepthAreOfTheNamespaceAboveThem) {
+    const auto guesses =
+        guessRobots({topic("/a200_0000/platform/odom/filtered", "nav_msgs/msg/Odometry"),
+                     topic("/a200_0000/platform/cmd_vel_unstamped", "geometry_msgs/msg/Twist", false),
+                     topic("/a200_0000/tf", "tf2_msgs/msg/TFMessage"),
+                     topic("/a200_0000/sensors/lidar3d_0/points", "sensor_msgs/msg/PointCloud2"),
+                     topic("/a200_0000/sensors/camera_0/color/image", "sensor_msgs/msg/Image")});
+    ASSERT_EQ(guesses.size(), 1U);
+    EXPECT_EQ(guesses[0].robot.name, "a200_0000");
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::Points), "/a200_0000/sensors/lidar3d_0/points");
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::DriveCommand), "/a200_0000/platform/cmd_vel_unstamped");
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::Picture, "sensors_camera_0_color"),
+              "/a200_0000/sensors/camera_0/color/image");
+}
+
+TEST(RobotGuess, WhatIsPrivateToANodeIsNoNamespace) {
+    SeenTopic command = topic("/base_driver/cmd_vel", "geometry_msgs/msg/Twist", false);
+    SeenTopic odometry = topic("/base_driver/odom", "nav_msgs/msg/Odometry");
+    EXPECT_EQ(guessRobots({command, odometry})[0].robot.name, "base_driver") << "nobody tells of nodes";
+    command.nodes = odometry.nodes = {"/base_driver"};
+    EXPECT_EQ(guessRobots({command, odometry})[0].robot.name, "robot");
+    command.nodes = odometry.nodes = {"/base_driver/driver"};
+    EXPECT_EQ(guessRobots({command, odometry})[0].robot.name, "base_driver");
+}
+
+TEST(RobotGuess, OfOneCamerasPicturesThoseAreTakenThatCostLess) {
+    const auto guesses = guessRobots(turtlebot4(""));
+    ASSERT_EQ(guesses.size(), 1U);
+    const RobotDescription& robot = guesses[0].robot;
+    EXPECT_EQ(std::count_if(robot.streams.begin(), robot.streams.end(),
+                            [](const auto& one) { return one.role == StreamRole::Picture; }),
+              1);
+    const StreamDescription* const picture = robot.stream(StreamRole::Picture, "oakd_rgb_preview");
+    ASSERT_NE(picture, nullptr);
+    EXPECT_EQ(picture->topic, "/oakd/rgb/preview/image_raw/compressed");
+    EXPECT_EQ(picture->qos.reliability, Qos::Reliability::BestEffort);
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::CameraInfo, "oakd_rgb_preview"),
+              "/oakd/rgb/preview/camera_info");
+    EXPECT_THAT(verdictOn(guesses[0], "/oakd/rgb/preview/image_raw").remark, HasSubstr("compressed"));
+    EXPECT_THAT(verdictOn(guesses[0], "/oakd/stereo/image_raw").remark, HasSubstr("depths"));
+}
+
+TEST(RobotGuess, AnOldDriveCommandDoesNotCountForLong) {
+    const auto guesses = guessRobots(turtlebot4(""));
+    EXPECT_GT(guesses.at(0).robot.stream(StreamRole::DriveCommand)->qos.lifespan, 0.0);
+}
+
 TEST(ReplayRules, NeverWhatMovesARobotOrSpeaksForAStation) {
     EXPECT_TRUE(isReplayable("/kurt3d/points", "sensor_msgs/msg/PointCloud2"));
     EXPECT_TRUE(isReplayable("/kurt3d/stop_state", "leitstand_msgs/msg/StopState"));

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "transport/dds/guid.h"
+#include "transport/dds/node.h"
+
+namespace leitstand {
+
+/// DDS name and type of the topic on which processes of ROS 2 announce their nodes (rmw_dds_common).
+inline constexpr std::string_view RosDiscoveryTopic = "ros_discovery_info";
+inline constexpr std::string_view RosDiscoveryType = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
+
+/// A node of ROS 2, as its process announces it.
+struct RosNode {
+    std::string name;  ///< whole: "/kurt3d/driver"
+    std::vector<Guid> readers, writers;
+};
+
+/// The nodes of a process (rmw_dds_common/msg/ParticipantEntitiesInfo).
+struct RosProcess {
+    Guid participant;
+    std::size_t gidSize = 0;  ///< bytes of an identity on the wire: 24 until Humble, 16 from Iron on
+    std::vector<RosNode> nodes;
+};
+/// Reads an announcement, with whichever size its identities have. Whatever @p cdr is, the worst result is an
+/// error.
+[[nodiscard]] Result<RosProcess> rosProcess(std::span<const std::byte> cdr);
+
+/// Which nodes of ROS 2 the readers and writers of a domain belong to. Any thread.
+class RosNodes {
+public:
+    void add(const RosProcess& process);  ///< replaces what the process announced before
+    /// Returns the whole name of the node of @p endpoint; empty: unknown.
+    [[nodiscard]] std::string of(const Guid& endpoint) const;
+
+private:
+    static constexpr std::size_t MostProcesses = 1'000, MostEndpoints = 100'000;
+
+    mutable std::mutex m_mutex;
+    std::map<Guid, RosProcess> m_processes;  ///< by participant
+    std::map<Guid, std::string> m_nodes;     ///< by endpoint
+};
+
+/// Listens for what processes announce; publishes nothing.
+class RosNodeWatch {
+public:
+    /// @p node: outlives it. Without permission to read the topic, no node is known.
+    explicit RosNodeWatch(Node& node);
+    [[nodiscard]] const RosNodes& nodes() const { return *m_nodes; }
+
+private:
+    std::shared_ptr<RosNodes> m_nodes = std::make_shared<RosNodes>();
+    std::unique_ptr<Subscription> m_subscription;
+};
+
+}  // namespace leitstand
