@@ -143,10 +143,11 @@ void addTopic(RobotGuess& guess, const SeenTopic& topic, const std::string& spac
     if (verdict.role) {
         const StreamDescription stream = streamOf(topic, *verdict.role, guess, space);
         StreamDescription* const same = sameAs(stream, guess.robot);
+        // Compressed infrared pictures may have lost their temperatures.
+        const bool picture = stream.role == StreamRole::Picture;
         if (same == nullptr) {
             guess.robot.streams.push_back(stream);
-        } else if (streamFacts(stream.role).picture && stream.type == Compressed &&
-                   same->type != Compressed) {
+        } else if (picture && stream.type == Compressed && same->type != Compressed) {
             if (TopicVerdict* const before = verdictOn(same->topic, guess)) {
                 before->role.reset();
                 before->remark = fmt::format(Smaller, stream.topic);
@@ -155,7 +156,7 @@ void addTopic(RobotGuess& guess, const SeenTopic& topic, const std::string& spac
         } else {
             verdict.role.reset();
             verdict.remark =
-                same->type == Compressed && stream.type != Compressed
+                picture && same->type == Compressed && stream.type != Compressed
                     ? fmt::format(Smaller, same->topic)
                     : fmt::format("a second topic of this kind; the first one is used ({})", same->topic);
         }

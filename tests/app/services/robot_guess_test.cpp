@@ -229,6 +229,14 @@ TEST(RobotGuess, OfOneCamerasPicturesThoseAreTakenThatCostLess) {
     EXPECT_THAT(verdictOn(guesses[0], "/oakd/stereo/image_raw").remark, HasSubstr("depths"));
 }
 
+TEST(RobotGuess, InfraredPicturesKeepTheirTemperatures) {
+    const auto guesses = guessRobots(
+        {topic("/odom", "nav_msgs/msg/Odometry"), topic("/thermal/image_raw", "sensor_msgs/msg/Image"),
+         topic("/thermal/image_raw/compressed", "sensor_msgs/msg/CompressedImage")});
+    ASSERT_EQ(guesses.size(), 1U);
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::Thermal, "thermal"), "/thermal/image_raw");
+}
+
 TEST(RobotGuess, AnOldDriveCommandDoesNotCountForLong) {
     const auto guesses = guessRobots(turtlebot4(""));
     EXPECT_GT(guesses.at(0).robot.stream(StreamRole::DriveCommand)->qos.lifespan, 0.0);
