@@ -1,9 +1,10 @@
 #include "tests/support/hanging_library.h"
 
-#include <cerrno>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <tuple>
 
 #include <sys/ptrace.h>
 #include <sys/syscall.h>
@@ -24,9 +25,23 @@ bool receives(const std::filesystem::path& thread) {
 }  // namespace
 
 HangingLibrary::HangingLibrary(pid_t process) {
+    std::ignore = waitUntil(
+        [&] {
+            takeThoseThatReceive(process);
+            return m_threads.size() > 1;
+        },
+        std::chrono::seconds(10));
+}
+
+HangingLibrary::~HangingLibrary() {
+    for (const pid_t thread : m_threads) ptrace(PTRACE_DETACH, thread, nullptr, nullptr);
+}
+
+void HangingLibrary::takeThoseThatReceive(pid_t process) {
     const std::string tasks = "/proc/" + std::to_string(process) + "/task";
     for (const auto& entry : std::filesystem::directory_iterator(tasks)) {
         const pid_t thread = std::stoi(entry.path().filename().string());
+        if (std::find(m_threads.begin(), m_threads.end(), thread) != m_threads.end()) continue;
         if (!receives(entry.path()) || ptrace(PTRACE_SEIZE, thread, nullptr, nullptr) != 0) continue;
         ptrace(PTRACE_INTERRUPT, thread, nullptr, nullptr);
         int status = 0;

@@ -8,11 +8,13 @@
 namespace leitstand::test {
 
 /// Makes threads of a library hang in another process for as long as this lives, as one that waits for a lock
-/// for ever: those that receive from the network, which whoever leaves a domain waits for. Of a child of this
-/// process; to be used by one thread.
+/// for ever: those that receive from the network, which whoever leaves a domain waits for. A thread that is
+/// busy with what it received is taken when it receives again; two at least, unless 10 s do not show them. Of
+/// a child of this process; to be used by one thread.
 class HangingLibrary {
 public:
     explicit HangingLibrary(pid_t process);
+    ~HangingLibrary();  ///< lets go of those that still hang
     HangingLibrary(const HangingLibrary&) = delete;
     HangingLibrary& operator=(const HangingLibrary&) = delete;
 
@@ -21,6 +23,8 @@ public:
     [[nodiscard]] bool endsWithin(std::chrono::milliseconds atMost);
 
 private:
+    void takeThoseThatReceive(pid_t process);
+
     std::vector<pid_t> m_threads;
 };
 

@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/io/bag/sample_bags.h"
 #include "tests/support/attack.h"
@@ -158,6 +161,44 @@ TEST_F(LostLog, FramesBehindABrokenOneAreRead) {
     test::tellAttack("log", "a frame of the write-ahead log is broken", Rounds,
                      fmt::format("at most {} of {} events are missing; what is behind the frame is read",
                                  Written - fewest, Written));
+}
+
+/// Copies what the log of @p database holds into the database, and ends as one that is killed after it: the
+/// log stays.
+void checkpointAndDie(const fs::path& database) {
+    const pid_t child = fork();
+    if (child == 0) {
+        sqlite3* opened = nullptr;
+        const bool done =
+            sqlite3_open(database.c_str(), &opened) == SQLITE_OK &&
+            sqlite3_exec(opened, "PRAGMA wal_checkpoint(PASSIVE)", nullptr, nullptr, nullptr) == SQLITE_OK;
+        _exit(done ? 0 : 1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+}
+
+// What SQLite reads before the broken frame is then older than the pages in the database, which it may not
+// take for a database at all.
+TEST_F(LostLog, AFrameThatBreaksAfterACheckpointIsToldAndCostsACommitAtMost) {
+    ASSERT_NO_FATAL_FAILURE(checkpointAndDie(m_file));
+    std::string log = test::readText(m_log);
+    // Frames of the log's present round share two numbers with its header; older ones follow.
+    std::size_t frames = 0;
+    while (LogHeader + (frames + 1) * LogFrame <= log.size() &&
+           log.compare(LogHeader + frames * LogFrame + 8, 8, log, 16, 8) == 0)
+        ++frames;
+    ASSERT_GT(frames, 50U);
+    for (std::size_t broken = 0; broken + 20 < frames; broken += 13) {
+        std::string changed = log;
+        changed[LogHeader + LogFrame * broken] ^= '\x55';
+        test::writeText(m_log, changed);
+        const Found found = this->found();
+        EXPECT_GT(found.events.size(), Written - ACommit) << broken;
+        EXPECT_EQ(found.missing, Written - found.events.size());
+        EXPECT_THAT(found.problems, Contains(HasSubstr(fmt::format("frame {} is broken", broken + 1))));
+    }
 }
 
 TEST_F(LostLog, IsReadWithoutItsHeader) {

@@ -84,13 +84,12 @@ void numberOn(std::vector<BagPart>& parts) {
     }
 }
 
-/// Returns @p opened, or the file read page by page (@p damaged is set). The latter when the log hides frames
-/// behind a broken one and salvage finds no fewer messages.
-std::shared_ptr<BagFile> withHiddenFrames(const fs::path& path, std::shared_ptr<BagFile> opened,
-                                          std::vector<std::string>& problems, bool& damaged) {
+/// What of the write-ahead log of the database @p path is hidden behind a broken place. Empty when nothing
+/// is. That the log's end is cut off is added to @p problems.
+std::string brokenLog(const fs::path& path, std::vector<std::string>& problems) {
     const fs::path log = path.string() + "-wal";
     const std::size_t pageSize = PageFile::pageSizeOf(path);
-    if (pageSize == 0) return opened;
+    if (pageSize == 0) return {};
     const LogFrames frames = logFrames(OverlayFile(log), pageSize);
     if (frames.cut) {
         problems.push_back(leitstand::fill(
@@ -98,18 +97,29 @@ std::shared_ptr<BagFile> withHiddenFrames(const fs::path& path, std::shared_ptr<
                       "{}: ends within what was being written: the last moment before is missing"),
             log.string()));
     }
-    if (!frames.hides()) return opened;
-    auto salvaged = SalvagedFile::open(
-        path, frames.firstBroken == 0
-                  ? leitstand::fill(translate("leitstand::Error", "{}: its header is broken"), log.string())
-                  : leitstand::fill(translate("leitstand::Error", "{}: frame {} is broken, {} follow"),
-                                    log.string(), frames.firstBroken, frames.hidden));
+    if (!frames.hides()) return {};
+    if (frames.firstBroken == 0)
+        return leitstand::fill(translate("leitstand::Error", "{}: its header is broken"), log.string());
+    return leitstand::fill(translate("leitstand::Error", "{}: frame {} is broken, {} follow"), log.string(),
+                           frames.firstBroken, frames.hidden);
+}
+
+/// Returns @p opened, or the file read page by page (@p damaged is set). The latter when the log hides frames
+/// behind a broken one, as @p broken says, and salvage finds no fewer messages.
+std::shared_ptr<BagFile> withHiddenFrames(const fs::path& path, std::shared_ptr<BagFile> opened,
+                                          const std::string& broken, std::vector<std::string>& problems,
+                                          bool& damaged) {
+    if (broken.empty()) return opened;
+    auto salvaged = SalvagedFile::open(path, broken);
     if (!salvaged) return opened;
     const auto messages = [](const BagFile& file) {
         const BagFileFacts& facts = file.facts();
         return facts.messages().value_or(facts.lastId == 0 ? 0 : facts.lastId - facts.firstId + 1);
     };
-    if (messages(**salvaged) < messages(*opened)) return opened;
+    if (messages(**salvaged) < messages(*opened)) {
+        problems.push_back(broken);  // what it hides is in the database, too
+        return opened;
+    }
     damaged = true;
     return std::move(salvaged).value();
 }
@@ -152,8 +162,11 @@ Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, std::
     }
     auto opened = SqliteFile::open(path, live);
     if (opened && live) return std::shared_ptr<BagFile>(std::move(opened).value());
-    if (opened) return withHiddenFrames(path, std::move(opened).value(), problems, damaged);
-    if (live) return opened.error();  // its pages are changing
+    if (!opened && live) return opened.error();  // its pages are changing
+    const std::string broken = brokenLog(path, problems);
+    if (opened) return withHiddenFrames(path, std::move(opened).value(), broken, problems, damaged);
+    // Pages that a checkpoint wrote are newer than those that SQLite finds before the broken frame.
+    if (!broken.empty()) problems.push_back(broken);
     auto salvaged = SalvagedFile::open(path, opened.error().text);
     if (!salvaged) return salvaged.error();
     damaged = true;
