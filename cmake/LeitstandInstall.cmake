@@ -7,7 +7,7 @@ if(TARGET leitstand-guard)
     list(APPEND programs leitstand-guard)
 endif()
 install(TARGETS ${programs} RUNTIME DESTINATION bin COMPONENT tools)
-foreach(folder robots control layouts scoring samples)
+foreach(folder robots stock control layouts scoring samples)
     install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/${folder} DESTINATION share/leitstand COMPONENT tools
         FILES_MATCHING PATTERN *.yaml PATTERN *.json PATTERN *.db3)
 endforeach()

@@ -3111,6 +3111,30 @@ Funk: %4 %5</translation>
         <source>{}: write this below sensors, {}, by hand: {}</source>
         <translation>{}: von Hand unter sensors, {} einzutragen: {}</translation>
     </message>
+    <message>
+        <source>{}: has several scanners; scans of {} are taken (`maps: true` in its file names another)</source>
+        <translation>{}: hat mehrere Scanner; genommen werden die Scans von {} (`maps: true` in seiner Datei nennt einen anderen)</translation>
+    </message>
+    <message>
+        <source>expected it only for points, found it for {} of type {}</source>
+        <translation>erwartet nur für points, gefunden für {} vom Typ {}</translation>
+    </message>
+    <message>
+        <source>expected one stream that makes the map, found {} of line {} again</source>
+        <translation>einen Strom erwartet, der die Karte macht, {} aus Zeile {} noch einmal gefunden</translation>
+    </message>
+    <message>
+        <source>environment variable {}: expected {}, found &quot;{}&quot;</source>
+        <translation>Umgebungsvariable {}: {} erwartet, „{}“ gefunden</translation>
+    </message>
+    <message>
+        <source>the folder of a keystore</source>
+        <translation>den Ordner eines Schlüsselspeichers</translation>
+    </message>
+    <message>
+        <source>environment variable {}: with {} no robot can be found; unset it, or name a network card (--interface) or an address (--peer)</source>
+        <translation>Umgebungsvariable {}: mit {} ist kein Roboter zu finden; aufheben, oder eine Netzwerkkarte (--interface) oder eine Adresse (--peer) nennen</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -4207,6 +4231,14 @@ Apache License 2.0</translation>
     <message>
         <source>%1: not settable</source>
         <translation>%1: nicht einstellbar</translation>
+    </message>
+    <message>
+        <source>Makes the map</source>
+        <translation>Macht die Karte</translation>
+    </message>
+    <message>
+        <source>Whether the map is made from this cloud; the robot&apos;s others are shown, and used for obstacles</source>
+        <translation>Ob die Karte aus dieser Punktwolke entsteht; die anderen des Roboters werden gezeigt und für Hindernisse genutzt</translation>
     </message>
 </context>
 <context>
@@ -6217,6 +6249,10 @@ F1 listet alle Tasten</translation>
         <source>sound: there is a device; try the tones</source>
         <translation>Ton: ein Gerät ist da; bitte Töne probieren</translation>
     </message>
+    <message>
+        <source>network set by ROS&apos;s environment: %1</source>
+        <translation>Netz nach der Umgebung von ROS: %1</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PreflightPage</name>
@@ -8198,6 +8234,14 @@ F1 listet alle Tasten</translation>
         <source>{}: nothing tells how its scans hang together: tidy the map first</source>
         <translation>{}: Nichts sagt, wie ihre Scans zusammenhängen: Räumen Sie die Karte zuerst auf</translation>
     </message>
+    <message>
+        <source>{}: its map is made from {}; its other clouds are shown, and used for obstacles</source>
+        <translation>{}: seine Karte entsteht aus {}; seine anderen Punktwolken werden gezeigt und für Hindernisse genutzt</translation>
+    </message>
+    <message>
+        <source>{}: expected a topic of its clouds, found {}</source>
+        <translation>{}: ein Topic seiner Punktwolken erwartet, {} gefunden</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -8457,6 +8501,10 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>%1 Mbit/s</source>
         <translation>%1 Mbit/s</translation>
+    </message>
+    <message>
+        <source>%1 (map)</source>
+        <translation>%1 (Karte)</translation>
     </message>
 </context>
 <context>

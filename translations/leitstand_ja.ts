@@ -3111,6 +3111,30 @@ Link: %4 %5</source>
         <source>{}: write this below sensors, {}, by hand: {}</source>
         <translation>{}: sensors の {} の下に次の行を手で書いてください: {}</translation>
     </message>
+    <message>
+        <source>{}: has several scanners; scans of {} are taken (`maps: true` in its file names another)</source>
+        <translation>{}: 複数のスキャナーがあります。{} のスキャンを使います (ファイルの `maps: true` で別のものを指定できます)</translation>
+    </message>
+    <message>
+        <source>expected it only for points, found it for {} of type {}</source>
+        <translation>points だけの項目ですが、{} (型 {}) にあります</translation>
+    </message>
+    <message>
+        <source>expected one stream that makes the map, found {} of line {} again</source>
+        <translation>地図を作るストリームは 1 つだけですが、{1} 行目の {0} がもう一度あります</translation>
+    </message>
+    <message>
+        <source>environment variable {}: expected {}, found &quot;{}&quot;</source>
+        <translation>環境変数 {}: {} が必要ですが、「{}」です</translation>
+    </message>
+    <message>
+        <source>the folder of a keystore</source>
+        <translation>キーストアのフォルダー</translation>
+    </message>
+    <message>
+        <source>environment variable {}: with {} no robot can be found; unset it, or name a network card (--interface) or an address (--peer)</source>
+        <translation>環境変数 {}: {} ではロボットが見つかりません。解除するか、ネットワークカード (--interface) またはアドレス (--peer) を指定してください</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -4207,6 +4231,14 @@ Apache License 2.0</translation>
     <message>
         <source>%1: not settable</source>
         <translation>%1: 設定不可</translation>
+    </message>
+    <message>
+        <source>Makes the map</source>
+        <translation>地図を作る</translation>
+    </message>
+    <message>
+        <source>Whether the map is made from this cloud; the robot&apos;s others are shown, and used for obstacles</source>
+        <translation>この点群から地図を作るかどうか。ロボットの他の点群は表示され、障害物に使われます</translation>
     </message>
 </context>
 <context>
@@ -6217,6 +6249,10 @@ F1 でキー一覧</translation>
         <source>sound: there is a device; try the tones</source>
         <translation>音声: 装置あり。音を試してください</translation>
     </message>
+    <message>
+        <source>network set by ROS&apos;s environment: %1</source>
+        <translation>ROS の環境変数によるネットワーク: %1</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PreflightPage</name>
@@ -8198,6 +8234,14 @@ F1 でキー一覧</translation>
         <source>{}: nothing tells how its scans hang together: tidy the map first</source>
         <translation>{}: スキャン同士のつながりが記録されていません。先に地図を整えてください</translation>
     </message>
+    <message>
+        <source>{}: its map is made from {}; its other clouds are shown, and used for obstacles</source>
+        <translation>{}: 地図は {} から作られます。他の点群は表示され、障害物に使われます</translation>
+    </message>
+    <message>
+        <source>{}: expected a topic of its clouds, found {}</source>
+        <translation>{}: 点群のトピックが必要ですが、{} です</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -8457,6 +8501,10 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>%1 Mbit/s</source>
         <translation>%1 Mbit/s</translation>
+    </message>
+    <message>
+        <source>%1 (map)</source>
+        <translation>%1 (地図)</translation>
     </message>
 </context>
 <context>

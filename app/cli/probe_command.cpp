@@ -13,14 +13,15 @@
 #include "app/cli/console/output.h"
 #include "app/cli/console/progress_line.h"
 #include "app/cli/console/text_table.h"
-#include "app/cli/options/domain_options.h"
 #include "app/cli/options/load_scans.h"
+#include "app/options/domain_options.h"
 #include "app/services/domain/domain_probe.h"
 #include "app/services/interrupt.h"
 #include "core/base/printable.h"
 #include "core/event/stream_role.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/robot/robot_file.h"
+#include "transport/domain/join_settings.h"
 
 namespace leitstand::cli {
 namespace {
@@ -28,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ProbeOptions {
-    DomainSettings domain;
+    DomainOptions domain;
     double seconds = 5.0;
     std::string out = ".";
     bool json = false;
@@ -133,7 +134,12 @@ std::map<std::string, std::string> writeRobotFiles(const ProbeReport& report, co
 int runProbe(const ProbeOptions& options) {
     ProgressLine line;
     const InterruptGuard interrupt(InterruptGuard::End::Surely);
-    const auto probe = DomainProbe::open(options.domain);
+    const auto domain = withEnvironment(options.domain);
+    if (!domain) {
+        complain(line, domain.error().text);
+        return 1;
+    }
+    const auto probe = DomainProbe::open(*domain);
     if (!probe) {
         complain(line, probe.error().text);
         return 1;
@@ -145,7 +151,8 @@ int runProbe(const ProbeOptions& options) {
     const auto files = writeRobotFiles(report, options.out, line, ok);
     print(options.json ? probeJson(report, files) : probeTable(report));
     if (!options.json) {
-        print("{}\n", securityLine(options.domain));
+        if (const std::string by = environmentLine(*domain); !by.empty()) print("{}\n", printable(by));
+        print("{}\n", securityLine(*domain));
         for (const auto& [robot, file] : files) {
             print("wrote {}: check letter, sizes, limits and sensor poses (docs/robots.md)\n",
                   printable(file));

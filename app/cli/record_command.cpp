@@ -15,21 +15,22 @@
 #include "app/cli/console/output.h"
 #include "app/cli/console/progress_line.h"
 #include "app/cli/console/text_table.h"
-#include "app/cli/options/domain_options.h"
 #include "app/cli/options/load_scans.h"
+#include "app/options/domain_options.h"
 #include "app/services/interrupt.h"
 #include "app/services/log/mission_recorder.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/team.h"
 #include "core/version/version.h"
+#include "transport/domain/join_settings.h"
 
 namespace leitstand::cli {
 namespace {
 
 struct RecordOptions {
     std::string out;
-    DomainSettings domain;
+    DomainOptions domain;
     std::vector<std::string> robots;
     bool json = false;
 };
@@ -100,7 +101,12 @@ int runRecord(const RecordOptions& options) {
     settings.mission.folder = options.out;
     settings.mission.title = "leitstandctl record";
     settings.mission.version = version();
-    settings.domain = options.domain;
+    auto domain = withEnvironment(options.domain);
+    if (!domain) {
+        complain(line, domain.error().text);
+        return 1;
+    }
+    settings.domain = std::move(domain).value();
     for (const std::string& file : options.robots) {
         const auto found = findRobotFile(file);
         if (!found) {
@@ -128,8 +134,9 @@ int runRecord(const RecordOptions& options) {
         return 1;
     }
     complain(line,
-             fmt::format("recording domain {} into {}; Ctrl-C ends it", options.domain.domain, options.out));
-    complain(line, securityLine(options.domain));
+             fmt::format("recording domain {} into {}; Ctrl-C ends it", settings.domain.domain, options.out));
+    if (const std::string by = environmentLine(settings.domain); !by.empty()) complain(line, by);
+    complain(line, securityLine(settings.domain));
     std::mutex mutex;
     std::condition_variable_any ended;
     std::unique_lock lock(mutex);
@@ -175,7 +182,8 @@ void addRecord(CLI::App& app, int& exitCode) {
     addDomainOptions(*command, options->domain);
     command
         ->add_option("--robot", options->robots,
-                     "Robot files (or names of shipped ones: kurt3d, crawler, turtlebot) whose listed "
+                     "Robot files (or names of shipped ones: kurt3d, crawler, turtlebot, turtlebot4, husky) "
+                     "whose listed "
                      "topics to record; without any, every topic that is heard")
         ->type_name("YAML...");
     command->add_flag("--json", options->json, "Print the summary as JSON");

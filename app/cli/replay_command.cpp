@@ -11,8 +11,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/console/output.h"
 #include "app/cli/console/progress_line.h"
-#include "app/cli/options/domain_options.h"
 #include "app/cli/options/load_scans.h"
+#include "app/options/domain_options.h"
 #include "app/services/interrupt.h"
 #include "app/services/log/replay/mission_replay.h"
 #include "core/base/printable.h"
@@ -22,6 +22,7 @@ namespace {
 
 struct ReplayOptions {
     ReplaySettings settings;
+    DomainOptions domain;
     std::string mission;
     bool json = false;
 };
@@ -44,6 +45,13 @@ int runReplay(ReplayOptions& options) {
     ProgressLine line;
     const InterruptGuard interrupt(InterruptGuard::End::Surely);
     options.settings.mission = options.mission;
+    auto domain = withEnvironment(options.domain);
+    if (!domain) {
+        complain(line, domain.error().text);
+        return 1;
+    }
+    options.settings.domain = std::move(domain).value();
+    if (const std::string by = environmentLine(options.settings.domain); !by.empty()) complain(line, by);
     const auto replay = MissionReplay::open(options.settings, {.report = {}, .stop = interrupt.token()});
     if (!replay) {
         complain(line, replay.error().text);
@@ -83,7 +91,7 @@ void addReplay(CLI::App& app, int& exitCode) {
     const auto options = std::make_shared<ReplayOptions>();
     command->add_option("MISSION", options->mission, "Folder of the mission, or one .db3 file of it")
         ->required();
-    addDomainOptions(*command, options->settings.domain);
+    addDomainOptions(*command, options->domain);
     command->add_option("--rate", options->settings.rate, "How many times faster than it came (1)")
         ->check(CLI::Range(0.01, 1000.0));
     command->add_flag("--loop", options->settings.loop, "Begin again at the end, until Ctrl-C");

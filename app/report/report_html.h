@@ -7,13 +7,14 @@
 
 namespace leitstand {
 
-/// Returns the name of picture number @p picture of find number @p find in the pages' HTML.
+/// Returns the name by which findHtml() embeds a picture. @p find: index of the find; @p picture: index of
+/// its picture; both from 0.
 [[nodiscard]] QString evidenceName(std::size_t find, std::size_t picture);
 
 /// Returns the first pages, one string per section: mission, robots, finds, searched floor, changes, score,
 /// what was computed where, what is missing.
 [[nodiscard]] QStringList overviewHtml(const ReportContent& content);
-/// Returns the form and evidence of find number @p find.
+/// Returns the form and evidence of the find with index @p find in @p content.
 [[nodiscard]] QString findHtml(const ReportContent& content, std::size_t find);
 /// Returns the way to @p find in words.
 [[nodiscard]] QString wayHtml(const ReportFind& find);

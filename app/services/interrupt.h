@@ -7,8 +7,9 @@
 
 namespace leitstand {
 
-/// While it lives, runs @p what when the process was asked to end and hangs (InterruptGuard::End::Surely),
-/// for example to close a log. Runs it on its own thread before the process is ended anyway. Any thread.
+/// Runs @p what if, during the life of this object, the process is asked to end and hangs
+/// (InterruptGuard::End::Surely), for example to close a log. Runs it on a separate thread before the process
+/// is ended by force. Any thread.
 class WhenLate {
 public:
     explicit WhenLate(std::function<void()> what);
@@ -18,15 +19,15 @@ public:
 };
 
 /// While it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP requests the work to stop instead of ending
-/// the process. A signal half a second later or more ends the process, except SIGHUP, which comes twice when
-/// a terminal closes. An earlier signal counts as the same request. A signal that was ignored before stays
-/// ignored (nohup ignores SIGHUP). At most one guard at a time.
+/// the process. Further signals within half a second count as the same request. A later one ends the process,
+/// except SIGHUP, which comes twice when a terminal closes. A signal that was ignored before stays ignored
+/// (nohup ignores SIGHUP). At most one guard at a time.
 class InterruptGuard {
 public:
     enum class End : std::uint8_t {
         Orderly,  ///< however long the work takes
-        /// Within 5 s of the signal, even when threads of libraries hang. Actions of WhenLate run after 3 s,
-        /// and the process ends with status 1. Stays in force when the guard is gone.
+        /// Within 5 s of the signal, even when threads of libraries hang. After 3 s the actions of WhenLate
+        /// run, then the process ends with status 1. Stays in force after the guard is destroyed.
         Surely,
     };
     explicit InterruptGuard(End end = End::Orderly);
@@ -34,7 +35,7 @@ public:
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-    /// Its stop is requested when the signal has come, on a thread of the guard.
+    /// Returns the token whose stop is requested, on a thread of the guard, when the signal has come.
     [[nodiscard]] std::stop_token token() const { return m_source.get_token(); }
 
 private:

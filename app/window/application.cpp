@@ -54,9 +54,14 @@ int showWindow(const Options& options) {
 /// Returns @p options. What they leave open is taken from @p last.
 Options withLast(Options options, const Options& last) {
     if (options.robots.empty()) options.robots = last.robots;
-    if (options.interfaces.empty()) options.interfaces = last.interfaces;
-    if (options.keys.empty()) options.keys = last.keys;
-    if (options.domain == 0) options.domain = last.domain;
+    DomainOptions& network = options.network;
+    if (!network.domain) network.domain = last.network.domain;
+    if (network.interfaces.empty() && network.initialPeers.empty() && network.discoveryServer.empty()) {
+        network.interfaces = last.network.interfaces;
+        network.initialPeers = last.network.initialPeers;
+        network.discoveryServer = last.network.discoveryServer;
+    }
+    if (network.keys.empty()) network.keys = last.network.keys;
     options.live = true;
     return options;
 }
@@ -84,10 +89,17 @@ int runStation(int argc, char** argv) {
     useLanguage(languageOf(options));
     std::optional<OrderlyEnd> end;
     if (!picture) end.emplace();
-    if (options.live) return runLive(options);
+    const auto environment = rosEnvironment();
+    if (options.live || argc == 1 || options.resume) {
+        if (!environment && !options.demo) {
+            printProblem(environment.error().text);
+            return 1;
+        }
+    }
+    if (options.live) return runLive(options, environment ? *environment : RosEnvironment{});
     if (argc == 1 || options.resume) {
         const auto last = lastOptions();
-        if (last || options.resume) return runLive(withLast(options, last.value_or(Options{})));
+        if (last || options.resume) return runLive(withLast(options, last.value_or(Options{})), *environment);
     }
     if (wantsReview(options)) return runReview(options);
     return picture ? takeScreenshot(options) : showWindow(options);

@@ -5,13 +5,13 @@
 
 namespace leitstand {
 
-/// Number of threads that a setting of @p threads means: 0 is one per core.
+/// Returns the number of threads for a setting of @p threads: 0 is one per core.
 [[nodiscard]] int threadCount(int threads);
 
 /// Calls @p body(first, last) for the ranges [0, grain), [grain, 2 grain) ... below @p count, on up to
 /// @p threads threads (0: one per core; 1: in order on the calling one). The ranges do not depend on the
-/// number of threads, so that results gathered by first / grain and joined in order never do. Returns when
-/// all is done; an exception of the body is passed on.
+/// number of threads: results kept by first / grain and joined in order do not either. Returns when all is
+/// done; an exception of the body is passed on.
 void parallelFor(std::size_t count, std::size_t grain, int threads,
                  const std::function<void(std::size_t first, std::size_t last)>& body);
 

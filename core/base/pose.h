@@ -30,11 +30,11 @@ constexpr double inDegrees(double radians) {
 /// The pose at @p share (0 to 1) of the way from @p a to @p b: straight line, shortest turn.
 [[nodiscard]] Pose interpolated(const Pose& a, const Pose& b, double share);
 
-/// The nearest rigid motion to @p pose: numerical drift is removed from the rotation.
+/// Returns @p pose with numerical drift removed from its rotation.
 [[nodiscard]] Pose orthonormalised(const Pose& pose);
 
-/// The motion exp([v, w]) of a twist with translation first (right Jacobian neglected: translation is taken
-/// as it is, rotation by Rodrigues' formula) [m, rad].
+/// Returns the motion of a twist: translation first [m], then the rotation vector [rad]. Approximates
+/// exp([v, w]): translation is taken as it is (the Jacobian is neglected), rotation by Rodrigues' formula.
 [[nodiscard]] Pose poseFromTwist(const Eigen::Matrix<double, 6, 1>& translationThenRotation);
 
 }  // namespace leitstand

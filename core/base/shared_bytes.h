@@ -6,10 +6,10 @@
 
 namespace leitstand {
 
-/// A part of a buffer, which stays alive as long as this refers to it: a picture within its message.
+/// A part of a buffer, such as a picture within its message. The buffer stays alive as long as this part.
 struct SharedBytes {
     std::shared_ptr<const void> owner;  ///< the whole buffer
-    std::span<const std::byte> bytes;   ///< the part of it
+    std::span<const std::byte> bytes;   ///< the part of the buffer
 };
 
 }  // namespace leitstand

@@ -10,8 +10,8 @@ enum class SimdLevel : std::uint8_t {
     Avx2,   ///< 8 floats at a time
 };
 
-/// The best level of this processor. The environment variable LEITSTAND_SIMD=plain, read once, forbids all
-/// above Plain.
+/// Returns the best level of this processor. The environment variable LEITSTAND_SIMD=plain, read once,
+/// forbids all levels above Plain.
 [[nodiscard]] SimdLevel simdLevel();
 
 }  // namespace leitstand

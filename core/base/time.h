@@ -19,7 +19,7 @@ template <class Count, class Period>
     return std::chrono::duration<double>(duration).count();
 }
 
-/// From @p from to @p to in seconds; negative where @p to is earlier.
+/// Time from @p from to @p to in seconds; negative where @p to is earlier.
 template <class Clock, class From, class To>
 [[nodiscard]] constexpr double secondsBetween(std::chrono::time_point<Clock, From> from,
                                               std::chrono::time_point<Clock, To> to) {

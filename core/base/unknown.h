@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// Value of numbers that a sender does not know.
+/// Stands for a number that the sender does not know; NaN.
 inline constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace leitstand

@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// Finds the translation of @p text in @p context; both are as written in the program.
+/// Returns the translation of @p text in @p context; both are as written in the program.
 using Translator = std::string (*)(const char* context, const char* text);
 /// Makes translate() use @p translator from now on; null: nothing is translated. Any thread.
 void setTranslator(Translator translator);
@@ -15,12 +15,13 @@ void setTranslator(Translator translator);
 /// For operators, never for the log. Both arguments are literals, which lupdate reads. Any thread.
 [[nodiscard]] std::string translate(const char* context, const char* text);
 
-/// Marks @p text of a table for lupdate, with its @p context; translate() is called where it is shown.
+/// Marks @p text of a table for lupdate, with its @p context; call translate() where the text is shown.
 constexpr const char* translatable(const char* /*context*/, const char* text) {
     return text;
 }
 
-/// Returns @p words filled in by fmt::format; unchanged when a translation breaks the format.
+/// Returns @p words with @p arguments filled in by fmt::format; returns @p words unchanged when a translation
+/// breaks the format.
 template <class... Arguments>
 [[nodiscard]] std::string fill(const std::string& words, const Arguments&... arguments) {
     try {

@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// Counts the labels of points that become one.
+/// Counts the labels of several points that are merged into one.
 class LabelVotes {
 public:
     void add(Label label) { ++m_votes[static_cast<std::size_t>(label)]; }
@@ -19,8 +19,8 @@ public:
         return *this;
     }
 
-    /// The commonest label; of equally common ones the last of the enumeration, so that any label beats
-    /// Unlabelled.
+    /// Returns the commonest label; of equally common ones the last of the enumeration, so that any label
+    /// wins a tie with Unlabelled.
     [[nodiscard]] Label commonest() const {
         const auto last = std::max_element(m_votes.rbegin(), m_votes.rend());
         return static_cast<Label>(m_votes.rend() - last - 1);

@@ -16,18 +16,20 @@ struct LabelSettings {
 };
 
 /// Returns the labels of all points of @p scan, one a point; Unlabelled where there is no echo or nothing
-/// decides. Floor is seen from above (table tops too), Ceiling from below. Organised scans are labelled by
-/// the slope along their vertical raw scans, over at least 10 cm, and by the direction across where it is
-/// known. A tilted robot's raw scans and a tilting scanner's outer ones are not vertical. Other scans are
-/// labelled by the normals of their nearest neighbours.
+/// decides. Floor is seen from above (table tops too), Ceiling from below. Points of an organised scan are
+/// labelled by their grid normals. Where only the direction along the vertical profile (Sweep) is known, its
+/// slope over at least 10 cm decides. Profiles that lean more than 30 degrees do not count: those of a tilted
+/// robot, outer ones of a tilting scanner. Points of other scans are labelled by the normals of their nearest
+/// neighbours.
 [[nodiscard]] std::vector<Label> labelScan(const Scan& scan, const LabelSettings& settings = {});
 
-/// The same for an organised @p scan whose @p tangents and their @p normals (gridNormals()) are known.
+/// As above for an organised @p scan, whose gridTangents() and gridNormals() are known.
 [[nodiscard]] std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents,
                                            std::span<const Eigen::Vector3f> normals,
                                            const LabelSettings& settings = {});
 
-/// Returns the labels of points by their @p normals, which point towards the sensor; Unlabelled where zero.
+/// Returns the labels of points by their @p normals, which point towards the sensor; Unlabelled where a
+/// normal is zero.
 [[nodiscard]] std::vector<Label> labelNormals(std::span<const Eigen::Vector3f> normals,
                                               const LabelSettings& settings = {});
 

@@ -12,7 +12,7 @@ namespace leitstand {
 /// Stamped poses of one object over time; they may arrive in any order.
 class PoseTrack {
 public:
-    /// Adds @p pose at @p stamp; a later one with the same stamp replaces it. Poses that are not finite are
+    /// Adds @p pose at @p stamp, in place of an earlier one with the same stamp. A pose that is not finite is
     /// left out.
     void add(Time stamp, const Pose& pose);
     /// Returns the pose at @p stamp, interpolated between two stamps that are at most @p gap apart

@@ -18,7 +18,7 @@ inline constexpr int LabelCount = 4;
 
 /// How the rows of an organised scan lie in space.
 enum class Sweep : std::uint8_t {
-    Tilting,  ///< a row is a raw scan across, taken at one tilt: columns are the vertical profiles
+    Tilting,  ///< a row is a raw scan from side to side, at one tilt: columns are the vertical profiles
     Yawing,   ///< a row is a vertical raw scan, taken at one heading
 };
 
@@ -45,7 +45,7 @@ struct PointCloud {
     std::vector<Eigen::Vector3f> points;   ///< [m]
     std::vector<Eigen::Vector3f> normals;  ///< empty, or one per point: unit length, or zero where unknown
     std::vector<Label> labels;             ///< empty, or one per point
-    std::vector<float> weights;  ///< empty, or one per point: number of measured points that it represents
+    std::vector<float> weights;  ///< empty, or one per point: number of measured points that it stands for
 
     [[nodiscard]] std::size_t size() const { return points.size(); }
 };

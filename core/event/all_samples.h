@@ -44,15 +44,15 @@ Returned visitOneOf(TypeList<Types...> /*types*/, Visitor& visitor, Given& sampl
 
 }  // namespace detail
 
-/// Calls @p visitor with the content of @p sample and returns what it returns, which is of one type for all.
-/// Throws std::logic_error when there is no content.
+/// Calls @p visitor with the content of @p sample and returns the visitor's result, which must have one type
+/// for all contents. Throws std::logic_error when there is no content.
 template <class Visitor>
 decltype(auto) visit(Visitor&& visitor, const Sample& sample) {
     using Returned = std::invoke_result_t<Visitor&, const OdometrySample&>;
     static_assert(detail::allReturn<Returned, Visitor>(SampleTypes()), "a visitor returns one type");
     return detail::visitOneOf<Returned>(SampleTypes(), visitor, sample);
 }
-/// Calls @p visitor with the content of @p sample to change it. Throws as visit() does.
+/// Calls @p visitor with the content of @p sample, which the visitor may change. Throws as visit() does.
 template <class Visitor>
 void edit(Visitor&& visitor, Sample& sample) {
     detail::visitOneOf<void>(SampleTypes(), visitor, sample);

@@ -13,7 +13,7 @@ namespace leitstand {
 struct CloudSample {
     SampleHeader header;
     int rows = 0, columns = 0;            ///< row-major grid of the message; 0 x 0 when unorganised
-    std::vector<Eigen::Vector3f> points;  ///< in the header's frame [m]; all NaN: no echo
+    std::vector<Eigen::Vector3f> points;  ///< in the header's frame [m]; no echo: x, y, z NaN
     std::vector<float> intensities;       ///< empty, or one a point; as the sensor gives them
     std::vector<std::int64_t> times;  ///< empty, or one a point: after the header's stamp [ns], may be < 0
     std::vector<std::int32_t> rings;  ///< empty, or one a point: row of the raw scan

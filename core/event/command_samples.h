@@ -7,13 +7,14 @@
 
 namespace leitstand {
 
-/// Stops or releases a robot; repeated until StopStateSample has its number (docs/design.md, "The wire").
+/// Stops or releases a robot; repeated until a StopStateSample carries its number (docs/design.md, "The
+/// wire").
 struct StopCommandSample {
     Time stamp{};                ///< station's clock, for the log only: never compared
     std::string station;         ///< identity of the sender
     std::uint64_t number = 0;    ///< rises with every command of a station
     bool stop = true;            ///< false: release, allowed only to the holder of the drive grant
-    std::uint64_t releases = 0;  ///< of a release: StopStateSample::stops that its operator saw
+    std::uint64_t releases = 0;  ///< for a release: StopStateSample::stops that its operator saw last
 };
 
 /// Requests another mode of a robot.

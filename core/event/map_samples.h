@@ -41,13 +41,13 @@ struct MapCropSample {
     double ceiling = std::numeric_limits<double>::infinity();  ///< points above are left out, map frame [m]
 };
 
-/// Place of a robot in the map that another one's scans made, and how its laser keeps it there.
+/// Pose of a robot in the map that another robot's scans made, and how well its own laser confirms it.
 struct RobotPlaceSample {
     enum class Cause : std::uint8_t {
         Slot,        ///< searched for beside the robot that makes the map
         Operator,    ///< placed by the operator
         Tracked,     ///< tracked since
-        FoundAgain,  ///< searched for and found away from its place by odometry
+        FoundAgain,  ///< searched for and found away from where odometry put it
         Seen,        ///< searched for and found where another robot sees something of its size
     };
     Time stamp{};  ///< station's clock
@@ -56,11 +56,11 @@ struct RobotPlaceSample {
     Cause cause = Cause::Tracked;
     Time measured{};                    ///< robot's clock
     Pose baseInMap = Pose::Identity();  ///< at @ref measured
-    Pose odomInMap = Pose::Identity();  ///< from then on, level by its gyros
+    Pose odomInMap = Pose::Identity();  ///< odometry's frame from @ref measured on, levelled by the gyros
     double certainty = 0.0;             ///< 0 to 1
-    double overlap = 0.0;               ///< share of what it sees that is in the map
-    bool certain = false;               ///< false: only its odometry moves it on
-    std::string how;                    ///< why, as a code (placement_format.h)
+    double overlap = 0.0;               ///< share of what the robot sees that is in the map
+    bool certain = false;               ///< false: from here, only odometry moves the robot on
+    std::string how;                    ///< why it is certain or not, as a code (placement_format.h)
 };
 
 }  // namespace leitstand

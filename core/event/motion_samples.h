@@ -65,8 +65,8 @@ struct PoseSample {
 
 /// A drive command (geometry_msgs/msg/Twist or TwistStamped).
 struct TwistSample {
-    std::optional<Time> stamp;                          ///< of TwistStamped; empty: none, on the wire zero
-    std::string frame;                                  ///< of TwistStamped; may be empty
+    std::optional<Time> stamp;  ///< of TwistStamped; empty: the stamp is zero there, or it is a Twist
+    std::string frame;          ///< of TwistStamped; may be empty
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< in the robot's base frame [m/s]
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
 };

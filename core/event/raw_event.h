@@ -16,7 +16,7 @@ using Payload = std::shared_ptr<const std::vector<std::byte>>;
 /// One message as the station received it: the unit of the mission's log (docs/design.md, "A mission is its
 /// log").
 struct RawEvent {
-    std::uint64_t sequence = 0;  ///< order of arrival within a mission, from 1; 0 before the sequencer
+    std::uint64_t sequence = 0;  ///< order of arrival within a mission, from 1; 0: not numbered yet
     Time received{};             ///< station's clock
     std::string topic;           ///< ROS name, with its slash: "/kurt3d/odom"
     std::string type;            ///< ROS name: "nav_msgs/msg/Odometry"

@@ -17,7 +17,7 @@ struct BodyInScan {
     std::vector<Eigen::Vector2d> footprint;  ///< of that robot, its base frame, counter-clockwise [m]
     double height = 0.0;                     ///< of that robot [m]
     Pose baseInScan = Pose::Identity();      ///< in the frame of the scan's points
-    double margin = 0.0;                     ///< the robot may be this far from there [m]
+    double margin = 0.0;                     ///< how far the robot may be from baseInScan [m]
     friend bool operator==(const BodyInScan& a, const BodyInScan& b) {
         return a.robot == b.robot && a.footprint == b.footprint && a.height == b.height &&
                a.baseInScan.matrix() == b.baseInScan.matrix() && a.margin == b.margin;
@@ -27,10 +27,11 @@ struct BodyInScan {
 /// Other robots among the points of a key scan; they do not belong in the map.
 struct BodiesOfScan {
     std::uint64_t scan = 0;          ///< KeyScanSample::id
-    std::vector<BodyInScan> bodies;  ///< all known; empty: none after all
+    std::vector<BodyInScan> bodies;  ///< all that are known; empty: no robot is in the scan after all
 };
 
-/// Replaces what was known of these scans before: a robot may be placed long after it was scanned.
+/// Other robots in key scans. Replaces all that was known of these scans before: a robot may be placed long
+/// after it was scanned.
 struct ScanBodiesSample {
     Time stamp{};  ///< station's clock
     std::string station;

@@ -17,8 +17,8 @@ using Information = Eigen::Matrix<double, 6, 6>;
 enum class LinkKind : std::uint8_t {
     Odometry,  ///< the robot's odometry and gyro between two successive scans
     Match,     ///< one scan was registered against another near it
-    Loop,      ///< two scans far from each other along the way were found to show the same place
-    Operator,  ///< the operator put them together
+    Loop,      ///< two scans that are far apart along the path were found to show the same place
+    Operator,  ///< the operator aligned the two scans
     Gravity,   ///< which way is up in a scan
     Session,   ///< two runs or missions were joined
     Geo,       ///< a surveyed place
@@ -40,13 +40,13 @@ struct Link {
     Information information = Information::Identity();
     LinkKind kind = LinkKind::Match;
     std::string station;  ///< station that found it
-    bool active = true;   ///< whether poses follow it
+    bool active = true;   ///< whether it counts in the computation of poses
 };
 
-/// Links that hold from now on; a link replaces the one with the same id.
+/// Links that are valid from now on; a link replaces the one with the same id.
 struct ScanLinksSample {
     Time stamp{};         ///< station's clock
-    std::string station;  ///< station of all of them
+    std::string station;  ///< station that found all of them
     std::vector<Link> links;
 };
 

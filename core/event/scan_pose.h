@@ -16,9 +16,9 @@ enum class ScanTrust : std::uint8_t {
 /// Why a scan is uncertain, and remarks on it: bits of ScanPose::doubts.
 enum class ScanDoubt : std::uint8_t {
     Overlap = 1 << 0,    ///< too few of its points meet the map
-    Residual = 1 << 1,   ///< those that do are too far from it
-    Jump = 1 << 2,       ///< it would have moved differently from the odometry
-    Certainty = 1 << 3,  ///< it could be shifted or turned in some direction
+    Residual = 1 << 1,   ///< the points that do meet the map are too far from it
+    Jump = 1 << 2,       ///< its pose contradicts the odometry
+    Certainty = 1 << 3,  ///< its surfaces leave a direction of motion open
     Diverged = 1 << 4,   ///< the registration did not converge
     Odometry = 1 << 5,   ///< it is unknown how the robot came there
     Points = 1 << 6,     ///< it has too few points
@@ -29,7 +29,7 @@ enum class ScanDoubt : std::uint8_t {
 struct ScanPose {
     std::uint64_t scan = 0;  ///< KeyScanSample::id
     Pose scanInMap = Pose::Identity();
-    double rms = 0.0;          ///< of paired points [m]
+    double rms = 0.0;          ///< root mean squared distance of the pairs [m]
     double inlierRatio = 0.0;  ///< 0 to 1
     double overlap = 0.0;      ///< 0 to 1
     double certainty = 0.0;    ///< 0 to 1

@@ -27,10 +27,10 @@ struct GrantSample {
     Action action = Action::Hold;
     std::string robot;       ///< empty for Map
     std::string other;       ///< station that Consent and Refuse are for
-    std::uint64_t term = 0;  ///< rises whenever the holder changes: the higher one is right
+    std::uint64_t term = 0;  ///< rises whenever the holder changes: of two holders, the higher term is right
 };
 
-/// The mission's clock, on change.
+/// State of the mission's clock, sent on change.
 struct ClockSample {
     Time stamp{};  ///< station's clock when @ref elapsed was taken
     std::string station;
@@ -48,19 +48,19 @@ struct ClockOffsetSample {
     std::chrono::nanoseconds roundTrip{};    ///< of the newest ping
 };
 
-/// Takes back an event; of an undo: does the event again.
+/// Takes back an event. When that event is an undo, what it took back counts again.
 struct UndoSample {
     Time stamp{};  ///< station's clock
     std::string station;
-    std::uint64_t event = 0;  ///< sequence of that event in the mission
+    std::uint64_t event = 0;  ///< sequence of the event in the mission
     std::string text;         ///< what is undone, for people
 };
 
-/// The state of the fold after an event, from which reading can continue.
+/// The mission's state after an event, so that reading the log can continue from there.
 struct CheckpointSample {
     Time stamp{};                ///< station's clock
-    std::uint64_t sequence = 0;  ///< last event that it includes
-    std::uint32_t version = 0;   ///< of the bytes; others are skipped
+    std::uint64_t sequence = 0;  ///< last event that the state includes
+    std::uint32_t version = 0;   ///< format of @ref state; readers skip versions that they do not know
     SharedBytes state;           ///< meaning is private to core/mission
 };
 
@@ -72,7 +72,7 @@ struct NoteSample {
     std::string text;
 };
 
-/// A station began or ended to write the mission.
+/// A station began or stopped writing the mission.
 struct SessionSample {
     Time stamp{};         ///< station's clock
     std::string station;  ///< persistent identity
@@ -92,7 +92,7 @@ struct MissionInfoSample {
     std::string mission = {};     ///< name, "Preliminary1"
     std::uint32_t operators = 1;  ///< people who drive
     std::string area = {};        ///< default of a find's area: "yellow", "orange", "red"; may be empty
-    std::string profile = {};     ///< of the score; empty: the newest profile
+    std::string profile = {};     ///< scoring profile; empty: the newest profile
 };
 
 /// Something that the operator must know: raised, acknowledged, cleared.

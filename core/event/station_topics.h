@@ -4,8 +4,8 @@
 
 namespace leitstand {
 
-/// Topics of the stations' own events: reliable, transient local (docs/design.md, "The wire"). Their types
-/// are leitstand_msgs/msg/ followed by the name in the remark.
+/// Topics of the stations' own events: reliable, transient local (docs/design.md, "The wire"). The comment
+/// behind each topic names its type in leitstand_msgs/msg/.
 namespace station_topic {
 
 inline constexpr std::string_view Prefix = "/leitstand/";

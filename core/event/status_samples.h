@@ -48,7 +48,7 @@ struct DiagnosticsSample {
     std::vector<DiagnosticStatus> statuses;
 };
 
-/// What a robot is doing, on change.
+/// What a robot is doing, sent on change.
 struct ModeSample {
     SampleHeader header;
     std::string mode;                    ///< "teleoperation", "explore": a key of RobotDescription::linkLoss
@@ -64,15 +64,15 @@ struct Bumper {
     std::uint32_t hits = 0;  ///< since the robot started
 };
 
-/// All bumpers of a robot, on change.
+/// All bumpers of a robot, sent on change.
 struct BumpSample {
     SampleHeader header;
     std::vector<Bumper> bumpers;
 };
 
-/// Something that a robot itself believes to have found, on change.
+/// Something that a robot itself believes to have found.
 struct Sighting {
-    std::uint32_t id = 0;  ///< the same for the same find
+    std::uint32_t id = 0;  ///< stays the same for the same find
     std::string kind;      ///< "victim", "heat", "motion", "sound", "co2", "code", "hazard"
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the header's frame [m]
     double deviation = Unknown;                          ///< standard deviation of the position [m]
@@ -81,7 +81,7 @@ struct Sighting {
     std::string text;                                    ///< content of a code; may be empty
 };
 
-/// All present sightings of a robot.
+/// All present sightings of a robot, sent on change.
 struct SightingSample {
     SampleHeader header;
     std::vector<Sighting> sightings;
@@ -90,12 +90,12 @@ struct SightingSample {
 /// A robot's answer to StopCommandSample.
 struct StopStateSample {
     SampleHeader header;
-    std::uint64_t number = 0;  ///< of the last stop or release that it answered
-    std::string station;       ///< sender of that command; empty: its own button
-    bool stopped = false;      ///< latched: it obeys no drive command
-    bool standing = false;     ///< its odometry is zero
-    std::string refused;       ///< why that release was refused; empty when it was not
-    std::uint64_t stops = 0;   ///< rises with every stop that it obeys; a release names this value
+    std::uint64_t number = 0;  ///< of the newest stop or release that the robot answered
+    std::string station;       ///< sender of that command; empty: the robot's own button
+    bool stopped = false;      ///< latched: the robot obeys no drive command
+    bool standing = false;     ///< the robot does not move, by its odometry
+    std::string refused;       ///< why the release was refused; empty when it was not
+    std::uint64_t stops = 0;   ///< rises with every stop that the robot obeys; a release must name it
 };
 
 /// A robot's answer to PingSample.

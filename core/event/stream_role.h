@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// What a topic of a robot carries for the station. Checkpoints of missions hold the numbers: a new role
-/// takes the next free one, wherever it stands.
+/// What a topic of a robot carries for the station. Checkpoints of missions store the numbers: a new role
+/// takes the next free number, wherever it is listed.
 enum class StreamRole : std::uint8_t {
     // from the robot
     Points = 0,
@@ -100,7 +100,7 @@ enum class StreamRole : std::uint8_t {
     return {};
 }
 
-/// Topics that the station sends.
+/// Roles of the topics that the station sends.
 inline constexpr auto CommandRoles = std::to_array<StreamRole>(
     {StreamRole::DriveCommand, StreamRole::TrackCommand, StreamRole::StopCommand, StreamRole::ModeCommand,
      StreamRole::GoalPose, StreamRole::PanTiltCommand, StreamRole::StreamCommand, StreamRole::Ping});

@@ -36,20 +36,21 @@ struct ReportInput {
     std::string name;                 ///< of the mission's folder
     std::vector<std::string> robots;  ///< names, in the order of the report
     MissionState state;               ///< after the last event
-    std::vector<ReportScan> scans;    ///< that count, by rising id
-    std::size_t uncertain = 0;        ///< scans that do not count, since nobody decided on them
-    std::map<std::string, std::vector<PathPose>> odometry;  ///< by robot, robot's clock, by time
+    std::vector<ReportScan> scans;    ///< key scans that count in the map, by rising id
+    std::size_t uncertain = 0;        ///< number of scans that do not count because nobody decided on them
+    std::map<std::string, std::vector<PathPose>> odometry;  ///< of each robot, robot's clock, sorted by time
     std::map<std::string, std::vector<PathAnchor>>
-        places;  ///< poses of robots that were placed by laser; by robot, robot's clock, by time
-    std::map<std::string, std::vector<ModeChange>> modes;  ///< by time
-    std::vector<SearchView> views;                         ///< where cameras looked from, hung on scans
+        places;  ///< poses at which robots were placed by laser; of each robot, robot's clock, sorted by time
+    std::map<std::string, std::vector<ModeChange>> modes;  ///< of each robot, sorted by time
+    std::vector<SearchView> views;  ///< poses from which cameras looked, each relative to a key scan
 };
 
 /// What a report states about the mission as a whole.
 struct ReportFacts {
     std::string competition, team, country, mission, area, profile;  ///< may be empty, except mission
     std::uint32_t operators = 1;
-    Time begin{}, end{};                  ///< first and last event, station's clock; epoch: no events
+    /// First event, and last one before any later review; station's clock; epoch: no events.
+    Time begin{}, end{};
     std::chrono::nanoseconds duration{};  ///< by the mission's clock when it ran, otherwise from begin to end
     bool clocked = false;                 ///< whether the mission's clock ran
     std::uint64_t events = 0;
@@ -61,7 +62,7 @@ struct ReportRobot {
     std::string name;
     RobotPath path;                         ///< empty when its place is unknown
     double length = 0.0;                    ///< of the path [m]
-    std::size_t scans = 0;                  ///< that are in the map
+    std::size_t scans = 0;                  ///< number of its scans that are in the map
     std::chrono::nanoseconds autonomous{};  ///< time in modes in which it drives itself
     std::chrono::nanoseconds teleoperated{};
 };
@@ -73,7 +74,7 @@ struct ReportFind {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the map, with the newest poses of scans [m]
     double aboveFloor = 0.0;                             ///< [m]
     std::optional<int> storey;  ///< number of the storey whose floor it is above; empty: its place is unknown
-    std::chrono::nanoseconds missionTime{};  ///< from the mission's begin until it was found
+    std::chrono::nanoseconds missionTime{};  ///< from the first event of the mission until it was found
     Way way;
 };
 
@@ -90,7 +91,7 @@ struct ReportModel {
     ReportFacts facts;
     std::vector<ReportRobot> robots;
     std::vector<ReportFind> finds;  ///< by kind and number
-    std::size_t discarded = 0;      ///< finds that are not in it
+    std::size_t discarded = 0;      ///< number of discarded finds, which are not in finds
     std::size_t scans = 0, uncertain = 0;
     VoxelEvidence evidence;
     FloorHeights floor;
@@ -108,14 +109,14 @@ struct ReportModel {
 
 /// One of the maps of a report.
 struct ReportMap {
-    std::size_t band = 0;            ///< of reportBands()
+    std::size_t band = 0;            ///< index into reportBands()
     std::optional<int> storey = {};  ///< number of one of ReportModel::storeys; empty: all in one
 };
-/// Returns the maps of all places of @p model, with each place once for each height. They are those of its
-/// storeys, or of the only one; none without a map.
+/// Returns the maps that together show all of @p model: one for each storey and each of reportBands(). A
+/// model with a single storey has one per band. Empty without a map.
 [[nodiscard]] std::vector<ReportMap> mapsOf(const ReportModel& model);
 
-/// Returns the marks of what was found for a map of @p storey, or of all storeys.
+/// Returns the marks of all finds on @p storey, or on all storeys when @p storey is empty.
 [[nodiscard]] std::vector<MapMark> marksOf(const ReportModel& model, std::optional<int> storey = {});
 
 /// Returns @p map of @p model with everything that is marked in it.

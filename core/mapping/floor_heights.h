@@ -13,19 +13,20 @@ namespace leitstand {
 
 /// Settings of FloorHeights.
 struct FloorSettings {
-    double cell = 0.10;          ///< [m]
-    double layer = 0.10;         ///< points so far above a surface's lowest one belong to it [m] ...
-    double apart = 0.25;         ///< ... those that are farther above it to another one: a deck, a table [m]
-    double step = 0.12;          ///< from cell to cell; a higher one is furniture, not floor [m]
-    double underRobot = 0.2;     ///< under a robot, floor is so near to the height of base_link [m] ...
-    double blind = 1.0;          ///< ... and so far around it, if it is no step away from that height [m]
-    StoreyHeights heights = {};  ///< floor outside them is of another storey
+    double cell = 0.10;   ///< edge of a cell, seen from above [m]
+    double layer = 0.10;  ///< points up to so far above a surface's lowest point belong to it [m] ...
+    double apart = 0.25;  ///< ... points farther above that one begin another surface: a deck, a table [m]
+    double step = 0.12;   ///< largest step of the floor from cell to cell; a higher one is furniture [m]
+    double underRobot = 0.2;  ///< under a robot, floor is nearer than this to the height of base_link [m] ...
+    double blind = 1.0;  ///< ... and up to so far around it, floor is less than `step` from that height [m]
+    StoreyHeights heights = {};  ///< of the storey; floor and robots outside are left out
 };
 
-/// The height of the floor at each place of a map. Floors have ramps and storeys, so that heights count from
-/// the local floor. Floor is what is labelled so and can be reached from under the robots without a step;
-/// tables are not. Of floors above each other, it is the one nearest to the height at which robots drove
-/// closest by. If they drove on both, it is the lower one. Where no floor was seen, the nearest one counts.
+/// The height of the floor at each place of a map. Maps have ramps and storeys, so heights of things are
+/// measured from the floor below them. Floor is what is labelled so and can be reached from under the robots
+/// without a step; tables are not. Where floors lie above each other, the one nearest to the height at which
+/// robots drove closest by counts. If robots drove on both, it is the lower one. Where no floor was seen, the
+/// nearest one counts.
 class FloorHeights {
 public:
     /// @p ground: positions of the robots' base_link in the map [m].
@@ -35,10 +36,11 @@ public:
 
     /// Returns the height of the floor in the map [m]; 0 when no floor is known at all.
     [[nodiscard]] double at(double x, double y) const;
-    /// Returns the height of the floor that bears what is at @p place [m]: the highest one that is not above
-    /// it.
+    /// Returns the height of the floor on which something at @p place stands [m]. It is the highest floor
+    /// there that is at most 0.15 m above @p place, or else that of the nearest cell around. If there is none
+    /// within five cells: at().
     [[nodiscard]] double below(const Eigen::Vector3d& place) const;
-    /// Returns whether floor was seen there.
+    /// Returns whether floor was seen in the cell at @p x, @p y [m].
     [[nodiscard]] bool seen(double x, double y) const;
 
 private:
@@ -52,10 +54,10 @@ private:
     double m_cell = 0.1;
     Eigen::Vector2d m_origin = Eigen::Vector2d::Zero();
     int m_columns = 0, m_rows = 0;        ///< along x and y
-    std::vector<std::uint32_t> m_first;   ///< by cell, and one more: where its surfaces begin
-    std::vector<float> m_surfaces;        ///< labelled as floor; of a cell from the lowest on [m]
-    std::vector<std::uint8_t> m_reached;  ///< by surface
-    std::vector<float> m_height;          ///< of the floor [m]
+    std::vector<std::uint32_t> m_first;   ///< by cell: where its surfaces begin; one more for the end
+    std::vector<float> m_surfaces;        ///< heights labelled as floor, by cell, from the lowest on [m]
+    std::vector<std::uint8_t> m_reached;  ///< by surface: whether grow() reached it
+    std::vector<float> m_height;          ///< by cell, of the floor [m]
     std::vector<std::uint8_t> m_seen;
 };
 

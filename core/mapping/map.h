@@ -25,7 +25,7 @@ struct MapScan {
     double seconds = 0.0;     ///< preparing and aligning, wall clock [s]
     std::uint64_t id = 0;     ///< KeyScanSample::id of a live map; 0: none
     Time entered{};           ///< of a live map: when it entered, station's clock; else epoch
-    bool uncertain = false;   ///< it does not fit: shown, but not built on
+    bool uncertain = false;   ///< it does not fit: it is shown, but nothing is built on it
 };
 
 /// Scans in the frame of the first one. Immutable once shared.

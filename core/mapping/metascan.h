@@ -13,18 +13,20 @@ namespace leitstand {
 struct MetascanSettings {
     double voxel = 0.1;  ///< edge of the grid [m]
     SearchMethod search = SearchMethod::KdTree;
-    double epsilon = 0.0;  ///< makeSearch()
+    double epsilon = 0.0;  ///< argument of makeSearch()
 };
 
-/// All scans so far as one cloud in the map's frame, thinned to one point a voxel, so that ground seen twice
-/// is not held twice. Recent points are indexed again with each scan, and a voxel keeps the mean of its
-/// points so long. The rest stays as it is, since later scans were registered to it.
+/// All scans so far as one cloud in the map's frame, thinned to one point per voxel, so that ground seen
+/// twice is not held twice. The newest points are indexed again with each scan; meanwhile, a voxel has the
+/// mean of the points that fell into it. Older points stay as they are, since later scans were registered to
+/// them.
 class Metascan {
 public:
     explicit Metascan(const MetascanSettings& settings);
     ~Metascan();
 
-    /// All clouds have normals and labels, or none has.
+    /// Adds @p cloud at its pose in the map. Either all clouds have normals, or none has; the same holds for
+    /// labels.
     void add(const PointCloud& cloud, const Pose& cloudInMap);
     [[nodiscard]] const PointCloud& cloud() const { return m_cloud; }
     /// Returns the search over cloud(), valid until the next add().
@@ -33,7 +35,7 @@ public:
 private:
     class Parts;
 
-    /// The sums of a voxel's points.
+    /// Sums over the points of a voxel.
     struct Sum {
         Eigen::Vector3d points = Eigen::Vector3d::Zero();
         Eigen::Vector3f normals = Eigen::Vector3f::Zero();

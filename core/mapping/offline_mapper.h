@@ -17,11 +17,11 @@ public:
     OfflineMapper(OfflineMapper&&) noexcept;
     OfflineMapper& operator=(OfflineMapper&&) noexcept;
 
-    /// Adds @p scan at its registered pose; returns false, and adds nothing, when @p progress was cancelled.
-    /// A scan that cannot be aligned enters at its guess with converged false.
+    /// Adds @p scan at its registered pose. Returns false, and adds nothing, when @p progress was cancelled.
+    /// A scan that cannot be aligned enters at its guess with IcpResult::converged false.
     bool add(const ScanPtr& scan, const Progress& progress = {});
 
-    /// The map so far, a snapshot.
+    /// Returns a snapshot of the map so far.
     [[nodiscard]] MapPtr map() const;
 
 private:

@@ -18,7 +18,8 @@ enum class GuessSource : std::uint8_t {
     Odometry,  ///< the odometry's step since the previous scan, on top of that scan's registered pose;
                ///< identity step for scans without odometry
     Identity,  ///< the registered pose of the previous scan
-    Poses,     ///< RegistrationSettings::guessPoses, relative to the first of them; odometry for scans beyond
+    Poses,     ///< RegistrationSettings::guessPoses, relative to the first of them; for scans beyond, as
+               ///< Identity
 };
 
 /// What a scan is matched against.

@@ -20,7 +20,7 @@ struct RangesSample;
 /// Where a ray meets what a scanner saw.
 struct RayHit {
     double range = 0.0;    ///< from the ray's origin [m]
-    double scatter = 0.0;  ///< deviation of the ranges of its points [m]
+    double scatter = 0.0;  ///< standard deviation of the ranges of the points there [m]
     int points = 0;
 };
 
@@ -34,7 +34,8 @@ public:
     /// Points on @p body, the robot's own, are left out.
     explicit SeenPoints(RobotBody body = {});
 
-    /// @p baseInOdom returns the robot's pose; points of times that it does not know are left out.
+    /// Adds what a scanner saw. @p baseInOdom returns the robot's pose; points of times for which it returns
+    /// none are left out.
     void add(const CloudSample& slice, const Pose& sensorInBase, const PoseAt& baseInOdom);
     void add(const RangesSample& turn, const Pose& sensorInBase, const PoseAt& baseInOdom);
     void clear() { m_chunks.clear(); }
@@ -42,10 +43,10 @@ public:
     /// Returns whether the picture shows the sought object in a direction (odometry's frame, of unit length).
     using Shows = std::function<bool(const Eigen::Vector3d&)>;
 
-    /// Returns where @p ray (odometry's frame) meets a surface. It is the nearest one with many of the points
-    /// within @p halfAngle [rad] around the ray. @p shows: points in other directions do not count; may be
-    /// empty. The cone is widened some times if it holds too few points. Empty if nothing was seen nearer
-    /// than @p farthest [m].
+    /// Returns where @p ray (odometry's frame) meets a surface: the nearest one with many of the points
+    /// within @p halfAngle [rad] around the ray. If this cone holds too few points, it is widened up to three
+    /// times. @p shows: points in directions for which it returns false do not count; may be empty. Empty: no
+    /// such surface was seen nearer than @p farthest [m].
     [[nodiscard]] std::optional<RayHit> meet(const Ray& ray, double halfAngle, double farthest = 9.0,
                                              const Shows& shows = {}) const;
 

@@ -18,24 +18,25 @@ struct Table1Settings {
     double epsilon = 0.5;                     ///< of the approximate searches
     double minStep = 1e-5;                    ///< the ICP ends when the pose moves less [m, rad]
     int maxIterations = 500;
-    int bruteForceIterations = 1;  ///< really run; the row's total is extrapolated from them
-    int repetitions = 5;           ///< of every other row; the median counts
+    int bruteForceIterations = 1;  ///< really run; the time of the row is extrapolated from them
+    int repetitions = 5;           ///< runs of each of the other rows; the median time counts
 };
 
-/// A row of Table 1: ours, and the paper's (Pentium IV, 3.2 GHz, an office).
+/// A row of Table 1: our figures, and those of the paper (Pentium IV, 3.2 GHz, an office).
 struct Table1Row {
-    bool reduced = false;  ///< points by the paper's median and reduction filter, or all points in range
+    bool reduced = false;  ///< points of the paper's median and reduction filter; else all in range
     SearchMethod search = SearchMethod::KdTree;
     std::size_t targetPoints = 0, sourcePoints = 0;
     double seconds = 0.0;  ///< building the search and all iterations, one thread [s]
-    /// Whether seconds are those of some iterations, times the iterations of the kd-tree row.
+    /// Whether `seconds` is the time of some iterations, extrapolated to as many as the all-points kd-tree
+    /// row has.
     bool extrapolated = false;
     int iterations = 0;
     double speedUp = 1.0;                ///< seconds of the all-points kd-tree row over this row's
     double distance = 0.0, angle = 0.0;  ///< from the all-points kd-tree row's pose [m, rad]; of an
                                          ///< extrapolated row, from that row's pose after as many iterations
-    bool counts = false;                 ///< within CountDistance and CountAngle, and converged
-    double paperSeconds = 0.0;           ///< [s]; 0: "several hours"
+    bool counts = false;        ///< within CountDistance and CountAngle, and converged (unless extrapolated)
+    double paperSeconds = 0.0;  ///< [s]; 0: "several hours"
     int paperIterations = 0;
     double paperSpeedUp = 0.0;  ///< 0: unknown
 

@@ -11,8 +11,8 @@ namespace leitstand {
 enum class FitOutcome : std::uint8_t {
     Ok,
     TooFewPairs,  ///< fewer than 3: the pose is the identity
-    Collinear,    ///< the turn about the line of the points is unknown: the pose is one of many
-    Mirror,       ///< the points fit best as mirror images: the pose is still the best motion
+    Collinear,    ///< the rotation about the line of the points is open: the pose is one of many
+    Mirror,       ///< a reflection would fit better: the pose is still the best rigid motion
 };
 
 /// The motion that maps the source points onto their partners with the least sum of squared distances.

@@ -6,7 +6,8 @@
 
 namespace leitstand {
 
-/// The part of gicpEquations() from the source points [@p first, @p last), few enough for sums of floats.
+/// Returns the part of gicpEquations() from the source points [@p first, @p last). These must be few, since
+/// sums are floats; the centre of the result is not set.
 [[nodiscard]] NormalEquations gicpSums(const Pairing& pairing, const Pose& sourceInTarget,
                                        const Eigen::Vector3d& centre, double kernel, std::size_t first,
                                        std::size_t last);

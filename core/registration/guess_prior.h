@@ -10,18 +10,20 @@
 
 namespace leitstand {
 
-/// What is known of the source's pose besides the pairs: the guess, and how far it may be off. It counts only
-/// in directions that the pairs' surfaces leave open (solution remapping: Zhang, Kaess & Singh 2016; Tuna et
-/// al. 2023). There it counts as much as it is surer than the pairs, so that surfaces which hold a direction
-/// only weakly are not lost.
+/// What is known of the source's pose besides the pairs: the guess, and how far it may be off. The guess
+/// counts only in directions that the pairs' surfaces leave open (solution remapping: Zhang, Kaess & Singh
+/// 2016; Tuna et al. 2023). There, guess and pairs are weighted by their variances, so that surfaces which
+/// hold a direction only weakly still count.
 struct GuessPrior {
-    Eigen::Matrix<double, 6, 1>
-        deviation;           ///< standard deviations: translation [m], then rotation [rad], target's axes
-    double openBelow = 0.1;  ///< certainty (as IcpResult::certainty) below which it counts in a direction ...
-    double heldBelow = 0.02;  ///< ... and below which it alone counts: noise of normals gives as much
-    double alike = 30.0;      ///< pairs with a common error, as of one surface
-    /// Where the pairs hold a direction weakly and pull the source this many deviations away, the guess
-    /// counts half. Farther away it counts less (Cauchy): wheels slip.
+    /// Standard deviations of the source's origin: translation [m], then rotation [rad], target's axes.
+    Eigen::Matrix<double, 6, 1> deviation;
+    /// Certainty of a direction (as IcpResult::certainty) below which the guess counts in it.
+    double openBelow = 0.1;
+    /// Certainty of a direction below which the guess alone counts in it: noise of normals gives as much.
+    double heldBelow = 0.02;
+    double alike = 30.0;  ///< number of pairs that share an error, as those on one surface do
+    /// Where the pairs hold a direction weakly and pull the source this many deviations away from the guess,
+    /// the guess counts half. Farther away it counts less (Cauchy): wheels slip.
     double outlier = 3.0;
 };
 
@@ -30,10 +32,12 @@ class GuessTerm {
 public:
     GuessTerm(const GuessPrior& prior, const Pose& guess) : m_prior(prior), m_guess(guess) {}
 
-    /// Finds the open directions of the pairs that @p pairing has at @p pose.
+    /// Finds the directions that the pairs of @p pairing leave open at @p pose. Pairs within @p maxDistance
+    /// [m] count.
     void look(const Pairing& pairing, const Pose& pose, double maxDistance);
-    /// Adds the term to @p equations at @p pose. The variance @p across is that of a pair across its surface,
-    /// by the weights of the equations, times their own unit [1], see NormalEquations.
+    /// Adds the term to @p equations at @p pose. @p pairs: number of pairs that the equations are made of.
+    /// @p across: variance of a pair across its surface that their weights assume
+    /// (MinimizerRow::pairVariance).
     void add(NormalEquations& equations, const Pose& pose, std::size_t pairs, double across) const;
 
     [[nodiscard]] int open() const { return m_open; }  ///< number of open directions

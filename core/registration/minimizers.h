@@ -26,19 +26,20 @@ enum class Minimizer : std::uint8_t {
 struct MinimizerRow {
     Minimizer minimizer = Minimizer::Gicp;
     const char* key = nullptr;   ///< in files and on leitstandctl's command line
-    const char* name = nullptr;  ///< for operators; both are translated in MinimizerTexts
+    const char* name = nullptr;  ///< for operators; name and hint are translated in MinimizerTexts
     const char* hint = nullptr;  ///< what it does and where it comes from
-    /// Computes the best motion for the pairs, at once.
+    /// Computes the best motion for the pairs directly.
     Fit (*closedForm)(const PairSums& pairs) = nullptr;
-    /// Computes a Gauss-Newton step; @p centre and @p kernel [m] as in gicpEquations().
+    /// Makes the equations of a Gauss-Newton step; @p centre and @p kernel [m] as in gicpEquations().
     NormalEquations (*equations)(const Pairing& pairing, const Pose& sourceInTarget,
                                  const Eigen::Vector3d& centre, double kernel) = nullptr;
     bool heedsKernel = false;    ///< whether its equations use the kernel
     bool sourceNormals = false;  ///< whether it needs the source's normals; equations need the target's
-    double pairVariance = 1.0;   ///< variance of a pair across its surface, by its equations (GuessTerm)
+    /// Variance of a pair across its surface that its equations assume; for GuessTerm::add().
+    double pairVariance = 1.0;
 };
 
-inline constexpr const char* MinimizerTexts = "leitstand::RegistrationSettings";  ///< context
+inline constexpr const char* MinimizerTexts = "leitstand::RegistrationSettings";  ///< translation context
 
 /// The properties of @p minimizer.
 [[nodiscard]] MinimizerRow rowOf(Minimizer minimizer);

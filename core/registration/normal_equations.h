@@ -9,15 +9,17 @@
 
 namespace leitstand {
 
-/// The linearised least-squares problem of a Gauss-Newton step: hessian * step = -gradient. The step moves
-/// the source in the target's frame, turning it about @p centre; translation first [m, rad].
+/// The linearised least-squares problem of a Gauss-Newton step: hessian * step = -gradient. The step is
+/// translation first [m], then rotation [rad]; it moves the source in the target's frame and turns it about
+/// @p centre.
 struct NormalEquations {
     Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< in the target's frame [m]
     double cost = 0.0;                                 ///< half the sum of weighted squares [m^2]
 
-    /// Returns the motion to put before the source's pose; empty when the pairs leave a direction open.
+    /// Returns the motion to multiply onto the source's pose from the left; empty when the pairs leave a
+    /// direction open.
     [[nodiscard]] std::optional<Pose> solve() const;
 };
 
@@ -26,18 +28,17 @@ struct NormalEquations {
 [[nodiscard]] NormalEquations planeEquations(const Pairing& pairing, const Pose& sourceInTarget,
                                              const Eigen::Vector3d& centre);
 
-/// Variance of a pair across its surface, where both normals agree, by the weights of gicpEquations().
+/// Variance of a pair across its surface that the weights of gicpEquations() assume where both normals agree.
 inline constexpr double GicpAcrossVariance = 2e-3;
 
-/// Returns how far pairs are apart across the target's surfaces: the deviation of a normal distribution with
-/// their median distance [m]; 0 where there are none.
+/// Returns the standard deviation of the pairs' distances along the target's normals [m], from their median
+/// as for a normal distribution. 0 without pairs. The target must have normals.
 [[nodiscard]] double deviationAcross(const Pairing& pairing, const Pose& sourceInTarget);
 
-/// Plane to plane (Segal, Haehnel & Thrun 2009). A point is uncertain by 1 along its surface and by 1e-3
-/// across (the paper's epsilon). So the covariance of a pair is 2 I - (1 - 1e-3)(a a^T + b b^T) with both
-/// normals.
-/// @p kernel: distance of a pair across its surface from which on it counts little (Geman & McClure 1985)
-/// [m]; 0: all count alike.
+/// Plane to plane (Segal, Haehnel & Thrun 2009). A point has variance 1 along its surface and 1e-3 across
+/// (the paper's epsilon). So the covariance of a pair is 2 I - (1 - 1e-3)(a a^T + b b^T), where a and b are
+/// the two normals. @p kernel: distance of a pair across its surface from which on the pair counts little
+/// (Geman & McClure 1985) [m]; 0: all count alike. @p centre: as in planeEquations().
 [[nodiscard]] NormalEquations gicpEquations(const Pairing& pairing, const Pose& sourceInTarget,
                                             const Eigen::Vector3d& centre, double kernel = 0.0);
 

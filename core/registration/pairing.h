@@ -13,24 +13,25 @@ namespace leitstand {
 
 /// A source point with its partner in the target.
 struct Partner {
-    std::int32_t index = -1;       ///< in the target cloud; -1: no permitted one is near enough
+    std::int32_t index = -1;       ///< in the target cloud; -1: no permitted point is near enough
     float squaredDistance = 0.0F;  ///< [m^2]; only where there is a partner
 };
 
-/// The closest points of an ICP. It remembers every point's partner, which bounds the next search: the new
-/// partner is never farther than the old one. Refers to both clouds and the search. One thread at a time.
+/// Finds the closest pairs of an ICP. It remembers every point's partner, which bounds the next search: the
+/// new partner is never farther than the old one. Refers to both clouds and the search, which must outlive
+/// it. One thread at a time.
 class Pairing {
 public:
-    /// @p threads: 0 is one per core. Results do not depend on it. @p facing: two points on surfaces that
-    /// face away from each other are no partners, as they lie on opposite sides of a wall. This needs normals
-    /// of both clouds, towards where each point was seen from. A point whose nearest one faces away keeps its
-    /// former partner, if that is still near enough.
+    /// @p threads: 0 is one per core; results do not depend on it. @p facing: points whose normals are more
+    /// than 120 degrees apart make no pair, as they lie on opposite sides of a wall. This needs normals of
+    /// both clouds, towards where each point was seen from; without them it is ignored. If the nearest point
+    /// faces away, the former partner stays, provided it is still near enough.
     Pairing(const PointCloud& target, const Search& search, const PointCloud& source, int threads,
             bool facing = false);
 
-    /// Finds the partners nearer than @p maxDistance [m] of the source at @p sourceInTarget. Returns their
-    /// sums, with the source points in the target's frame. Ends early, with invalid sums, once @p stop is
-    /// requested.
+    /// Finds for each source point, at @p sourceInTarget, its partner nearer than @p maxDistance [m]. Returns
+    /// the sums over these pairs, with the source points in the target's frame. Ends early, with invalid
+    /// sums, once @p stop is requested.
     PairSums update(const Pose& sourceInTarget, double maxDistance, const std::stop_token& stop = {});
 
     [[nodiscard]] const std::vector<Partner>& partners() const { return m_partners; }
@@ -46,8 +47,8 @@ private:
     PairSums updateChunk(std::size_t first, std::size_t last, const Eigen::Matrix3f& rotation,
                          const Eigen::Vector3f& translation, float maxSquaredDistance);
 
-    /// Whether the target's point @p target may be the partner of a point with @p normal in the target's
-    /// frame.
+    /// Whether the point @p target of the target may be the partner of a source point. @p normal: of the
+    /// source point, in the target's frame.
     [[nodiscard]] bool fits(const Eigen::Vector3f& normal, std::int32_t target) const;
 
     const PointCloud& m_target;

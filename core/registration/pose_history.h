@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// The poses that an ICP went through. They show whether it makes slow progress or runs in circles: with a
+/// The poses that an ICP went through. They show whether it only progresses slowly or runs in circles: with a
 /// maximum pair distance, pairs can come and go for ever.
 class PoseHistory {
 public:
@@ -15,10 +15,10 @@ public:
     void add(const Pose& pose, double cost);
     void clear() { m_entries.clear(); }
 
-    /// Returns the length of the cycle of the last poses; 0: no cycle. They came back twice to within
-    /// @p tolerance [m, rad], or wander within CycleDistance and CycleAngle without progress.
+    /// Returns the number of last poses that form a cycle; 0: no cycle. The poses of a cycle repeat to within
+    /// @p tolerance [m, rad], or stay within CycleDistance and CycleAngle without progress.
     [[nodiscard]] std::size_t cycle(double tolerance) const;
-    /// The cheapest of the last @p count poses.
+    /// The pose with the lowest cost among the last @p count ones; there must be that many.
     [[nodiscard]] const Pose& best(std::size_t count) const;
     /// Largest distance [m] and angle [rad] of the last @p count poses from best().
     struct Extent {

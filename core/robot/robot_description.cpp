@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/event/stream_role.h"
+
 namespace leitstand {
 
 std::string toString(StampSource source) {
@@ -72,6 +74,18 @@ const StreamDescription* RobotDescription::stream(StreamRole role, const std::st
         return stream.role == role && (sensor.empty() || stream.sensor == sensor);
     });
     return found == streams.end() ? nullptr : &*found;
+}
+
+const StreamDescription* RobotDescription::mappingStream() const {
+    const StreamDescription* only = nullptr;
+    int clouds = 0;
+    for (const StreamDescription& stream : streams) {
+        if (stream.role != StreamRole::Points) continue;
+        if (stream.maps) return &stream;
+        only = &stream;
+        ++clouds;
+    }
+    return clouds == 1 ? only : nullptr;
 }
 
 }  // namespace leitstand

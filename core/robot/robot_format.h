@@ -6,9 +6,9 @@
 
 #include "core/base/words.h"
 
-/// What our robots report about themselves, in English as it goes over the wire: why they are in a mode, and
-/// how they lie. Robots report nothing else there, so stations can show it in the window's language. "{}"
-/// stands for a figure or a name.
+/// What our robots report about themselves, in English as it goes over the wire: the reasons of their modes
+/// and limits, and their attitude. They report nothing else in these fields, so stations can show it in the
+/// window's language. "{}" stands for a figure or a name.
 namespace leitstand::robot_format {
 
 // About modes and who has the robot.
@@ -78,7 +78,7 @@ constexpr auto NoNumber = translatable("leitstand::RobotSays", "the wish is no n
 constexpr auto Obstacle = translatable("leitstand::RobotSays", "obstacle in {} m");
 constexpr auto OldScan = translatable("leitstand::RobotSays", "the scan there is {} s old");
 constexpr auto NotSeenYet = translatable("leitstand::RobotSays", "not seen there yet");
-// How it lies.
+// Whether it stands upright.
 constexpr auto RollOver = translatable("leitstand::RobotSays", "roll-over");
 constexpr auto Upright = translatable("leitstand::RobotSays", "upright");
 constexpr auto AboutToRollOver = translatable("leitstand::RobotSays", "about to roll over");
@@ -107,7 +107,7 @@ inline constexpr std::array All = {
 /// A part of a robot's report.
 struct Part {
     const char* words = nullptr;  ///< one of All; null: unknown
-    std::string value;            ///< text at its "{}"; the whole part when it is unknown
+    std::string value;            ///< text at the "{}"; the whole part when it is unknown
 };
 /// Splits @p reported at its semicolons: "heat 1.20 m ahead; obstacle in 0.40 m". Never fails: other robots
 /// may report anything.

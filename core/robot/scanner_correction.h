@@ -6,7 +6,7 @@ namespace leitstand {
 
 struct CloudSample;
 
-/// Corrections of a 3D scanner's measurements and of its stated mount.
+/// Corrections of a 3D scanner's measurements and of its mount as stated in the robot's file.
 struct ScannerCorrection {
     static constexpr double MostRange = 0.2;         ///< [m]
     static constexpr double MostLean = degrees(10);  ///< [rad]
@@ -14,20 +14,19 @@ struct ScannerCorrection {
     static constexpr double MostTurn = degrees(20);  ///< of its heading [rad]
     static constexpr double MostClock = 0.5;         ///< [s]
 
-    double range = 0.0;              ///< added to all its ranges [m]
-    double roll = 0.0, pitch = 0.0;  ///< lean in the base, beyond its mount [rad]
-    double x = 0.0, y = 0.0;         ///< shift ahead and to the left in the base [m] ...
+    double range = 0.0;              ///< added to all ranges of the scanner [m]
+    double roll = 0.0, pitch = 0.0;  ///< tilt in the base in addition to the stated mount [rad]
+    double x = 0.0, y = 0.0;         ///< shift ahead (x) and to the left (y) in the base [m] ...
     double yaw = 0.0;                ///< ... and turn to the left [rad]
-    double clock = 0.0;              ///< added to its stamps [s]
+    double clock = 0.0;              ///< added to the scanner's stamps [s]
 
     [[nodiscard]] bool isNone() const { return *this == ScannerCorrection{}; }
-    /// Returns this correction with @p more on top of it.
+    /// Returns this correction and @p more together, each value within its limit.
     [[nodiscard]] ScannerCorrection with(const ScannerCorrection& more) const;
-    /// Returns the pose of a scanner whose stated mount is @p sensorInBase.
+    /// Returns the corrected pose of a scanner whose stated mount is @p sensorInBase.
     [[nodiscard]] Pose corrected(const Pose& sensorInBase) const;
-    /// Corrects the points of @p cloud, each in the frame of the scanner when it saw the point, and its
-    /// stamp.
-    /// Points that would come to lie behind the scanner are put at its origin.
+    /// Corrects the stamp and the points of @p cloud. Each point must be in the scanner's frame at the time
+    /// of its shot. Points that would come to lie behind the scanner are put at its origin.
     void correct(CloudSample& cloud) const;
 
     friend bool operator==(const ScannerCorrection&, const ScannerCorrection&) = default;

@@ -5,12 +5,14 @@
 
 namespace leitstand {
 
-/// Settings with which the station on live robots was last opened; it opens with them again.
+/// Settings with which the station was last opened on live robots. It opens with them again next time.
 struct LastStation {
-    std::vector<std::string> robots = {};      ///< files, or names of shipped ones
-    int domain = 0;                            ///< DDS domain
-    std::vector<std::string> interfaces = {};  ///< network cards; empty: all
-    std::string keys = {};                     ///< folder of an identity; empty: no security
+    std::vector<std::string> robots = {};        ///< files, or names of shipped ones
+    int domain = 0;                              ///< DDS domain
+    std::vector<std::string> interfaces = {};    ///< network cards; empty: all
+    std::vector<std::string> initialPeers = {};  ///< where multicast does not pass
+    std::string discoveryServer = {};            ///< as in ROS_DISCOVERY_SERVER; empty: none
+    std::string keys = {};                       ///< folder of an identity; empty: no security
     friend bool operator==(const LastStation&, const LastStation&) = default;
 };
 

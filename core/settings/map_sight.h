@@ -5,14 +5,14 @@
 
 namespace leitstand {
 
-/// The three looks of the paper's Figure 4.
+/// How the map is drawn, as in Figure 4 of the paper: as points, as voxels, or from the top.
 enum class MapLook : std::uint8_t { Points, Voxels, Top };
 
 /// Whether the camera follows the selected robot. While it does, ceilings are hidden.
 enum class MapFollow : std::uint8_t {
     Free,
     Behind,  ///< from behind and above
-    Above,   ///< from straight above, its heading up
+    Above,   ///< from straight above, with the robot's heading up
 };
 
 /// How the map is viewed, as far as a layout decides it.
@@ -22,7 +22,7 @@ struct MapSight {
     bool operator==(const MapSight&) const = default;
 };
 
-/// View of the map in a layout; the operator decides what is empty.
+/// View of the map that a layout asks for. Where a value is empty, the operator decides.
 struct LayoutMap {
     std::optional<MapLook> look = std::nullopt;
     std::optional<MapFollow> follow = std::nullopt;

@@ -10,9 +10,9 @@ namespace leitstand {
 
 /// A place in the window: one pane, or parts side by side or one above the other.
 struct PaneSplit {
-    std::string pane = {};              ///< id, "camera"; empty: there are parts
-    double share = 1.0;                 ///< of the place around it, relative to its neighbours' shares
-    bool vertical = false;              ///< parts from top to bottom, not from left to right
+    std::string pane = {};  ///< id, "camera"; empty: there are parts
+    double share = 1.0;     ///< of the surrounding place, relative to the shares of its neighbours
+    bool vertical = false;  ///< parts from top to bottom, not from left to right
     std::vector<PaneSplit> parts = {};  ///< two or more
 };
 
@@ -21,7 +21,7 @@ struct WindowLayout {
     std::string name = {};         ///< "drive"; from the file name: letters, digits, _ and -
     std::string title = {};        ///< for people
     PaneSplit panes = {};          ///< panes that are not listed are hidden
-    std::string arrangement = {};  ///< as moved by the operator (base64, by the window); overrides panes
+    std::string arrangement = {};  ///< window state after the operator moved panes (base64); overrides panes
     LayoutMap map = {};            ///< how the map is viewed; empty: stays as it is
     std::map<std::string, std::string> keys = {};  ///< command -> key, "Ctrl+K"; other commands keep theirs
     std::map<std::string, std::string> pad = {};  ///< button of the pad -> command; other buttons keep theirs

@@ -9,13 +9,13 @@
 
 namespace leitstand {
 
-/// Returns roll and pitch of the robot's body by its inertial unit, otherwise by its odometry: right side
-/// down, nose down [rad]. Empty when neither arrived within the last second.
+/// Returns roll and pitch of the robot's body [rad], positive with the right side or the nose down. They come
+/// from the inertial unit, otherwise from odometry. Empty when neither arrived within the last second.
 [[nodiscard]] std::optional<std::pair<double, double>> rollAndPitch(const RobotDescription& description,
                                                                     const RobotState& reported, Time now);
 
-/// Returns the larger of roll and pitch, as shares of the limits where the robot tips over; 0 when no limit
-/// is known.
+/// Returns the larger of roll and pitch, each as a share of the limit where the robot tips over; 0 when no
+/// limit is known.
 [[nodiscard]] double shareOfLimits(const RobotDescription& description, double roll, double pitch);
 
 /// How long a battery sample counts as current [s].

@@ -27,7 +27,7 @@ struct DriveView {
     bool driving = false;       ///< permitted, with fresh sticks
     bool needsNeutral = false;  ///< the sticks must be released first
     bool listening = false;     ///< the robot receives drive commands
-    bool reachable = false;     ///< it would receive them, also while none is sent
+    bool reachable = false;     ///< the robot would receive drive commands, even if none are sent now
     SightCap sight = {};        ///< how fast it may be driven by what its driver sees, and why
 };
 
@@ -40,14 +40,14 @@ struct CameraView {
 /// One robot as the station sees it now.
 struct RobotView {
     LinkStatus link;
-    std::optional<ReceptionFault> reception;  ///< it is announced, but not received as it should be
+    std::optional<ReceptionFault> reception;  ///< announced, but not received properly; empty: all is well
     GrantView grant;
     StopStatus stop;
     DriveView drive;
-    std::optional<VirtualScanView> around;      ///< when it was requested
-    std::vector<CameraView> cameras;            ///< those that sent pictures; not the thermal ones
+    std::optional<VirtualScanView> around;      ///< virtual scan; empty when it was not requested
+    std::vector<CameraView> cameras;            ///< cameras that sent pictures, except thermal ones
     std::shared_ptr<const JointSample> joints;  ///< newest: chains, pan and tilt; null: none
-    double jointsAge = std::numeric_limits<double>::infinity();  ///< of them [s]
+    double jointsAge = std::numeric_limits<double>::infinity();  ///< age of joints [s]
 };
 
 }  // namespace leitstand

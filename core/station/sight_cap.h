@@ -14,7 +14,7 @@ struct SightRules {
     double full = 0.3;        ///< younger: full speed [s]
     double creep = 1.0;       ///< younger: creep speed; older: none [s]
     double creepShare = 0.2;  ///< of the robot's limits
-    double turn = 3.0;        ///< an older scan of the direction of motion does not count [s]; turns take 2.3
+    double turn = 3.0;  ///< a scan counts if it saw the direction of motion within this [s]; a turn takes 2.3
 };
 
 /// Ages of what the driver sees of a robot's surroundings.
@@ -23,27 +23,27 @@ struct SightAges {
     bool scanner = false;                                    ///< the robot's file names a scanner
     PictureAges picture;                                     ///< of the camera that the driver looks through
     double scan = std::numeric_limits<double>::infinity();   ///< since any part of a scan arrived [s]
-    double ahead = std::numeric_limits<double>::infinity();  ///< scanAgeAlong() the motion [s]
+    double ahead = std::numeric_limits<double>::infinity();  ///< scanAgeAlong() of the motion [s]
 };
 
-/// The reason why a robot may move as fast as it may.
+/// The reason for the speed that a SightCap allows.
 enum class SightReason : std::uint8_t {
     Fresh,      ///< the driver sees what is there
     ScanAlone,  ///< the picture is old, but the virtual scan is fresh
     OldPicture,
     FrozenPicture,  ///< pictures arrive, but always the same
     NoPicture,      ///< none ever arrived
-    OldScan,        ///< of a robot without a camera
+    OldScan,        ///< the scan is old, and the robot has no camera
     NoEyes,  ///< its file names neither camera nor scanner: its driver sees the robot, and nothing is capped
 };
 
-/// How fast a robot may be driven by what its driver sees of it.
+/// The limit on a robot's speed by how well its driver sees its surroundings.
 struct SightCap {
     double factor = 1.0;  ///< of the robot's limits, 0 to 1
     SightReason reason = SightReason::Fresh;
-    double age = 0.0;         ///< of what the reason names [s]; infinite: never
+    double age = 0.0;  ///< of the picture, or of the scan without a camera [s]; infinite: none ever arrived
     bool overridden = false;  ///< the driver holds the override: the factor is 1 whatever the reason
-    /// Whether only the override lets it move this fast.
+    /// Whether picture and scan are missing or too old, so that only the override allows full speed.
     [[nodiscard]] bool isBlind() const {
         return reason != SightReason::Fresh && reason != SightReason::ScanAlone &&
                reason != SightReason::NoEyes;
@@ -52,15 +52,16 @@ struct SightCap {
 };
 
 /// Returns full speed with a picture or virtual scan younger than 0.3 s, creep speed below 1 s, then none.
-/// Pure.
+/// Full speed also with the override, and for robots with neither camera nor scanner. Pure.
 [[nodiscard]] SightCap sightCap(const SightAges& ages, bool overridden, const SightRules& rules = {});
 
-/// Returns how long ago the scanner looked in the direction of @p velocity [s]; infinite: never. It is the
-/// age that nine of ten sectors within 30 degrees of that have at most. A turn on the spot counts the half
+/// Returns how long ago the scanner looked in the direction of @p velocity [s]; infinite: never. Nine of ten
+/// sectors within 30 degrees of that direction are at most this old. A turn on the spot uses the half circle
 /// ahead; standing counts as forward.
 [[nodiscard]] double scanAgeAlong(const VirtualScanView& view, const DriveVelocity& velocity);
 
-/// Returns @p velocity reduced to @p cap, in the same direction; slower ones stay as they are.
+/// Returns @p velocity reduced to the share of @p limits that @p cap allows, in the same direction. A slower
+/// velocity stays as it is.
 [[nodiscard]] DriveVelocity capped(const DriveVelocity& velocity, const SightCap& cap,
                                    const DriveLimits& limits);
 

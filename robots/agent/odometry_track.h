@@ -13,7 +13,8 @@ namespace leitstand {
 class OdometryTrack {
 public:
     void add(Time at, const Pose& baseInOdom);
-    /// Returns the pose at @p at; empty before the first and when nothing came for 0.3 s up to @p at.
+    /// Returns the pose at @p at, interpolated. Up to 0.3 s before the first pose or after the last one: that
+    /// pose. Empty: farther outside.
     [[nodiscard]] std::optional<Pose> at(Time at) const;
     [[nodiscard]] std::optional<Pose> newest() const;
 

@@ -38,7 +38,12 @@ ModeSettings modesOf(const RobotDescription& robot, const AgentSettings& setting
     modes.linkLoss = robot.linkLoss;
     modes.hasRemote = settings.hasRemote;
     modes.modes = settings.modes;
-    if (settings.careless) modes.watchdog = modes.lostAfter = ForEver;
+    if (settings.careless) {
+        const bool none = settings.ownWatchdog == std::chrono::nanoseconds(0);
+        modes.lostAfter = ForEver;
+        modes.neutralFirst = false;
+        modes.watchdog = none ? std::chrono::nanoseconds(ForEver) : settings.ownWatchdog;
+    }
     return modes;
 }
 

@@ -30,7 +30,9 @@ struct AgentSettings {
     SpeedControllerSettings motors;
     std::vector<DriveMode> modes = {DriveMode::Teleoperation};  ///< that may be requested
     bool hasRemote = false;
-    bool careless = false;  ///< as a stock robot without a watchdog; see RobotRuleSettings
+    bool careless = false;  ///< as a stock robot: obeys anybody; see RobotRuleSettings
+    /// Of a careless robot: after which it stops without commands; 0: it has none.
+    std::chrono::nanoseconds ownWatchdog{};
 };
 
 /// What all robots have in common: rules of commands (RobotRules), modes, speed controllers, brake, answers.
@@ -45,14 +47,15 @@ public:
     void receive(const GrantSample& grant, const Sender& from);
     /// Takes what the process @p from sent on a command stream of @p role.
     void receive(StreamRole role, const Sample& command, const Sender& from);
-    /// Runs one turn of the control loop, every 5 to 10 ms of robot's time. Returns all samples to publish.
+    /// Runs one turn of the control loop; call it every 5 to 10 ms by the robot's clock. Returns all samples
+    /// to publish.
     [[nodiscard]] std::vector<HardwareSample> step();
 
-    void press();  ///< presses its own stop button
+    void press();  ///< presses the robot's own stop button
     [[nodiscard]] DriveMode mode() const { return m_machine.mode(); }
 
 protected:
-    /// What the robot's own drivers and sensors report to the modes.
+    /// What the robot's own drivers and sensors report to the modes, as in ModeInputs.
     struct Report {
         bool cue = false, sent = false, done = false, failed = false;
         std::string text;
@@ -62,7 +65,8 @@ protected:
     virtual void goTo(const PoseSample& goal);   ///< a goal of the holder
     virtual DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& requested, Time now);
 
-    /// Turns cameras by itself [rad]; false within 10 s of a turn by the operator, who takes precedence.
+    /// Turns the cameras of the pan-tilt @p unit autonomously [rad]. Does nothing and returns false within
+    /// 10 s of a turn by the operator, who takes precedence.
     bool look(const std::string& unit, double pan, double tilt);
     void publish(StreamRole role, Sample sample) { m_published.push_back({role, {}, std::move(sample)}); }
     [[nodiscard]] SampleHeader header() const { return {m_hardware.now(), m_robot.baseFrame}; }
@@ -73,8 +77,8 @@ private:
     void drive(const DriveVelocity& requested, const Sender& from);
     void driveTracks(const JointSample& tracks, const Sender& from);
     void askForMode(const ModeCommandSample& command);
-    /// Takes a mode or a goal. A new holder's first wish may arrive before its grant, which comes on another
-    /// topic. It is kept for a moment and obeyed when the grant is received.
+    /// Takes a mode or a goal. The first request of a new holder may arrive before its grant, which comes on
+    /// another topic. Such a request is kept for 1 s and obeyed when the grant is received.
     void receiveRequest(StreamRole role, const Sample& requested, const Sender& from);
     void turnCameras(const PanTiltCommand& command);
     void setStream(const StreamCommandSample& command);

@@ -16,7 +16,7 @@ namespace leitstand {
 
 struct PoseSample;
 
-/// How a robot looks and drives by itself. Its body is filled in from its description.
+/// How a robot looks and drives by itself. The size of its body is filled in from its description.
 struct SelfDrivingSettings {
     std::chrono::nanoseconds thinks = std::chrono::milliseconds(50);  ///< period of its own drivers
     VirtualScanSettings scan;
@@ -24,7 +24,8 @@ struct SelfDrivingSettings {
     ExplorerSettings explorer;
 };
 
-/// Returns the virtual scan by which @p robot drives: by profileOf(), but never lower than in @p settings.
+/// Returns the settings of the virtual scan by which @p robot drives. The profile is that of profileOf(), at
+/// least as high as in @p settings.
 [[nodiscard]] VirtualScanSettings scanFor(const RobotDescription& robot, const SelfDrivingSettings& settings);
 
 /// What robots that can drive by themselves have in common (paper, section 2.3). They have a virtual scan of
@@ -44,23 +45,26 @@ protected:
     void goTo(const PoseSample& goal) override;
     DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& requested, Time now) override;
 
-    /// Takes a new view before it is used: robots may know more about their surroundings.
+    /// Called with each new view before it is used: robots may add what they know about their surroundings.
     virtual void consider(VirtualScanView& view, const Pose& here, Time now);
-    /// Returns what its own drivers want at pose @p here. Also called while others drive: it looks on.
+    /// Returns the velocity that the robot's own driver wants at pose @p here. Also called while somebody
+    /// else drives; then the robot only watches.
     virtual DriveVelocity think(const ModeDecision& decision, const Pose& here, Time now);
     virtual void thought(const ModeDecision& decision, Time now);  ///< after every think()
     virtual void takeOver(Driver before, Driver now);  ///< before the first think() of another driver
     [[nodiscard]] virtual double caution() const { return 1.0; }  ///< share of the speed, 0 to 1
 
-    /// Returns the pose of @p frame of @p sensor now, by tf, else as described. Empty: unknown.
+    /// Returns the pose of @p frame in base_link: by the newest transforms, else as described for @p sensor.
+    /// Empty: unknown.
     [[nodiscard]] std::optional<Pose> inBase(const std::string& frame, const std::string& sensor) const;
     [[nodiscard]] const OdometryTrack& odometry() const { return m_odometry; }
     [[nodiscard]] const VirtualScanView& view() const { return m_view; }
     [[nodiscard]] const SafeTeleoperationSettings& safety() const { return m_safety; }
-    [[nodiscard]] const DriveVelocity& velocity() const { return m_velocity; }  ///< that it wanted last
+    [[nodiscard]] const DriveVelocity& velocity() const { return m_velocity; }  ///< of its last think()
     [[nodiscard]] Driver driver() const { return m_driver; }
     [[nodiscard]] bool hasGoal() const { return m_goal.has_value(); }  ///< of the operator
-    /// Drives one step to @p place in odom [m], unreported to the modes; empty: it is there, or finds no way.
+    /// Returns the velocity of one step to @p place in odom [m]; the modes get no report of it. Empty: the
+    /// robot is there, or finds no way.
     [[nodiscard]] std::optional<DriveVelocity> driveBy(const Eigen::Vector3d& place, const Pose& here,
                                                        Time now);
     Explorer& explorer() { return m_explorer; }

@@ -8,15 +8,15 @@
 
 namespace leitstand {
 
-/// The way that a robot drove since its link was good, to find back (link-loss rule "return to the last good
-/// link", design section 4).
+/// The way that a robot drove since its link was good, to drive back along it (LinkLossRule::ReturnToLink;
+/// docs/design.md, "The wire").
 class LinkTrail {
 public:
-    /// @p spacing of the places that it remembers [m].
+    /// @p spacing: distance between remembered places [m].
     explicit LinkTrail(double spacing = 0.3) : m_spacing(spacing) {}
 
     /// Takes the robot's pose. @p linkGood: the trail starts again here. @p returning: the robot drives back
-    /// along it.
+    /// along the trail.
     void moved(const Pose& baseInOdom, bool linkGood, bool returning);
     /// Returns the next place on the way back, in odom [m]; the last one is where the link was good.
     [[nodiscard]] Eigen::Vector3d next() const;

@@ -85,7 +85,7 @@ void ModeMachine::command(const DriveVelocity& velocity, Time now) {
     receivedStation(now);
     m_command = isFinite(velocity) ? velocity : DriveVelocity{};
     m_commandAt = now;
-    if (isZero(m_command) && isManual(m_mode)) m_neutral = true;
+    if ((isZero(m_command) || !m_settings.neutralFirst) && isManual(m_mode)) m_neutral = true;
 }
 
 void ModeMachine::commandBeforeNeutral(const DriveVelocity& velocity, Time now) {
@@ -115,7 +115,7 @@ void ModeMachine::hold(const std::string& reason) {
 }
 
 void ModeMachine::needNeutral() {
-    m_neutral = false;
+    m_neutral = !m_settings.neutralFirst;
     m_command = {};
 }
 

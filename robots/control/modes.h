@@ -32,7 +32,7 @@ enum class DriveMode : std::uint8_t {
 
 /// Who moves the robot now.
 enum class Driver : std::uint8_t {
-    Nobody,           ///< it stands, with its brake on
+    Nobody,           ///< the robot stands, with its brake on
     Operator,         ///< ModeDecision::velocity
     LimitedOperator,  ///< ModeDecision::velocity, after SafeTeleoperation
     Explorer,
@@ -44,10 +44,12 @@ enum class Driver : std::uint8_t {
 struct ModeSettings {
     std::chrono::nanoseconds watchdog = DriveWatchdog;                     ///< how long commands are valid
     std::chrono::nanoseconds lostAfter = std::chrono::seconds(3);          ///< silence until the link is lost
-    std::chrono::nanoseconds finishWithin = std::chrono::seconds(60);      ///< of FinishAndWait
+    std::chrono::nanoseconds finishWithin = std::chrono::seconds(60);      ///< longest FinishAndWait
     std::chrono::nanoseconds remoteIdle = std::chrono::milliseconds(500);  ///< silence that ends remote use
     std::map<std::string, LinkLossRule> linkLoss;  ///< of autonomous modes; none: Stop
     bool hasRemote = false;
+    bool neutralFirst =
+        true;  ///< sticks must be released before they drive; stock robots do not ask for that
     std::vector<DriveMode> modes = {DriveMode::Teleoperation, DriveMode::SafeTeleoperation,
                                     DriveMode::Explore,
                                     DriveMode::VictimApproach};  ///< that may be requested
@@ -59,7 +61,7 @@ struct ModeInputs {
     std::string stopReason;               ///< in words
     std::optional<DriveVelocity> remote;  ///< of the radio remote, while it is in use
     bool cue = false;                     ///< the heat detector has a body to go to
-    bool sent = false;                    ///< the operator sent it somewhere: it goes there first
+    bool sent = false;                    ///< the operator sent the robot somewhere; cues must wait
     bool done = false;                    ///< the last driver has reached its aim, or is at the end
     bool failed = false;                  ///< ... or has given up
     std::string report;                   ///< of done or failed, in words
@@ -70,7 +72,7 @@ struct ModeDecision {
     DriveMode mode = DriveMode::Teleoperation;
     Driver driver = Driver::Nobody;
     DriveVelocity velocity;  ///< of Operator, LimitedOperator, Remote
-    std::string reason;      ///< why it is so, in words
+    std::string reason;      ///< why mode and driver are as they are, in words
     bool changed = false;    ///< mode or reason are new: to be published
     bool linkLost = false;
     bool receivedNow = false;      ///< the station was heard in the last 0.2 s
@@ -78,8 +80,10 @@ struct ModeDecision {
 };
 
 /// The modes of a robot and the rules between them. Pure: times are passed in. Motion never begins by itself.
-/// After a stop, a lost link, the remote or a change from an autonomous mode, the operator's sticks must be
-/// neutral first, and autonomous modes must be requested again.
+/// The operator's sticks must be neutral first after a stop, a lost link, use of the radio remote, or a
+/// change from an autonomous mode. Autonomous modes must be requested again after a stop, a lost link or use
+/// of the remote. Exception: with LinkLossRule::FinishAndWait, a mode goes on if it still moves when the link
+/// is back.
 class ModeMachine {
 public:
     explicit ModeMachine(const ModeSettings& settings = {});
@@ -123,7 +127,7 @@ private:
     std::string m_reasonBefore;  ///< reason before the sticks had to be neutral
     bool m_changed = true;
     bool m_held = false;     ///< an autonomous mode that stands until it is asked for again
-    bool m_neutral = false;  ///< the sticks were neutral since that was last required
+    bool m_neutral = false;  ///< the sticks were neutral since that was last required, or need not be
     bool m_cue = false;
     Link m_link = Link::Good;
     Time m_lostAt{}, m_backAt{};     ///< of the link

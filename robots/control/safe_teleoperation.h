@@ -10,12 +10,12 @@ namespace leitstand {
 /// How careful safe teleoperation is.
 struct SafeTeleoperationSettings {
     BodyBox body;               ///< of the robot [m]
-    double margin = 0.05;       ///< that stays free around it [m]
-    double deceleration = 1.0;  ///< that it can count on [m/s2]
-    double delay = 0.25;        ///< until it begins to brake [s]
+    double margin = 0.05;       ///< distance that stays free around the body [m]
+    double deceleration = 1.0;  ///< braking that the robot can count on [m/s2]
+    double delay = 0.25;        ///< until the robot begins to brake [s]
     double lookAhead = 2.0;     ///< [m]
-    double freshAge = 2.6;      ///< sectors so old allow full speed: a turn and a slice [s]
-    double oldAge = 6.0;        ///< sectors so old, or never seen, allow creep only [s]
+    double freshAge = 2.6;      ///< sectors up to this age allow full speed: a turn and a slice [s]
+    double oldAge = 6.0;        ///< sectors of at least this age, or never seen, allow creep only [s]
     double creep = 0.10;        ///< [m/s]
 };
 

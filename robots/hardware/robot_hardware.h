@@ -14,7 +14,8 @@ namespace leitstand {
 
 struct TwistSample;
 
-/// Who receives a sample: the robot's own drivers get what they need, even when a stream is sent less often.
+/// Who receives a sample: the robot's own drivers and the network (Everywhere), only the drivers (OnBoard),
+/// or only the network (Sent). So drivers get what they need, even when a stream is sent less often.
 enum class Reach : std::uint8_t { Everywhere, OnBoard, Sent };
 
 /// One sample of a sensor on board.

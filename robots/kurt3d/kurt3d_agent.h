@@ -50,7 +50,8 @@ private:
     void see(const HardwareSample& sample, const PictureSample& picture);
     void lookForHeat(const ModeDecision& decision, Time now);
     DriveVelocity approach(const Pose& here, Time now);
-    /// Returns the motion to what it saw while it drove to another; empty: there is none.
+    /// Returns the velocity towards a body that the robot saw while it drove to another one; empty: there is
+    /// none.
     [[nodiscard]] std::optional<DriveVelocity> visit(const Pose& here, Time now);
     void leaveVisited();
 
@@ -58,12 +59,12 @@ private:
     VictimApproach m_approach;
     std::map<std::string, CameraInfoSample> m_cameras;  ///< by sensor
     std::vector<HeatCue> m_cues;                        ///< of the newest picture with a body in it
-    std::optional<HeatCue> m_cue;                       ///< the one that matters
+    std::optional<HeatCue> m_cue;                       ///< the one to follow
     std::optional<Eigen::Vector3d> m_heat;              ///< that it drives to or stands before; odom [m]
     PassedHeat m_passed;
     Time m_considered{};                       ///< stamp of the newest picture that m_passed has seen
-    std::optional<PassedHeat::One> m_visited;  ///< the one of them that it goes to see
-    std::optional<Time> m_lookedSince;         ///< since when it looks from where it saw that
+    std::optional<PassedHeat::One> m_visited;  ///< the body of m_passed that it goes to see
+    std::optional<Time> m_lookedSince;         ///< when it began to look from where m_visited was seen
     bool m_looks = false;                      ///< it has turned the cameras by itself
     std::size_t m_sightings = 0;               ///< number of those published
 };

@@ -20,8 +20,9 @@ public:
 
     /// Returns the noise stream of the sensor called @p name.
     [[nodiscard]] Noise noise(const std::string& name) const;
-    /// Returns where the sensor of the stream of @p role (and @p key, when given) sits. Its default name is
-    /// @p name, its default pose in base_link @p usual. Empty when the robot has no such sensor.
+    /// Returns where the sensor of the stream of @p role (and @p key, when given) sits. Where the description
+    /// says nothing, its name is @p name and its pose in base_link @p usual. Empty when the robot has no such
+    /// sensor.
     [[nodiscard]] std::optional<SensorPlace> place(StreamRole role, const std::string& key,
                                                    const std::string& name, const Pose& usual) const;
     /// Adds @p frame at @p inBase in base_link to the static transforms (tf_static).

@@ -6,6 +6,7 @@
 #include "robots/simulation/fit_out.h"
 #include "robots/simulation/sensors/camera/infrared_camera.h"
 #include "robots/simulation/sensors/laser/plane_laser.h"
+#include "robots/simulation/sensors/laser/spinning_lidar.h"
 #include "robots/simulation/sensors/laser/tilting_scanner.h"
 #include "robots/simulation/sensors/laser/turning_scanner.h"
 #include "robots/simulation/sensors/state/battery.h"
@@ -178,6 +179,39 @@ std::unique_ptr<RobotHardware> makeCrawlerHardware(World& world, int robot,
     addOmni(fit, settings);
     // The Crawler has a CO2 sensor only when its description gives it one.
     if (description.stream(StreamRole::Gas) != nullptr) addGas(fit, at(0.18, 0.0, 0.15));
+    addBattery(fit, crawlerBattery());
+    return fit.finish();
+}
+
+std::unique_ptr<RobotHardware> makeStockHardware(World& world, int robot, const RobotDescription& description,
+                                                 const HardwareSettings& settings) {
+    FitOut fit(world, robot, description, settings.seed);
+    fit.addReckoning();
+    if (const auto place = fit.place(StreamRole::Points, {}, "lidar", at(0.0, 0.0, 0.5))) {
+        SpinningLidarSettings lidar = vlp16();
+        lidar.sensor = place->key;
+        lidar.frame = place->frame;
+        lidar.lidarInBase = place->inBase;
+        fit.fix(place->frame, place->inBase);
+        fit.add(std::make_unique<SpinningLidar>(lidar, fit.noise("lidar"), fit.start()));
+    }
+    if (const auto place = fit.place(StreamRole::Ranges, {}, "laser", at(0.0, 0.0, 0.2))) {
+        PlaneLaserSettings laser = rplidarA1();
+        laser.sensor = place->key;
+        laser.frame = place->frame;
+        laser.laserInBase = place->inBase;
+        fit.fix(place->frame, place->inBase);
+        fit.add(std::make_unique<PlaneLaser>(laser, fit.noise("laser"), fit.start()));
+    }
+    if (auto place =
+            fit.place(StreamRole::Picture, {}, "camera", looking(at(0.1, 0.0, 0.2), opticalAxes()))) {
+        place = opticalPlace(*place, opticalAxes());
+        fit.fix(place->frame, place->inBase);
+        if (settings.cameras)
+            fit.add(camera(
+                fit, *place, [pose = place->inBase](Time) { return pose; }, std::make_shared<SharedLight>(),
+                settings.mayDraw));
+    }
     addBattery(fit, crawlerBattery());
     return fit.finish();
 }

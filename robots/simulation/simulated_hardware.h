@@ -25,13 +25,18 @@ struct HardwareSettings {
 };
 
 /// Creates the sensors and motors of Kurt3D or the Crawler in a world. Frames, sensors and mountings are
-/// those of the description (resources/robots). The world's owner advances it; take() measures up to its
-/// present time.
+/// those of the description (resources/robots). The world's owner advances it; RobotHardware::take() measures
+/// up to the world's present time.
 [[nodiscard]] std::unique_ptr<RobotHardware> makeKurt3dHardware(World& world, int robot,
                                                                 const RobotDescription& description,
                                                                 const HardwareSettings& settings = {});
 [[nodiscard]] std::unique_ptr<RobotHardware> makeCrawlerHardware(World& world, int robot,
                                                                  const RobotDescription& description,
                                                                  const HardwareSettings& settings = {});
+/// The same for a stock robot: a spinning lidar, a laser all around, and a camera that looks ahead, as far as
+/// the description has streams of them.
+[[nodiscard]] std::unique_ptr<RobotHardware> makeStockHardware(World& world, int robot,
+                                                               const RobotDescription& description,
+                                                               const HardwareSettings& settings = {});
 
 }  // namespace leitstand::simulation

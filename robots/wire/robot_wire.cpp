@@ -49,7 +49,7 @@ bool drives(StreamRole role) {
 struct RobotWire::State {
     explicit State(const RobotDescription& description) : robot(description) {}
 
-    Result<void> open(Node& node);
+    Result<void> open(Node& node, Grants grants);
     void receive(const StreamDescription& stream, const ReceivedSample& sample);
     void receiveGrant(const ReceivedSample& sample);
     [[nodiscard]] Result<void> publish(const StreamDescription& stream, const Sample& sample) const;
@@ -93,7 +93,7 @@ void RobotWire::State::receiveGrant(const ReceivedSample& sample) {
     put({{}, true, event->sample, senderOf(sample.writer), sample.event.received});
 }
 
-Result<void> RobotWire::State::open(Node& node) {
+Result<void> RobotWire::State::open(Node& node, Grants grants) {
     for (const StreamDescription& stream : robot.streams) {
         if (isCommand(stream.role)) {
             auto made =
@@ -107,6 +107,7 @@ Result<void> RobotWire::State::open(Node& node) {
             publishers.emplace(stream.topic, std::move(made).value());
         }
     }
+    if (grants == Grants::Unknown) return {};
     auto made = node.subscribe(
         {std::string(station_topic::Grants), "leitstand_msgs/msg/Grant", grantQos(), Lane::Small},
         [this](const ReceivedSample& sample) { receiveGrant(sample); });
@@ -121,9 +122,10 @@ RobotWire::~RobotWire() {
     m_state->subscriptions.clear();
 }
 
-Result<std::unique_ptr<RobotWire>> RobotWire::create(Node& node, const RobotDescription& robot) {
+Result<std::unique_ptr<RobotWire>> RobotWire::create(Node& node, const RobotDescription& robot,
+                                                     Grants grants) {
     std::unique_ptr<RobotWire> made(new RobotWire(std::make_unique<State>(robot)));
-    if (auto opened = made->m_state->open(node); !opened) return opened.error();
+    if (auto opened = made->m_state->open(node, grants); !opened) return opened.error();
     return made;
 }
 

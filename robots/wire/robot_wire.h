@@ -26,7 +26,7 @@ struct ReceivedCommand {
 struct RobotWireCounts {
     std::uint64_t accepted = 0;
     std::uint64_t broken = 0;   ///< could not be read
-    std::uint64_t dropped = 0;  ///< nobody took them in time; never stops
+    std::uint64_t dropped = 0;  ///< commands that nobody took in time; stops are never dropped
     std::uint64_t published = 0;
     std::uint64_t unpublished = 0;  ///< could not be encoded or written
 };
@@ -35,8 +35,12 @@ struct RobotWireCounts {
 /// of its description. Any thread.
 class RobotWire {
 public:
+    /// Whether the robot listens to who may drive it; stock robots do not.
+    enum class Grants : std::uint8_t { Obeyed, Unknown };
+
     /// Errors name the topic.
-    [[nodiscard]] static Result<std::unique_ptr<RobotWire>> create(Node& node, const RobotDescription& robot);
+    [[nodiscard]] static Result<std::unique_ptr<RobotWire>> create(Node& node, const RobotDescription& robot,
+                                                                   Grants grants = Grants::Obeyed);
     ~RobotWire();
     RobotWire(const RobotWire&) = delete;
     RobotWire& operator=(const RobotWire&) = delete;

@@ -44,11 +44,13 @@ const std::vector<Rule>& rules() {
         {"app/report", with(core, {"app/services/handin", "app/report"}), {"Eigen", "fmt", "Qt"}},
         {"app/language", {"core/base", "app/language"}, {"Qt"}},
         {"app/guard", with(core, {"transport"}), {}},
+        {"app/options", with(core, {"app/options"}), {"fmt", "CLI"}},
         {"app/cli",
-         with(core, {"core/io", "transport", "app/services", "app/report", "app/language", "app/cli"}),
+         with(core, {"core/io", "transport", "app/options", "app/services", "app/report", "app/language",
+                     "app/cli"}),
          {"Eigen", "fmt", "CLI", "nlohmann", "Qt"}},
         {"app/window",
-         with(core, {"app/services", "app/report", "app/language", "widgets", "app/window"}),
+         with(core, {"app/options", "app/services", "app/report", "app/language", "widgets", "app/window"}),
          {"Eigen", "fmt", "CLI", "Qt", "SDL"}},
     };
     return all;
@@ -113,6 +115,7 @@ const std::vector<Order>& orders() {
          3,
          {"app/language",
           "app/guard",
+          "app/options",
           "app/services",
           "app/services/domain",
           "app/services/layouts",

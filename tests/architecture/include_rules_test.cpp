@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -68,6 +69,26 @@ TEST(IncludeRules, NoRoomIncludesOneThatStandsAboveIt) {
 
 TEST(IncludeRules, FilesInUnknownFoldersAreFound) {
     EXPECT_THAT(includeViolations("misc/a.cpp", ""), ElementsAre(HasSubstr("no folder of design section 2")));
+}
+
+// A writer of exports without its row, a pane that no table names, a cue that nothing looks for.
+TEST(IncludeRules, EveryHeaderIsUsedByAnotherFileOrIsAnInterfaceOfTheDocuments) {
+    const auto files = sources({"core", "transport", "robots", "widgets", "app"});
+    const std::regex include(R"re(#include "([^"]+)")re");
+    std::set<std::string> used;
+    for (const std::string& file : files) {
+        const std::string text = content(file);
+        const std::string own = file.substr(0, file.rfind('.')) + ".h";
+        for (std::sregex_iterator one(text.begin(), text.end(), include), end; one != end; ++one)
+            if (one->str(1) != own) used.insert(one->str(1));
+    }
+    std::string documents;
+    for (const auto& entry : std::filesystem::directory_iterator(sourceFolder() + "/docs"))
+        if (entry.is_regular_file()) documents += content("docs/" + entry.path().filename().string());
+    for (const std::string& file : files) {
+        if (!file.ends_with(".h") || used.contains(file)) continue;
+        EXPECT_THAT(documents, HasSubstr("(`" + file + "`)")) << file << ": no other file includes it";
+    }
 }
 
 TEST(SourceSizes, NoFileIsLongerThan600LinesAndThoseOver400AreNamed) {

@@ -89,8 +89,8 @@ TEST_F(CompatNames, CommandsAreThere) {
     Options options;
     options.live = true;
     options.robots = {"kurt3d", "crawler"};
-    options.interfaces = {"lo"};
-    options.domain = m_domain.number();
+    options.network.interfaces = {"lo"};
+    options.network.domain = m_domain.number();
     options.mission = (m_folder / "new").string();
     EXPECT_EQ(whileOpen([&] { return runLive(options); },
                         [&](QMainWindow& window) { addCommands("live", window, names); }),
@@ -152,8 +152,8 @@ TEST_F(CompatNames, TheStationIsOnTheWireAsBefore) {
     Options options;
     options.live = true;
     options.robots = {"kurt3d", "crawler"};
-    options.interfaces = {"lo"};
-    options.domain = m_domain.number();
+    options.network.interfaces = {"lo"};
+    options.network.domain = m_domain.number();
     options.mission = (m_folder / "new").string();
     json seen;
     EXPECT_EQ(whileOpen([&] { return runLive(options); },

@@ -57,10 +57,10 @@ protected:
 TEST_F(CompatPanes, OfTheLiveWindowAreAsTheyWereLeft) {
     std::optional<Options> options = lastOptions();
     ASSERT_TRUE(options) << "live.yaml is not understood any more";
-    EXPECT_EQ(options->domain, 87);
+    EXPECT_EQ(options->network.domain, 87);
     EXPECT_EQ(options->robots, (std::vector<std::string>{"kurt3d", "tb9"}));
-    EXPECT_EQ(options->interfaces, std::vector<std::string>{"lo"});
-    options->domain = m_domain.number();
+    EXPECT_EQ(options->network.interfaces, std::vector<std::string>{"lo"});
+    options->network.domain = m_domain.number();
     options->mission = m_mission.string();
     const std::map<std::string, std::string> log = {{"mission_0.db3", readText(m_mission / "mission_0.db3")},
                                                     {"mission_1.db3", readText(m_mission / "mission_1.db3")}};

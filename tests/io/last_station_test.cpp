@@ -14,11 +14,26 @@ TEST(LastStation, WhatWasRememberedComesBack) {
     const TemporaryFolder folder;
     const auto file = folder / "config" / "live.yaml";
     EXPECT_FALSE(readLastStation(file));
-    const LastStation station{{"kurt3d", "/home/me/my \"rover\".yaml"}, 7, {"wlan0"}, "/keys/one"};
+    const LastStation station{{"kurt3d", "/home/me/my \"rover\".yaml"},
+                              7,
+                              {"wlan0"},
+                              {"192.168.0.7"},
+                              "10.0.0.1:11811",
+                              "/keys/one"};
     ASSERT_TRUE(writeLastStation(file, station).ok());
     EXPECT_EQ(readLastStation(file), station);
     ASSERT_TRUE(writeLastStation(file, {{"crawler"}}).ok());
     EXPECT_EQ(readLastStation(file)->robots, std::vector<std::string>{"crawler"});
+}
+
+TEST(LastStation, AFileOfBeforePeersIsRead) {
+    const TemporaryFolder folder;
+    const auto file = folder / "live.yaml";
+    std::ofstream(file) << "robots: [\"kurt3d\"]\ndomain: 7\ninterfaces: [\"lo\"]\nkeys: \"\"\n";
+    const auto station = readLastStation(file);
+    ASSERT_TRUE(station.has_value());
+    EXPECT_EQ(station->domain, 7);
+    EXPECT_TRUE(station->initialPeers.empty() && station->discoveryServer.empty());
 }
 
 TEST(LastStation, NonsenseIsNothing) {

@@ -14,17 +14,18 @@
 
 namespace leitstand {
 
-/// Reads a sample in XCDR1 with its encapsulation header, in either byte order. The first field that does not
-/// fit ends it: later reads leave their values as they were, and finish() reports what was wrong. No count of
-/// the sender is trusted before the bytes that it needs are there. Texts and structures take more memory here
-/// than bytes there, so a sequence of them has at most 100 000 elements.
+/// Reads a sample in XCDR1 with its encapsulation header, in either byte order. After the first field that
+/// does not fit, later reads leave numbers and structures as they were and make texts and sequences empty.
+/// finish() reports what was wrong. Memory for a sequence is allocated only when the bytes for its count are
+/// there. Texts and structures take more memory than bytes in the sample, so a sequence of them has at most
+/// 100 000 elements.
 class CdrReader {
 public:
     explicit CdrReader(std::span<const std::byte> sample);
 
     void read(const char* field, bool& to);
     void read(const char* field, std::string& to);
-    /// Sets a view of the bytes, which stay in the sample.
+    /// Makes @p to a view of bytes in the sample, which must outlive it.
     void read(const char* field, std::span<const std::byte>& to);
     void read(const char* field, std::vector<std::string>& to);
 
@@ -58,7 +59,8 @@ public:
         }
     }
 
-    /// Must be called when all fields are read. Bytes left over, except padding, are an error too.
+    /// Must be called after the last field. Error: a field did not fit, or more than 7 bytes (padding) are
+    /// left over.
     [[nodiscard]] Result<void> finish();
     [[nodiscard]] bool ok() const { return m_error.empty(); }
 

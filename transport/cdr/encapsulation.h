@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// Bytes of the header before every serialised sample: representation, options (RTPS 2.2, section 10).
+/// Size [B] of the header before every serialised sample: representation and options (RTPS 2.2, section 10).
 inline constexpr std::size_t EncapsulationSize = 4;
 
 }  // namespace leitstand

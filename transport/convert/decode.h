@@ -11,12 +11,12 @@ namespace leitstand {
 
 struct RawEvent;
 
-/// Decodes a sample on @p stream of a robot and checks it from end to end: its bytes against its counts, its
-/// fields and dimensions, its numbers. The error names topic, type and expectation. Frames stay as they were
-/// sent. Allocates nothing big that the sample's own size does not justify.
+/// Decodes @p event, a sample on a robot's @p stream, and checks all of it: counts against bytes, fields,
+/// dimensions, numbers. The error names topic, type and expectation. Frames stay as they were sent. Memory is
+/// allocated only in proportion to the sample's size.
 [[nodiscard]] Result<Sample> decode(const RawEvent& event, const StreamDescription& stream);
 
-/// Decodes as above into an event of @p robot, with frames named after its TfPrefix: "kurt3d/base_link".
+/// Decodes as above into an event of @p robot. Frames are renamed by frameName(), as "kurt3d/base_link".
 /// Leaves out transforms of other robots on a shared topic.
 [[nodiscard]] Result<Event> decodeEvent(const RawEvent& event, const RobotDescription& robot,
                                         const StreamDescription& stream);

@@ -10,7 +10,7 @@ struct MessageType {
     std::string_view rosName;     ///< "nav_msgs/msg/Odometry"
     std::string_view ddsName;     ///< "nav_msgs::msg::dds_::Odometry_"
     std::string_view hash;        ///< "RIHS01_..." (REP 2016)
-    std::string_view definition;  ///< text in rosbag2's encoding "ros2msg", with all types it holds
+    std::string_view definition;  ///< text in rosbag2's encoding "ros2msg", with all types that it uses
 };
 
 /// Returns all types, sorted by ROS name.

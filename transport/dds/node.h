@@ -53,8 +53,8 @@ struct SubscriptionCounts {
     int writers = 0;         ///< matched now
 };
 
-/// Receives a topic for as long as it lives. Once its destructor has returned, its callback no longer runs. A
-/// callback may destroy its own subscription, and then runs to its end. Any thread.
+/// Receives samples of a topic until it is destroyed. Once its destructor has returned, its callback no
+/// longer runs. A callback may destroy its own subscription, and then runs to its end. Any thread.
 class Subscription {
 public:
     ~Subscription();
@@ -70,7 +70,7 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// Writes to a topic for as long as it lives. Any thread.
+/// A writer on a topic, which others in the domain see until it is destroyed. Any thread.
 class Publisher {
 public:
     ~Publisher();
@@ -110,20 +110,21 @@ public:
     [[nodiscard]] std::vector<RemoteParticipant> participants() const;
     [[nodiscard]] std::vector<RemoteEndpoint> endpoints()
         const;                                               ///< of all topics, also those that are not ROS
-    [[nodiscard]] std::vector<Mismatch> mismatches() const;  ///< of our readers and writers, in words
+    [[nodiscard]] std::vector<Mismatch> mismatches() const;  ///< of our readers and writers with others
     /// Returns what is announced on the topics that we subscribe to, and what of it was received.
     [[nodiscard]] DomainReception reception() const;
     /// Leaves the domain and joins it again as another participant, with another guid(). Subscriptions and
-    /// publishers stay, transient local samples are written again, samples sent meanwhile are lost. Takes
-    /// some 0.1 s. Not for callbacks of this node. @p entered receives the new guid() before anything is sent
-    /// or received under it. The error names what could not be created again.
+    /// publishers stay, and transient local samples are written again. Samples that are sent meanwhile are
+    /// lost. Takes some 0.1 s. Not for callbacks of this node. @p entered receives the new guid() before
+    /// anything is sent or received under it. The error names what could not be created again.
     Result<void> rejoin(const std::function<void(const Guid&)>& entered = {});
     /// Calls @p changed once at first and after participants, endpoints, mismatches or drops change, on the
     /// thread of the small lane. Several changes may come as one. Replaces an earlier callback.
     void onDiscovery(std::function<void()> changed);
 
-    /// Returns what the operator should know about this computer: a system limit that costs samples, with the
-    /// command that lifts it, and transports that cannot be screened. Empty when all is well.
+    /// Returns what the operator should know about this computer; empty when all is well. There may be a
+    /// system limit that costs samples, with the command that lifts it. There may be transports that cannot
+    /// be screened, or a build of Fast DDS that is not mended (mendsTheLibrary()).
     [[nodiscard]] const std::vector<std::string>& warnings() const;
     /// Returns what the screen kept from the DDS library since the node joined, by reason and sender
     /// (docs/wire.md). Any thread.

@@ -47,20 +47,21 @@ struct NodeSettings {
     /// Discovery servers as in ROS_DISCOVERY_SERVER: "192.168.0.1:11811;192.168.0.2"; the place in the list
     /// is the server's number, empty places are skipped. Empty: peers discover each other.
     std::string discoveryServer = {};
-    /// Profiles of FASTRTPS_DEFAULT_PROFILES_FILE (when it is set) replace our participant defaults. Profiles
-    /// named after a topic ("/kurt3d/points" or "rt/kurt3d/points") replace the QoS of its readers and
-    /// writers.
+    /// XML profiles replace our participant defaults when FASTRTPS_DEFAULT_PROFILES_FILE (in Fast DDS 3:
+    /// FASTDDS_DEFAULT_PROFILES_FILE) names a file. Profiles named after a topic ("/kurt3d/points" or
+    /// "rt/kurt3d/points") replace the QoS of its readers and writers.
     bool useXmlProfiles = true;
     std::optional<SecurityFiles> security = {};  ///< none: open to everyone in the domain
     /// The others forget a participant that was silent for so long [s]. After a shorter radio gap, missed
     /// samples arrive as far as the writers' histories reach. After a longer gap, only transient local
-    /// samples arrive (a gap of 30 s with a lease of 20 s costs every volatile slice of it). A participant
-    /// that ends in order is forgotten at once. Missing data shows earlier than the lease that somebody is
-    /// silent.
+    /// samples arrive: a gap of 30 s with a lease of 20 s costs every volatile sample in it. A participant
+    /// that ends in order is forgotten at once. Silence shows earlier than after the lease, by the data that
+    /// is missing.
     double lease = 100.0;
-    /// Set for a link of 10 Mbit/s that two robots share: p99 of odometry and commands stays below 60 ms
-    /// beside scans and pictures. Nothing is limited when all interfaces are loopback. With security on,
-    /// pieces are 7500 B at least.
+    /// Set for a link of 10 Mbit/s that two robots share: the delay of odometry and commands stays below
+    /// 60 ms (99th percentile) beside scans and pictures. Nothing is limited when all interfaces are
+    /// loopback. With security on, pieces are 7500 B at least. Fast DDS 3.1 cannot limit flows: there, the
+    /// bytes of `scanLimit` only bound the size of messages.
     FlowLimit telemetryLimit = {7000, 10}, scanLimit = {7000, 20}, pictureLimit = {7000, 15};
 };
 

@@ -31,8 +31,8 @@ struct RosProcess {
     std::size_t gidSize = 0;  ///< bytes of an identity on the wire: 24 until Humble, 16 from Iron on
     std::vector<RosNode> nodes;
 };
-/// Reads an announcement, with whichever size its identities have. Whatever @p cdr is, the worst result is an
-/// error.
+/// Reads an announcement of nodes, whose identities may have 16 or 24 bytes. Error when @p cdr is no such
+/// announcement; it may hold any bytes.
 [[nodiscard]] Result<RosProcess> rosProcess(std::span<const std::byte> cdr);
 
 /// Which nodes of ROS 2 the readers and writers of a domain belong to. Any thread.
@@ -53,7 +53,7 @@ private:
 /// Listens for what processes announce; publishes nothing.
 class RosNodeWatch {
 public:
-    /// @p node: outlives it. Without permission to read the topic, no node is known.
+    /// @p node must outlive this. Without permission to read the topic, no node is known.
     explicit RosNodeWatch(Node& node);
     [[nodiscard]] const RosNodes& nodes() const { return *m_nodes; }
 

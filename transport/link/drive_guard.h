@@ -11,17 +11,17 @@
 
 namespace leitstand {
 
-/// What a guard reports to its station through the pipe, on change and twice a second: whether the robot
-/// hears it.
+/// Words that a guard sends to its station through the pipe, on change and twice a second. Ready: the robot
+/// receives the guard's commands; Waits: it does not.
 namespace guard_word {
 inline constexpr std::string_view Ready = "ready", Waits = "waits";
 }
 
 struct DriveGuardSettings {
-    std::string ownName = "leitstand-guard";  ///< of this node and of other guards
+    std::string ownName = "leitstand-guard";  ///< name of the node of every guard
     std::string robot;                        ///< name
     std::string station;                      ///< identity of the station that is guarded
-    Sender driver = {};                       ///< the station's process: its commands do not count as others'
+    Sender driver = {};                       ///< the station's process: not another driver
     DriveMessage message;                     ///< how the robot is driven
     GuardTiming timing = {};
 };
@@ -30,14 +30,14 @@ struct DriveGuardSettings {
 /// beside the station, takes part in the domain by itself, and receives grants and others' drive commands.
 class DriveGuard {
 public:
-    /// Errors: the robot takes no such commands.
+    /// Errors: the drive message cannot be encoded, or the node may not use the topics.
     [[nodiscard]] static Result<std::unique_ptr<DriveGuard>> create(Node& node, DriveGuardSettings settings);
     ~DriveGuard();
     DriveGuard(const DriveGuard&) = delete;
     DriveGuard& operator=(const DriveGuard&) = delete;
 
     /// Guards until the station's end of @p pipe is closed and there is nothing more to do. @p pipe: a socket
-    /// that keeps messages apart; receives GuardPulse and sends guard_word.
+    /// that keeps message boundaries (SOCK_SEQPACKET); receives GuardPulse and sends guard_word.
     void serve(int pipe);
 
 private:

@@ -20,16 +20,16 @@ namespace leitstand {
 struct DriveConditions {
     bool mayDrive = false;  ///< the grant is held and no stop stands
     bool hold = false;      ///< zeros are sent all the time: the stop for robots without a stop_command
-    bool silent = false;    ///< while it may drive, nothing is sent, no zero either: a test of the watchdog
+    bool silent = false;    ///< nothing is sent while driving is allowed, no zeros either: a watchdog test
 };
 
 /// How a robot is driven.
 struct DriveStreamerSettings {
     /// Called on the streamer's thread before each command; must not wait. None: never driven.
     std::function<DriveConditions()> conditions = {};
-    /// Returns how fast the driver may go where these sticks lead, given whether the override is held. Called
-    /// like `conditions`, also while nobody drives (then with sticks of zero). None: as fast as the robot
-    /// can.
+    /// Returns the cap on the speed in the direction of these sticks. `withoutEyes`: the driver holds the
+    /// override. Called like `conditions`, also while nobody drives (then with sticks of zero). None: as fast
+    /// as the robot can.
     std::function<SightCap(const DriveVelocity& sticks, bool withoutEyes)> sight = {};
     /// Returns robot's clock minus station's, for commands stamped with the robot's clock. Called like
     /// `conditions`.
@@ -50,7 +50,7 @@ struct DriveStatus {
     bool needsNeutral = false;    ///< the sticks must be neutral first
     std::uint64_t sent = 0;       ///< commands
     std::uint64_t unsent = 0;     ///< commands that could not be written
-    int listeners = 0;    ///< readers of the commands in other processes; a robot must receive a zero first
+    int listeners = 0;    ///< readers of the commands in other processes; robots move only after a zero
     SightCap sight = {};  ///< what caps the speed
     std::string error;    ///< why the last command was not written; empty when it was
     friend bool operator==(const DriveStatus&, const DriveStatus&) = default;
@@ -60,9 +60,9 @@ struct DriveStatus {
 /// 40 Hz. Sends a Twist, a TwistStamped (with the stamp that the robot's file wants) or, when the robot has
 /// no drive_command, speeds of its tracks [m/s] in a JointState. Sends zero when the sticks were not set for
 /// 200 ms, without focus, without grant, or while a stop stands. After driving, sends zeros for a second, and
-/// then nothing more. Whatever the input device, what the driver sees caps the speed. Sticks that were held
-/// while nothing was seen must be neutral before the robot moves again. Any thread; no call waits for the
-/// network, for the log, or for anybody else.
+/// then nothing more. The speed is capped by what the driver sees, whatever the input device. Sticks that
+/// were held while the driver saw nothing (cap 0) must be neutral before the robot moves again. Any thread;
+/// no call waits for the network, for the log, or for anybody else.
 class DriveStreamer {
 public:
     /// Errors: the robot takes no drive commands, their type is wrong, or it is tracked and its footprint has
@@ -75,14 +75,14 @@ public:
     DriveStreamer& operator=(const DriveStreamer&) = delete;
 
     /// Sets the sticks as they are now. Call it at least ten times a second while they are in use, also when
-    /// neutral. With @p withoutEyes the override of the speed cap is held; it ends with the sticks, and when
-    /// it is not set again.
+    /// neutral. @p withoutEyes: the driver holds the override of the speed cap. The override ends with the
+    /// next set() without it, or when the sticks expire.
     void set(const DriveVelocity& velocity, bool withoutEyes = false);
     void halt();                ///< sends zero until the sticks were neutral
     void setFocus(bool focus);  ///< off at first; off stops the robot at once
     void refresh();             ///< checks changed conditions at once
     [[nodiscard]] DriveStatus status() const;
-    [[nodiscard]] int listeners() const;  ///< as in DriveStatus, now, also while nothing is sent
+    [[nodiscard]] int listeners() const;  ///< counted now, also while nothing is sent; as in DriveStatus
 
 private:
     struct State;

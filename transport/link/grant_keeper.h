@@ -24,7 +24,7 @@ struct GrantListener {
 /// thread; nothing waits for the network.
 class GrantKeeper {
 public:
-    /// Holds again at once what @p me held before it ended. Error when the node may not publish grants (a
+    /// Holds the grants of StationIdentity::held again at once. Error when the node may not publish grants (a
     /// viewer in a secured domain).
     [[nodiscard]] static Result<std::unique_ptr<GrantKeeper>> create(Node& node, const StationIdentity& me,
                                                                      GrantListener listener = {},
@@ -34,7 +34,8 @@ public:
     GrantKeeper(const GrantKeeper&) = delete;
     GrantKeeper& operator=(const GrantKeeper&) = delete;
 
-    /// See GrantBook::rejoined(). Call it before anything of this process is received under its new identity.
+    /// See GrantBook::rejoined(). Call it before anything is sent or received under the new identity
+    /// (Node::rejoin()).
     void rejoined(const Guid& participant);
     void requestGrant(const GrantId& id);
     void release(const GrantId& id);  ///< also withdraws a request

@@ -87,13 +87,18 @@ struct Option {
     bool (*set)(GuardArguments& arguments, std::string_view text);
 };
 
-constexpr std::array<Option, 17> Options = {{
+constexpr std::array<Option, 18> Options = {{
     {"--domain", "DDS domain, 0 to 232",
      [](GuardArguments& all, std::string_view text) { return setDomain(all.network.domain, text); }},
     {"--interface", "a network interface; may come again",
      [](GuardArguments& all, std::string_view text) { return add(all.network.interfaces, text); }},
     {"--peer", "an address; may come again",
      [](GuardArguments& all, std::string_view text) { return add(all.network.initialPeers, text); }},
+    {"--multicast", "on or off",
+     [](GuardArguments& all, std::string_view text) {
+         all.network.multicast = text != "off";
+         return text == "on" || text == "off";
+     }},
     {"--discovery-server", "as in ROS_DISCOVERY_SERVER",
      [](GuardArguments& all, std::string_view text) { return setText(all.network.discoveryServer, text); }},
     {"--keys", "folder of the station's identity",
@@ -157,6 +162,7 @@ std::vector<std::string> wordsOf(const GuardArguments& arguments) {
     addWord("--domain", std::to_string(network.domain));
     for (const std::string& one : network.interfaces) addWord("--interface", one);
     for (const std::string& one : network.initialPeers) addWord("--peer", one);
+    if (!network.multicast) addWord("--multicast", "off");
     addWord("--discovery-server", network.discoveryServer);
     addWord("--keys", arguments.keys.string());
     const DriveGuardSettings& guard = arguments.guard;

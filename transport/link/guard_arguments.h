@@ -12,9 +12,10 @@ namespace leitstand {
 
 /// What a station passes to the `leitstand-guard` that it starts.
 struct GuardArguments {
-    NodeSettings network = {};        ///< only domain, interfaces, peers, discovery server
+    NodeSettings network = {};        ///< only domain, interfaces, peers, multicast, discovery server
     std::filesystem::path keys = {};  ///< folder of the station's identity; empty: open
-    DriveGuardSettings guard = {};    ///< all but the timing
+    DriveGuardSettings guard = {};    ///< all but own name, timing and track distance; of the QoS only
+                                      ///< reliability and lifespan
 };
 
 /// Convert to words of a command line, and back. Errors name the word and what was expected.

@@ -34,11 +34,11 @@ struct LinkListener {
     std::function<void(const RawEvent&)> onPing;        ///< every ping that was sent
 };
 
-/// Watches the link to one robot: sends pings, receives their answers, and is handed the robot's other
-/// samples. A robot that answers no pings is watched by its samples alone. Any thread.
+/// Watches the link to one robot: sends pings, receives their answers, and takes the robot's other samples
+/// (onSample()). A robot that answers no pings is watched by its samples alone. Any thread.
 class LinkClient {
 public:
-    /// Errors name the robot's topic: its ping or pong has a wrong type.
+    /// Errors name the robot's topic: the type of its ping is wrong, or the node may not use it.
     [[nodiscard]] static Result<std::unique_ptr<LinkClient>> create(Node& node, const RobotDescription& robot,
                                                                     const LinkClientSettings& settings = {},
                                                                     LinkListener listener = {});
@@ -49,7 +49,8 @@ public:
     /// Takes a sample of any of the robot's streams, as soon as it was received. Ignores samples of the pong
     /// topic, which the client receives itself. Never waits, never allocates.
     void onSample(const ReceivedSample& sample);
-    /// Notes that the station switched a stream off (or on again): its silence is no fault.
+    /// Notes that the station switched a stream off: its silence is no fault until the stream is switched on
+    /// again.
     void setPaused(std::string_view topic, bool paused);
     /// Returns the status as of now.
     [[nodiscard]] LinkStatus status() const;

@@ -50,10 +50,11 @@ public:
 
     /// Returns how the robot has to move now. Call it in its control loop, ten times a second or more.
     [[nodiscard]] DriveVelocity commanded() const;
-    [[nodiscard]] bool isStopped() const;      ///< latched: it must not move by itself either
+    [[nodiscard]] bool isStopped() const;      ///< the stop is latched: the robot must not move by itself
     [[nodiscard]] std::string holder() const;  ///< identity of the station that is obeyed; may be empty
-    void press();                              ///< presses its own stop button
-    /// Takes its odometry: speed [m/s] and turn rate [rad/s]. Call it as often as they are measured.
+    void press();                              ///< presses the robot's own stop button
+    /// Takes the robot's odometry: speed [m/s] and turn rate [rad/s]. Call it whenever the robot has measured
+    /// them.
     void moved(double speed, double turnRate);
     [[nodiscard]] RobotCommandCounts counts() const;
 

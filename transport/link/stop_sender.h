@@ -25,13 +25,13 @@ struct StopSenderSettings {
     StopTiming timing = {};
 };
 
-/// STOP over DDS (StopControl): stops any of the robots, repeats until each has acknowledged, and reports how
-/// far it is. Needs no grant but for releases; viewers may have one. Robots without a stop_command are only
-/// identified here: DriveStreamer holds them by zeros. Any thread; nothing waits for the network or anybody
-/// else.
+/// STOP over DDS (StopControl): stops any of the robots, repeats each stop until the robot has acknowledged
+/// it, and reports the state of each. Only releases need the grant, so viewers may have a StopSender, too. To
+/// robots without a stop_command it sends nothing: DriveStreamer holds them by zeros. Any thread; nothing
+/// waits for the network or anybody else.
 class StopSender {
 public:
-    /// Errors name the robot's topic: its type is wrong, or the node may not stop.
+    /// Errors name the topic: its type is wrong, or the node may not use it. Or two robots have one name.
     [[nodiscard]] static Result<std::unique_ptr<StopSender>> create(Node& node,
                                                                     std::span<const RobotDescription> robots,
                                                                     StopSenderSettings settings = {});
@@ -41,13 +41,15 @@ public:
 
     void stopAll();
     void stop(const std::string& robot);  ///< does nothing for unknown names
-    /// Errors as in StopControl::release, or an unknown name.
+    /// Releases @p robot from its stop. Errors: as of StopControl::release(), or there is no robot of that
+    /// name.
     Result<void> release(const std::string& robot);
 
     [[nodiscard]] StopStatus status(const std::string& robot) const;
-    /// For DriveConditions: no stop of the robot stands; false for unknown names.
+    /// For DriveConditions::mayDrive. Returns whether no stop of the robot stands; false for unknown names.
     [[nodiscard]] bool allowsDriving(const std::string& robot) const;
-    /// For DriveConditions: the robot takes no stop commands and is to be held by zeros.
+    /// For DriveConditions::hold. Returns whether the robot is to stop but takes no stop commands: zeros must
+    /// hold it.
     [[nodiscard]] bool holdsByZeros(const std::string& robot) const;
 
 private:

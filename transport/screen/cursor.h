@@ -30,7 +30,8 @@ public:
         return taken;
     }
     std::span<const std::byte> rest() { return take(m_bytes.size()); }
-    /// Skips the padding of @p size bytes to a multiple of four, as far as it is there.
+    /// Skips the padding after @p size bytes, up to a multiple of four, or fewer bytes when the data ends
+    /// before.
     void skipPadding(std::size_t size) { take(std::min((4 - size % 4) % 4, m_bytes.size())); }
 
     std::uint8_t u8() { return static_cast<std::uint8_t>(number(1)); }
@@ -41,7 +42,7 @@ public:
         const std::uint64_t high = u32();
         return static_cast<std::int64_t>(high << 32 | u32());
     }
-    /// Reads the id of an entity, which no byte order changes.
+    /// Reads the id of an entity, which is big-endian in either byte order.
     std::uint32_t entityId() {
         std::uint32_t id = 0;
         for (const std::byte byte : take(4)) id = id << 8 | std::to_integer<std::uint32_t>(byte);

@@ -12,7 +12,7 @@ namespace leitstand::screen {
 
 using Prefix = std::array<std::uint8_t, 12>;     ///< of the GUIDs of a participant
 using GuidBytes = std::array<std::uint8_t, 16>;  ///< prefix and entity
-using EntityId = std::uint32_t;                  ///< as it is written: 0x000100c2 announces participants
+using EntityId = std::uint32_t;                  ///< as in its bytes: 0x000100c2 announces participants
 
 /// What is wrong, in words for developers; empty: nothing.
 using Fault = std::string_view;
@@ -54,22 +54,23 @@ struct Submessage {
     Prefix source{};                    ///< the participant that it claims to come from
     EntityId reader = 0, writer = 0;
     std::int64_t first = 0;        ///< number of the sample; first of a HEARTBEAT or GAP, base of an ACKNACK
-    std::int64_t last = 0;         ///< of a HEARTBEAT; of a GAP or ACKNACK, its bits included
-    std::int64_t gapped = 0;       ///< numbers that a GAP covers before its bits
+    std::int64_t last = 0;         ///< last of a HEARTBEAT, GAP or ACKNACK, bits included; else as `first`
+    std::int64_t gapped = 0;       ///< how many numbers a GAP covers before its bits
     std::uint32_t count = 0;       ///< of HEARTBEAT, ACKNACK, HEARTBEAT_FRAG, NACK_FRAG
     std::uint32_t sampleSize = 0;  ///< of a DATA_FRAG's whole sample [B]
     std::uint16_t fragmentSize = 0;  ///< [B]
     bool littleEndian = false;
-    bool isKey = false;                  ///< the payload is a key, of an instance that ends
-    bool ended = false;                  ///< inline QoS: disposed or unregistered
-    std::optional<GuidBytes> key;        ///< inline QoS: of the instance
-    std::span<const std::byte> payload;  ///< of DATA and DATA_FRAG, in the datagram
+    bool isKey = false;                  ///< the payload is only a key: the instance ends
+    bool ended = false;                  ///< the instance is disposed or unregistered (inline QoS)
+    std::optional<GuidBytes> key;        ///< of the instance, by the inline QoS
+    std::span<const std::byte> payload;  ///< of DATA and DATA_FRAG; a view of the datagram
 };
 
 /// A parsed datagram. When reused, it allocates no new memory.
 struct Datagram {
     Prefix sender{};   ///< of the header
-    Prefix speaker{};  ///< of the header or the last INFO_SRC: the library considers this one alive
+    Prefix speaker{};  ///< of the last INFO_SRC, else of the header: the library considers this participant
+                       ///< alive
     std::vector<Submessage> submessages;
 };
 

@@ -10,8 +10,8 @@
 
 namespace leitstand::screen {
 
-/// Counts what was dropped by reason and address. Counts the first sixteen addresses of each reason
-/// separately, the rest together: a flooder may use a new address each time.
+/// Counts dropped datagrams by reason and sender's address. The first sixteen addresses of each reason are
+/// counted separately, all others together: a flooder may use a new address each time.
 class DropBook {
 public:
     void note(ScreenDrop::Kind why, const Address& from, Fault fault);

@@ -5,14 +5,15 @@
 
 namespace leitstand::screen {
 
-/// Checks the order and sizes of secure submessages in a datagram (DDS-Security 1.1, section 7.3.6). A whole
-/// message stands between SRTPS_PREFIX, the first, and SRTPS_POSTFIX, the last but for statistics. A single
-/// submessage stands between SEC_PREFIX and SEC_POSTFIX. Only the library can judge what is in them.
+/// Checks the order and sizes of secure submessages in a datagram (DDS-Security 1.1, section 7.3.6). A
+/// message that is protected as a whole begins with SRTPS_PREFIX and ends with SRTPS_POSTFIX; only statistics
+/// may follow. A submessage that is protected alone stands between SEC_PREFIX and SEC_POSTFIX. Only the
+/// library can judge the protected content.
 class Envelope {
 public:
-    /// Takes the next submessage with its content, and marks it when it is protected.
+    /// Takes the next submessage with its content. Sets protectedBySignature of @p next.
     [[nodiscard]] Fault take(Submessage& next, Cursor content);
-    /// Returns a fault unless all that was opened was closed.
+    /// Returns a fault when a prefix has no postfix.
     [[nodiscard]] Fault end() const;
 
 private:

@@ -9,7 +9,7 @@
 
 namespace leitstand::screen {
 
-/// Parameters by their number on the wire (RTPS 2.3, table 9.12 and 9.14) that the screen reads itself.
+/// Numbers on the wire of the parameters that the screen reads itself (RTPS 2.3, tables 9.12 and 9.14).
 namespace pid {
 constexpr std::uint16_t Sentinel = 0x0001, LeaseDuration = 0x0002, KeyHash = 0x0070, StatusInfo = 0x0071,
                         UnicastLocator = 0x0031, MetatrafficUnicastLocator = 0x0032,
@@ -51,11 +51,11 @@ using Seconds = std::chrono::duration<double>;
 /// What a participant announces about itself, as far as the screen cares.
 struct Announcement {
     Prefix participant{};
-    bool ends = false;               ///< it leaves
+    bool ends = false;               ///< the participant leaves
     Seconds lease{100.0};            ///< the standard's default
     std::vector<Address> addresses;  ///< that it claims to have; at most sixteen
     std::vector<std::uint16_t> discoveryPorts,
-        samplePorts;  ///< on which it receives either; at most sixteen each
+        samplePorts;  ///< ports on which it receives discovery, and samples; at most sixteen each
 };
 /// What a participant announces about a writer or reader.
 struct EndpointAnnouncement {
@@ -63,15 +63,16 @@ struct EndpointAnnouncement {
     bool ends = false;
 };
 
-/// Reads a sample of the writers that announce participants; faults as in checkParameter().
+/// Reads what @p data announces or ends: a participant; in the second form, a writer or reader. Faults: as of
+/// checkParameter(), an unknown encapsulation, or nobody is named.
 [[nodiscard]] Fault read(const Submessage& data, Announcement& into);
 [[nodiscard]] Fault read(const Submessage& data, EndpointAnnouncement& into);
 
 /// Checks a sample of the writer by which participants prove their identity (DDS-Security 1.1, section
 /// 7.4.3).
 [[nodiscard]] Fault checkAuthentication(std::span<const std::byte> sample);
-/// Checks a sample of the writer by which participants assert liveliness; sets @p participant to the one it
-/// names.
+/// Checks a sample of the writer by which participants assert liveliness. Sets @p participant to the one that
+/// the sample names.
 [[nodiscard]] Fault checkLiveliness(std::span<const std::byte> sample, Prefix& participant);
 
 }  // namespace leitstand::screen

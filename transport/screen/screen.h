@@ -11,8 +11,9 @@ namespace leitstand::screen {
 
 /// How a node takes part, as far as the screen cares.
 struct ScreenSettings {
-    bool encrypted = false;  ///< messages are protected as a whole: only discovery is plain
-    bool relayed = false;    ///< a discovery server announces others
+    bool encrypted = false;  ///< messages are protected as a whole; plain are only announcements of
+                             ///< participants and proofs of identity
+    bool relayed = false;    ///< there is a discovery server, so participants may announce others
 };
 
 /// Stands between the network and the DDS library and decides which datagrams pass. What it stores about the
@@ -20,7 +21,7 @@ struct ScreenSettings {
 class Screen {
 public:
     /// Calls @p dropped when something was dropped, at most once a second, on the thread that called
-    /// passes(). It must not call the screen.
+    /// passes(). @p dropped must not call the screen.
     explicit Screen(const ScreenSettings& settings, std::function<void()> dropped = {})
         : m_settings(settings), m_dropped(std::move(dropped)) {}
 

@@ -8,13 +8,13 @@ namespace leitstand::screen {
 
 /// What a datagram carries, as far as its bytes show.
 enum class Traffic : std::uint8_t {
-    Samples,    ///< of topics, and what belongs to them
-    Discovery,  ///< of entities that every participant has: who is there, proofs and keys, who reads and
-                ///< writes what
-    Encrypted,  ///< either of them: the content is hidden
+    Samples,    ///< samples of topics, and submessages that belong to them
+    Discovery,  ///< traffic of the entities that every participant has: announcements of participants,
+                ///< writers and readers, proofs of identity, keys
+    Encrypted,  ///< samples or discovery: the content is hidden
 };
 
-/// Returns what a datagram carries, judged by the headers of its submessages; @p bytes may be only its
+/// Returns what a datagram carries, by the headers of its submessages. @p bytes: the datagram, or only its
 /// beginning.
 [[nodiscard]] Traffic trafficOf(std::span<const std::byte> bytes);
 

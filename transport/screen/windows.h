@@ -7,11 +7,12 @@
 
 namespace leitstand::screen {
 
-/// Bounds how far the counts of one sender advance. Lower ones pass: the library ignores what it has seen.
+/// Bounds how far the counts of one writer or reader advance. Counts that are not higher than an earlier one
+/// pass: the library ignores them.
 class CountWindow {
 public:
-    /// @p leads: it comes from where the sender speaks (Remote::leads()). What comes from elsewhere may be
-    /// only a little ahead of that, and uses up nothing of the sender's budget.
+    /// @p leads: the count comes from where the sender speaks (Remote::leads()). A count from elsewhere may
+    /// be ahead by limits::Beside at most, and uses up nothing of the sender's budget.
     [[nodiscard]] bool admits(std::uint32_t count, bool leads, Moment now);
 
 private:
@@ -20,10 +21,10 @@ private:
     Budget m_budget{limits::Counts};
 };
 
-/// Bounds how far the numbers of a writer advance. The first may be any.
+/// Bounds how far the sample numbers of a writer advance. The first may be any up to limits::MostNumber.
 class WriterWindow {
 public:
-    /// @p leads: as in CountWindow::admits().
+    /// @p leads: as in CountWindow::admits(). @p unfinished: budget of the writer's participant.
     [[nodiscard]] Fault admit(const Submessage& next, bool leads, Budget& unfinished, Moment now);
 
 private:
@@ -39,7 +40,7 @@ private:
     std::int64_t m_highest = 0;
     Budget m_numbers{limits::Numbers}, m_gaps{limits::Gaps};
     CountWindow m_heartbeats, m_fragmentHeartbeats;
-    std::vector<Sample> m_samples;  // samples in fragments: the last that began, as a ring
+    std::vector<Sample> m_samples;  // ring of the samples in fragments that began last
     std::size_t m_nextSample = 0;
 };
 

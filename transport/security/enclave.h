@@ -11,11 +11,11 @@
 
 namespace leitstand {
 
-/// Returns the files of the enclave @p folder ("KEYS/enclaves/station1"), after checks that DDS makes only
-/// silently. All files exist, and others cannot read the key. The certificate is signed by the identity
-/// authority and neither expired nor revoked; the key fits it. Governance and permissions are signed by the
-/// permissions authority, and the permissions are for this certificate's subject. Errors name the file and
-/// what to do.
+/// Returns the files of the enclave @p folder ("KEYS/enclaves/station1") after checks whose failure DDS would
+/// not explain. All files must exist, and others must not be able to read the key. The identity authority
+/// must have signed the certificate, which is neither expired nor revoked and fits the key. The permissions
+/// authority must have signed governance and permissions, and the permissions must be for the certificate's
+/// subject. Errors name the file and what to do.
 [[nodiscard]] Result<SecurityFiles> securityFiles(const std::filesystem::path& folder,
                                                   Time now = std::chrono::system_clock::now());
 

@@ -34,7 +34,7 @@ struct KeystoreLayout {
                                         bool secret);
 /// Replaces @p file by @p text, whole or not at all; mode 0644.
 [[nodiscard]] Result<void> replaceFile(const std::filesystem::path& file, const std::string& text);
-/// Makes @p folder and the missing ones above it; mode 0700 when @p secret.
+/// Makes @p folder with mode 0700 when @p secret, else 0755. Missing folders above it get mode 0755.
 [[nodiscard]] Result<void> makeFolder(const std::filesystem::path& folder, bool secret);
 /// Moves a file or folder to a place that must be free.
 [[nodiscard]] Result<void> moveTo(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -22,7 +22,7 @@ enum class KeyRole : std::uint8_t {
 /// An identity to be made.
 struct KeyRequest {
     KeyRole role = KeyRole::Viewer;
-    std::string name;  ///< letters, digits, '_', at most 32; a robot's: its name in topics
+    std::string name;  ///< letters, digits, '_', no digit first, at most 32; a robot's: its name in topics
     /// DDS topics that it may publish and read beyond those of its role, "rt/scan" or "rt/arm/*". For robots
     /// whose topics are not below their name.
     std::vector<std::string> moreTopics;
@@ -70,8 +70,9 @@ struct Keystore {
                                             Time now = std::chrono::system_clock::now());
 
 /// Revokes the certificates of @p name, also its retired ones. Writes a revocation list into every
-/// identity_ca.cert.pem of the keystore and moves the enclave to retired/. It takes effect on a machine that
-/// has the new identity_ca.cert.pem, once its program is restarted. Returns how many it revoked.
+/// identity_ca.cert.pem of the keystore and moves the enclave to retired/. The revocation takes effect on a
+/// machine that has the new identity_ca.cert.pem, once the program there is restarted. Returns the number of
+/// certificates that were revoked now; error when there is none.
 [[nodiscard]] Result<int> revokeKeys(const std::filesystem::path& folder, const std::string& name,
                                      Time now = std::chrono::system_clock::now());
 

@@ -48,8 +48,8 @@ struct CertificateSettings {
 /// Returns the first certificate in @p pem. The error has no file name.
 [[nodiscard]] Result<Certificate> certificateFrom(const std::string& pem);
 [[nodiscard]] Result<Key> keyFrom(const std::string& pem);
-/// Returns the serial numbers that the revocation lists in @p pem revoke. Error when @p authority did not
-/// sign a list.
+/// Returns the serial numbers that the revocation lists in @p pem revoke: hexadecimal, sorted. Error when
+/// @p authority did not sign a list.
 [[nodiscard]] Result<std::vector<std::string>> revokedIn(const std::string& pem, X509* authority);
 
 [[nodiscard]] std::string subjectOf(const X509* certificate);  ///< in the order of RFC 2253

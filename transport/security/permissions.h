@@ -13,8 +13,8 @@ namespace leitstand {
 [[nodiscard]] std::string governanceXml();
 
 /// Returns what the owner of a certificate of @p subject may do (DDS-Security 1.1, 9.4.1.3) between @p from
-/// and @p until. Both are widened by a day, since Fast DDS takes UTC for local time here. The certificate,
-/// which it reads correctly, is the limit that counts. @p subject is in the order of RFC 2253.
+/// and @p until. Both are widened by a day, since Fast DDS takes UTC for local time here. It reads the dates
+/// of the certificate correctly, so these are the limits that count. @p subject is in the order of RFC 2253.
 [[nodiscard]] std::string permissionsXml(const KeyRequest& request, const std::string& subject, Time from,
                                          Time until);
 

@@ -18,8 +18,9 @@ public:
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 };
 
-/// Paints the sign of @p severity into @p box: a triangle for Attention, an octagon for Act. @p filled: the
-/// alarm is standing.
+/// Paints the sign of @p severity into @p box: a triangle for Attention, an octagon for Act, each with an
+/// exclamation mark. @p filled, for standing alarms: the shape is filled with @p colour and the mark is drawn
+/// in @p ink. Otherwise both are lines in @p colour.
 void paintAlarmSign(QPainter& painter, const QRectF& box, AlarmSeverity severity, bool filled,
                     const QColor& colour, const QColor& ink);
 

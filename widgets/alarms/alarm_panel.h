@@ -18,19 +18,21 @@ class AlarmPanel final : public QWidget {
 public:
     explicit AlarmPanel(QWidget* parent = nullptr);
 
-    /// Shows @p lines (alarmLinesOf()). @p mute, @p brief: muteText(), muteBrief().
+    /// Shows @p lines, made by alarmLinesOf(). @p mute: muteText(); empty: tones are not muted. @p brief:
+    /// muteBrief(), shown when @p mute has no room.
     void show(const std::vector<AlarmLine>& lines, const QString& mute, const QString& brief = {});
     using QWidget::show;
     /// Shows why tones cannot be heard: "no sound device". Empty: they are heard.
     void setSoundTrouble(const QString& trouble);
-    /// While on, alarms cannot be acknowledged or muted: they are of the past.
+    /// Hides the buttons that acknowledge and mute while @p on, as for the alarms of a past mission.
+    /// Activating a row still emits acknowledged().
     void setReadOnly(bool on);
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 160}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {188, 90}; }
 
 signals:
-    void acknowledged(const leitstand::AlarmId& id);  ///< the operator activated its row
+    void acknowledged(const leitstand::AlarmId& id);  ///< the operator activated the row of alarm @p id
     void newestAcknowledged();
     void muteToggled();
 

@@ -21,8 +21,8 @@ namespace leitstand {
 /// What is drawn over a camera's picture. Unknown values are empty and not drawn.
 struct CameraOverlay {
     std::optional<ModeLabel> mode;
-    std::optional<double> roll, pitch;   ///< of the robot: right side down, nose down [rad]
-    PanWords turn;                       ///< of the camera
+    std::optional<double> roll, pitch;   ///< of the robot; positive: right side down, nose down [rad]
+    PanWords turn;                       ///< where the camera looks, and how to turn it
     std::optional<double> requestedPan;  ///< pan that the camera is turning to [rad]
     double panLimit = 1.75;              ///< to each side [rad]
     double viewAngle = 0.9;              ///< from the left to the right border of the picture [rad]
@@ -41,7 +41,7 @@ public:
     /// Sets the robot whose camera this is, and the camera's title: "Left camera".
     void setCamera(const RobotFace& face, const QString& title);
     void setPicture(const QImage& picture);
-    /// Whether there is no camera for this pane; it then shows neither age nor loss.
+    /// Sets whether the pane is without a camera; it then shows neither age nor loss.
     void setVacant(bool vacant);
     /// Shows temperatures instead of a picture, with a scale and the value under the pointer.
     void setThermal(std::shared_ptr<const ThermalPicture> picture, const ThermalRange& range = {},
@@ -57,9 +57,9 @@ public:
     void setPanorama(const std::optional<PanoramaShape>& shape);
     /// Marks the robot's front in an omnidirectional picture, 0 to 1 of width and height. Empty: no mark.
     void setFront(const std::optional<QPointF>& ahead);
-    /// Whether dragging the picture turns the camera.
+    /// Sets whether dragging the picture turns the camera.
     void setTurnable(bool turnable);
-    /// Whether the next click points at something; clicks with Shift always do.
+    /// While on, clicks point at something: they emit pointedAt(). Clicks with Shift always do.
     void setPointing(bool pointing);
 
     /// Returns where the picture is painted [px]; empty without a picture.
@@ -73,8 +73,9 @@ signals:
     void pointingEnded();  ///< by the right button, without a place
     /// The picture was clicked at @p x, @p y, 0 to 1 of its width and height.
     void pictureClicked(double x, double y);
-    /// The operator drags a turnable camera from @p from to @p to; places as above, @p to may lie outside.
-    /// Emitted while the pointer moves; @p first: the drag begins.
+    /// The operator drags the picture of a turnable camera from @p from to @p to, 0 to 1 of the picture's
+    /// width and height; @p to may lie outside. Emitted at each move of the pointer; @p first: at the first
+    /// one of a drag.
     void pictureDragged(const QPointF& from, const QPointF& to, bool first);
 
 protected:
@@ -108,7 +109,7 @@ private:
     std::optional<QPointF> m_front;
     bool m_turnable = false, m_dragging = false, m_pointing = false;
     std::optional<QPointF> m_pressed;  ///< where the button was pressed [px]
-    bool m_points = false;             ///< Shift was held then
+    bool m_points = false;             ///< Shift was held when the button was pressed
     std::optional<QPointF> m_pointer;
 };
 

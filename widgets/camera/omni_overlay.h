@@ -8,8 +8,7 @@
 
 namespace leitstand {
 
-/// Paints directions along the lower edge of a panorama that fills @p area, its horizon, and the robot's
-/// front.
+/// Marks a panorama that fills @p area: the horizon, the robot's front, and directions along the lower edge.
 void paintPanorama(QPainter& painter, const QRectF& area, const PanoramaShape& shape);
 /// Marks the robot's front in an omnidirectional picture that fills @p area. @p ahead: 0 to 1 of width and
 /// height.

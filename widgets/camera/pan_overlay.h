@@ -7,13 +7,14 @@
 
 namespace leitstand {
 
-/// Paints where the camera looks: a line with a mark and words at the lower edge of @p picture. Beside it,
-/// the body from above with the camera's field of view.
+/// Paints where the camera looks. At the lower edge of @p picture are a line with a mark and words. Beside
+/// them is the robot from above, with the camera's field of view. Pictures narrower than 320 px show only the
+/// robot.
 void paintPan(QPainter& painter, const QRectF& picture, const CameraOverlay& overlay);
 
 /// Returns the upper edge of the words of paintPan() [px]; the lower edge of @p picture when there are none.
 [[nodiscard]] double panWordsTop(const QRectF& picture, const CameraOverlay& overlay);
-/// Returns where paintPan() draws the body from above.
+/// Returns where paintPan() draws the robot from above.
 [[nodiscard]] QRectF panMarkArea(const QRectF& picture);
 
 }  // namespace leitstand

@@ -10,8 +10,8 @@
 
 namespace leitstand {
 
-/// Returns @p picture as a QImage, a deep copy. Numbers (Grey16, Float32) are spread from their least to
-/// their greatest. Null when size and bytes do not match.
+/// Returns @p picture as a QImage, a deep copy. Values of Grey16 and Float32 are scaled: the least becomes
+/// black, the greatest white. Null when size and bytes do not match.
 [[nodiscard]] QImage imageOf(const Picture& picture);
 
 /// The temperatures that the palette spans; the same for all pictures, so that a colour keeps its meaning.
@@ -34,8 +34,8 @@ enum class ThermalPalette {
 [[nodiscard]] std::optional<float> celsiusAt(const ThermalPicture& picture, double x, double y);
 /// Returns the least and greatest temperatures of @p picture, at least 2 K apart.
 [[nodiscard]] ThermalRange rangeOf(const ThermalPicture& picture);
-/// Returns @p before moved part of the way to @p now, or @p now where they differ by more than 10 K. Colours
-/// that follow the picture then do not flicker.
+/// Returns a range between @p before and @p now, so that colours do not flicker. Each end moves a fifth of
+/// the way; an end that differs by more than 10 K moves all the way.
 [[nodiscard]] ThermalRange eased(const ThermalRange& before, const ThermalRange& now);
 
 }  // namespace leitstand

@@ -25,7 +25,7 @@ public:
 signals:
     void grantAsked();                 ///< the operator requests the grant to drive
     void grantGivenUp();               ///< the operator gives up the grant, or withdraws the request
-    void grantAnswered(bool consent);  ///< to the station that asks
+    void grantAnswered(bool consent);  ///< the operator answers the station that requests the grant
 
 private:
     ModeCell* m_mode;

@@ -8,8 +8,9 @@ class QToolButton;
 
 namespace leitstand {
 
-/// Shows the mode of the selected robot as the largest text of the window, on its own background. Below it: a
-/// hint, the holder of the grant to drive, speed, turn rate and the nearest obstacle.
+/// Shows the mode of the selected robot as the largest text of the window, on the background of that mode.
+/// Below are a hint, the holder of the grant to drive, speeds of chains, speed, turn rate and the nearest
+/// obstacle.
 class ModeCell final : public QWidget {
     Q_OBJECT
 public:
@@ -34,7 +35,7 @@ private:
     [[nodiscard]] QRectF grantLine() const;
 
     DriveState m_state;
-    QToolButton *m_first, *m_second;  ///< ask, give up or consent; refuse
+    QToolButton *m_first, *m_second;  ///< first: ask, give up or consent; second: refuse
 };
 
 }  // namespace leitstand

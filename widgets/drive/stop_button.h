@@ -15,7 +15,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
-    void stopRequested();  ///< of all robots; emitted on press, not on release
+    void stopRequested();  ///< requests a stop of all robots; emitted on press, not on release
 
 protected:
     void paintEvent(QPaintEvent* event) override;

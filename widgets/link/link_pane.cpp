@@ -57,6 +57,11 @@ QWidget* LinkPane::editor() {
     m_enabled = new QCheckBox(tr("Sent"), row);
     m_enabled->setObjectName(QStringLiteral("enabled"));
     m_enabled->setToolTip(tr("Whether the robot sends this stream at all"));
+    m_maps = new QCheckBox(tr("Makes the map"), row);
+    m_maps->setObjectName(QStringLiteral("maps"));
+    m_maps->setToolTip(
+        tr("Whether the map is made from this cloud; the robot's others are shown, and used for "
+           "obstacles"));
     m_rate = new NumberBox(0.0, 50.0, 1.0, 1, {}, row);
     m_rate->setObjectName(QStringLiteral("rate"));
     m_quality = new NumberBox(0.0, 100.0, 10.0, 0, {}, row);
@@ -69,11 +74,17 @@ QWidget* LinkPane::editor() {
         connect(box, &QDoubleSpinBox::valueChanged, this, &LinkPane::takeOver);
     }
     line->addWidget(m_chosen, 1);
+    line->addWidget(m_maps);
     line->addWidget(m_enabled);
     addTo(*line, tr("Hz"), *m_rate, tr("Samples a second, at most; 0: as the robot likes"));
     addTo(*line, tr("Quality"), *m_quality, tr("Of JPEG pictures, 1 to 100; 0: as the robot likes"));
     addTo(*line, tr("Width px"), *m_width, tr("Wider pictures are made smaller; 0: as the robot likes"));
     connect(m_enabled, &QCheckBox::toggled, this, &LinkPane::takeOver);
+    connect(m_maps, &QCheckBox::toggled, this, [this](bool on) {
+        const StreamRow* const chosen = m_list->chosen();
+        if (!on || chosen == nullptr) return;
+        emit mapChosen(chosen->face.name, QString::fromStdString(chosen->stream.topic));
+    });
     return row;
 }
 
@@ -99,6 +110,7 @@ QWidget* LinkPane::foot(QAction& thin) {
 
 void LinkPane::show(std::vector<StreamRow> rows, double megabits, bool thin, double budget) {
     m_list->setRows(std::move(rows));
+    showMaps();
     m_total->setText(tr("Link %1").arg(linkTotalText(megabits, thin, budget)));
     if (!m_budget->hasFocus()) {
         const QSignalBlocker quiet(m_budget);
@@ -119,11 +131,21 @@ void LinkPane::showChosen() {
     m_rate->setEnabled(settable);
     m_quality->setEnabled(picture);
     m_width->setEnabled(picture);
+    showMaps();
     const StreamRequest request = row == nullptr ? StreamRequest{} : row->own;
     m_enabled->setChecked(request.enabled);
     m_rate->setValue(request.rate);
     m_quality->setValue(request.quality);
     m_width->setValue(request.maxWidth);
+}
+
+void LinkPane::showMaps() {
+    const QSignalBlocker quiet(m_maps);
+    const StreamRow* const row = m_list->chosen();
+    m_maps->setVisible(row != nullptr && row->mayMap);
+    m_maps->setChecked(row != nullptr && row->maps);
+    // One cloud makes the map: another is chosen, none is taken away.
+    m_maps->setEnabled(row != nullptr && row->mayMap && !row->maps);
 }
 
 void LinkPane::takeOver() {

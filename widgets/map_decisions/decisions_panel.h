@@ -27,17 +27,18 @@ public:
     explicit DecisionsPanel(KeyScanModel& scans, QWidget* parent = nullptr);
     ~DecisionsPanel() override;
 
-    /// Adds buttons for @p commands, two per row; a null leaves a gap. They show the commands' short texts
-    /// (iconText) and keys.
+    /// Adds buttons for @p commands, two per row; a null leaves a gap. The buttons show the commands' short
+    /// texts (iconText) and keys.
     void setDecisions(const std::vector<QAction*>& commands);
     /// Adds buttons in the same way for commands that limit the map to an area.
     void setAreaCommands(const std::vector<QAction*>& commands);
 
     [[nodiscard]] std::uint64_t chosen() const;  ///< KeyScanSample::id; 0: none
     void choose(std::uint64_t id);
-    /// Returns the schedule of pair distances with which a scan is registered again [m].
+    /// Returns the chosen maximum pair distances for registering a scan again, one per stage, from wide to
+    /// narrow [m].
     [[nodiscard]] std::vector<double> retrySchedule() const;
-    /// Shows the ceiling in force, map frame [m]; empty: none.
+    /// Shows the ceiling in force: the height above which nothing enters the map, map frame [m]; empty: none.
     void setCeiling(const std::optional<double>& height);
     /// Shows @p text about the area in force.
     void setAreaText(const QString& text);

@@ -10,17 +10,18 @@
 
 namespace leitstand {
 
-/// Shows for a while, over the map, that a loop closed automatically, with a button that opens the loop
-/// again.
+/// A notice over the map that a loop was closed automatically, with a button that opens the loop again. It
+/// stays for 20 s.
 class LoopNotice final : public QObject {
     Q_OBJECT
 public:
-    /// @p open: opens the newest loop. @p over: the map. @p closed: number of loops closed automatically
-    /// before.
+    /// @p open: opens the newest loop. @p over: the map. @p closed: number of loops closed automatically so
+    /// far; these show no notice.
     LoopNotice(QAction& open, QWidget& over, std::uint64_t closed, QObject* parent);
 
-    /// @p closed: number of loops closed automatically so far; the newest moved scans by up to @p largest
-    /// [m]. @p asked: the map asks a question, which goes first.
+    /// Shows the notice when @p closed, the number of loops closed automatically so far, has changed. The
+    /// newest loop moved scans by up to @p largest [m]; below 5 cm there is no notice. @p asked: the map asks
+    /// a question, which dismisses the notice.
     void follow(std::uint64_t closed, double largest, SteadyTime now, bool asked);
 
 private:

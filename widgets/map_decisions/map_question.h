@@ -12,12 +12,14 @@ class QLabel;
 
 namespace leitstand {
 
-/// Asks the operator a question over the map. It lies centred at the map's lower edge, above the questions
-/// made before it; on a small map it takes one line. It takes no focus: driving goes on.
+/// A question to the operator, shown over the map with buttons for the answers. It lies centred at the map's
+/// lower edge, above the questions created before. On a small map it takes one line. It never takes the
+/// focus, so that driving goes on.
 class MapQuestion final : public QFrame {
     Q_OBJECT
 public:
-    /// @p name: objectName(). @p answers: commands of its buttons. @p over: the map.
+    /// @p name: becomes the objectName(). @p answers: commands of the buttons. @p over: the map, which
+    /// becomes the parent.
     MapQuestion(const QString& name, const std::vector<QAction*>& answers, QWidget& over);
 
     /// Shows @p question; empty hides it. A small map shows only the first line.
@@ -27,12 +29,12 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void placeAll();  ///< all questions over the same map
+    void placeAll();  ///< places all questions over the same map
     void place();
     /// Returns all questions over the same map, including this one, in order of creation.
     [[nodiscard]] QList<MapQuestion*> others() const;
 
-    const int m_number;  ///< rising among those over the same map
+    const int m_number;  ///< order of creation among the questions over the same map
     QString m_question;
     QLabel* m_text;
     QBoxLayout* m_parts;

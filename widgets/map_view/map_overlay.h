@@ -22,7 +22,7 @@ struct MapOverlay {
     std::vector<VictimRow> finds;
     std::optional<FindKey> chosenFind;
     FloorOverlay floor;
-    std::vector<Eigen::Vector2d> area;  ///< shown, map frame [m]
+    std::vector<Eigen::Vector2d> area;  ///< outlined on the floor, map frame [m]
     double ground = 0.0;                ///< height of the floor, map frame [m]
     QString hint;
     std::optional<Measurement> seam;

@@ -24,7 +24,7 @@ public:
     void release(const QMouseEvent& event);
     void doubleClick(const QMouseEvent& event);
     void roll(const QWheelEvent& event);
-    [[nodiscard]] bool pressKey(const QKeyEvent& event);  ///< false: it has no meaning here
+    [[nodiscard]] bool pressKey(const QKeyEvent& event);  ///< false: the key has no meaning here
     void leave();
 
     void setMeasuring(bool on);
@@ -53,7 +53,7 @@ private:
     MapOverlay& m_overlay;
     Drag m_drag = Drag::None;
     QPoint m_pressed, m_cursor;   ///< where the drag began, where the mouse is
-    double m_pressedDepth = 0.0;  ///< of the point drawn there [m]
+    double m_pressedDepth = 0.0;  ///< of the point drawn at m_pressed [m]
     bool m_dragged = false;       ///< moved farther than a click allows
     bool m_drawn = false;         ///< a pose was drawn since the button was pressed
     bool m_measuring = false;

@@ -13,8 +13,8 @@ namespace leitstand {
 /// A measurement between two points of a map. Each end moves with the scan that holds its point.
 class MapRuler {
 public:
-    /// Sets the next end to @p picked of @p content: the first, the second, then the first of a new
-    /// measurement.
+    /// Sets the next end of the measurement to @p picked, a point of @p content: the first end, then the
+    /// second. A third pick starts a new measurement.
     void pick(const PickedPoint& picked, const SceneContent& content);
     void clear();
     [[nodiscard]] bool begun() const { return m_from.has_value(); }
@@ -25,7 +25,7 @@ public:
 
 private:
     struct End {
-        std::size_t index = 0;  ///< of its scan in SceneContent::scans, where scans have no id
+        std::size_t index = 0;  ///< of the end's scan in SceneContent::scans; used when scans have no id
         std::uint64_t id = 0;   ///< SceneScan::id
         Eigen::Vector3d inScan = Eigen::Vector3d::Zero();  ///< [m]
         Eigen::Vector3d inMap = Eigen::Vector3d::Zero();   ///< as picked; used when its scan is gone [m]

@@ -18,8 +18,8 @@ class QWidget;
 
 namespace leitstand {
 
-/// The scene of a map view. Hands orders to the worker and its content to the render thread; keeps the last
-/// picture and the cameras. GUI thread.
+/// The scene of a map view. Passes orders to the worker, and the content that the worker makes to the render
+/// thread. Keeps the last picture and the cameras. GUI thread only.
 class MapScenery final : public QObject {
     Q_OBJECT
 public:
@@ -39,12 +39,13 @@ public:
 
     /// Highlights the scan of this id; 0: none.
     void setHighlighted(std::uint64_t id);
-    /// As MapView::setGhosts(); @p dragged: as MapView::setDragged().
+    /// As MapView::setGhosts(), or as MapView::setDragged() when @p dragged is true.
     void setGhosts(std::map<std::uint64_t, Pose> scansInMap, bool dragged);
     void setChanges(std::shared_ptr<const MapChanges> changes);  ///< as MapView::setChanges()
 
     [[nodiscard]] const MapCamera& camera() const;
-    /// Points the camera at the followed robot, now at @p baseInMap.
+    /// Moves the camera to the selected robot's new pose @p baseInMap. Does nothing unless the settings ask
+    /// to follow a robot.
     void aim(const Pose& baseInMap);
     /// Whether the camera follows a robot.
     [[nodiscard]] bool following() const;
@@ -63,9 +64,9 @@ public:
     /// Draws a full picture of everything set so far, and waits for it.
     void finish();
 
-    /// The picture on screen; its image is null before the first one.
+    /// Returns the picture on screen; the image is null before the first picture.
     [[nodiscard]] const MapPicture& picture() const { return m_picture; }
-    /// The projection of the picture on screen, or of the next one when there is none.
+    /// Returns the projection of the picture on screen; without a picture, of the next one.
     [[nodiscard]] MapProjection projection() const;
     [[nodiscard]] bool settled() const;
     /// Why nothing can be drawn; empty without a failure.
@@ -77,8 +78,8 @@ signals:
     void failed(const QString& why);
 
 private:
-    /// A camera, and whether it frames the map. It frames the map when scans come or go, until somebody moves
-    /// it.
+    /// A camera, and whether it keeps the map framed: it then frames the map when scans come or go, until the
+    /// operator moves the camera.
     struct FramedCamera {
         MapCamera camera;
         bool follows = true;

@@ -26,7 +26,7 @@ struct RobotMark;
 /// A point of the map under the cursor.
 struct PickedPoint {
     Eigen::Vector3d pointInMap;  ///< [m]
-    int scan = -1;               ///< its scan's position in Map::scans
+    int scan = -1;               ///< index of the point's scan in Map::scans; -1: none
     Label label = Label::Unlabelled;
 };
 
@@ -63,7 +63,8 @@ public:
     void recall(const MapViewSettings& settings);
     [[nodiscard]] const MapViewSettings& settings() const;
 
-    /// Looks from a preset side and frames the visible scans. The top look always looks straight down.
+    /// Looks from the side of @p preset, frames the visible scans, and stops following a robot. In the top
+    /// look the camera always looks straight down.
     void setCamera(CameraPreset preset);
 
     /// Shows robots at their current poses, without drawing points again. The camera follows the selected one
@@ -75,10 +76,11 @@ public:
     void setFloorTint(FloorTintPtr tint);
     /// Highlights the scan of this MapScan::id; 0: none.
     void setHighlighted(std::uint64_t id);
-    /// Shows scans a second time, in one colour, at poses they might get: by MapScan::id, in the map's frame.
-    /// Empty: none.
+    /// Shows scans a second time, in one colour, at poses that they might get. @p scansInMap: these poses by
+    /// MapScan::id, in the map's frame; empty: none.
     void setGhosts(std::map<std::uint64_t, Pose> scansInMap);
-    /// The same for scans that the operator drags. While there are any, those of setGhosts() are hidden.
+    /// Does the same for scans that the operator drags. While there are any, the scans of setGhosts() are
+    /// hidden.
     void setDragged(std::map<std::uint64_t, Pose> scansInMap);
     /// Shows new and gone things in colours of their own and dims all else; null: neither.
     void setChanges(std::shared_ptr<const MapChanges> changes);
@@ -86,13 +88,15 @@ public:
     void showScan(std::uint64_t id);
     /// Moves the camera to @p place of the map [m] and stops following.
     void showPlace(const Eigen::Vector3d& place);
-    /// Greys the map, since it got no new data lately. Robots and finds keep their colours.
+    /// Sets whether the map is greyed, as when it got no new data lately. Robots and finds keep their
+    /// colours.
     void setStale(bool stale);
     /// Outlines an area on the floor (map frame [m]); empty: none.
     void setArea(std::vector<Eigen::Vector2d> area);
     /// Shows two places that may be the same, and the distance between them; empty: none.
     void setSeam(const std::optional<Measurement>& seam);
-    /// Draws these captions. They are hidden while the camera follows a robot, when the map is for driving.
+    /// Draws @p captions. They are hidden while the camera follows a robot, since the map then serves
+    /// driving.
     void setCaptions(std::vector<MapCaption> captions);
     /// Draws these links as lines; empty: none.
     void setLinks(std::vector<MapLink> links);
@@ -101,14 +105,14 @@ public:
     /// Shows @p text over the map; empty: nothing.
     void setHint(const QString& text);
 
-    /// Starts drawing poses of @p robot onto the floor: a left press sets the place, a drag the heading
-    /// (poseDrawn). The right button ends it.
+    /// Lets the operator draw poses of @p robot onto the floor, each emitted by poseDrawn(). Pressing the
+    /// left button sets the place, dragging sets the heading. The right button ends the gesture.
     void startPose(const RobotMark& robot);
-    /// Starts drawing an area: left clicks add corners, a double click completes it (areaDrawn), the right
-    /// button removes a corner.
+    /// Lets the operator draw an area: left clicks add corners, a double click completes the area
+    /// (areaDrawn()), the right button removes the last corner.
     void startArea();
-    /// Starts dragging something over the floor with the left button (groundDragged); Shift turns it. The
-    /// right button ends it.
+    /// Lets the operator drag something over the floor with the left button, or turn it with Shift
+    /// (groundDragged()). The right button ends the gesture.
     void startGrab();
     void endGesture();
     [[nodiscard]] bool drawing() const;  ///< whether a gesture is active
@@ -117,8 +121,8 @@ public:
     void setMeasuring(bool on);
     [[nodiscard]] std::optional<Measurement> measurement() const;
 
-    /// Returns the point drawn nearest to @p position (widget coordinates) within 8 pixels, frontmost first,
-    /// in the picture on screen.
+    /// Returns the point that pickPoint() finds at @p position (widget coordinates) in the picture on screen;
+    /// empty: none within 8 pixels.
     [[nodiscard]] std::optional<PickedPoint> pick(const QPoint& position) const;
     /// Returns where a map point is drawn now, in widget coordinates; empty when it is behind the camera.
     [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& pointInMap) const;

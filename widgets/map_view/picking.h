@@ -10,8 +10,8 @@ class MapProjection;
 struct PickedPoint;
 struct SceneContent;
 
-/// Returns the point of @p content drawn nearest to @p position. The frontmost point whose dot lies under it
-/// wins; else the frontmost within 4 pixels, then within 8. Empty: none.
+/// Returns the point of @p content at @p position: the frontmost point drawn within 2 pixels, else within 4,
+/// else within 8. Empty: none.
 [[nodiscard]] std::optional<PickedPoint> pickPoint(const SceneContent& content,
                                                    const MapProjection& projection, const QPointF& position);
 

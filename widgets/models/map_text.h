@@ -13,7 +13,7 @@ struct MapSummary {
     QString result;  ///< "registered in 0.4 s · overlap 83 % · certain"; empty before the second scan
     Tone tone = Tone::Normal;  ///< of the result: Attention when a scan is not certain
     QString hint = {};         ///< what the result means
-    bool stale = false;        ///< nothing was added lately: it is greyed
+    bool stale = false;        ///< nothing was added lately, so the map is greyed
     QString briefTitle = {};   ///< the title when there is no room for both; empty: the same
     QString briefResult = {};  ///< the result when there is no room for both; empty: the same
 };

@@ -14,7 +14,8 @@ namespace leitstand {
 [[nodiscard]] QString numberText(double value, int decimals);
 /// @p value with as many digits after the point as it needs, @p decimals at most: "10", "2.5".
 [[nodiscard]] QString figureText(double value, int decimals);
-/// Returns @p reported, a number such as "0.40", with as many digits; any other text as it is.
+/// @p reported, a number of a log such as "0.40", with as many digits after the point. Any other text stays
+/// as it is.
 [[nodiscard]] QString loggedFigureText(const std::string& reported);
 /// A whole number, thousands grouped.
 [[nodiscard]] QString countText(std::size_t count);
@@ -24,9 +25,9 @@ namespace leitstand {
 [[nodiscard]] QString percentText(double share);
 /// Metres as millimetres with one digit: "12.3".
 [[nodiscard]] QString millimetresText(double metres);
-/// Radians as degrees with one digit: "-0.7 deg", in signs.
+/// Radians as degrees with one digit after the point and the degree sign: "−0.7°".
 [[nodiscard]] QString degreesText(double radians);
-/// x y z with two digits, blanks between [m].
+/// x, y and z with two digits after the point, separated by blanks, without unit.
 [[nodiscard]] QString positionText(const Eigen::Vector3d& metres);
 
 }  // namespace leitstand

@@ -10,8 +10,8 @@
 
 namespace leitstand {
 
-/// Returns a text of others for a label or a list. It stays on its line and does not turn the direction of
-/// our words. Characters that would do so are shown as escapes (\n, \u202e).
+/// Returns @p text, which comes from robots, people or files, for a label or a list. It can neither break the
+/// line nor reverse the direction of our words: such characters become escapes (\n, \u202e).
 [[nodiscard]] inline QString othersText(std::string_view text) {
     return QString::fromStdString(printable(text));
 }
@@ -21,7 +21,7 @@ namespace leitstand {
     return othersText(std::string_view(text.toStdString()));
 }
 
-/// Returns a message that may quote others on one line: some of ours have several.
+/// Returns @p text, a message of ours that may quote others, on one line. Its line breaks become dots.
 [[nodiscard]] inline QString othersLine(const QString& text) {
     return othersText(text.trimmed().split(QLatin1Char('\n')).join(QStringLiteral(" · ")));
 }

@@ -28,8 +28,8 @@ protected:
     [[nodiscard]] virtual QString hint(int row) const = 0;  ///< also the accessible text; may be empty
     [[nodiscard]] virtual Tone tone(int row, int column) const;
 
-    /// Replaces @p mine by @p rows. When each of them is the @p same as before, only their texts change and
-    /// the selection stays.
+    /// Replaces @p mine by @p rows. If both have the same length and @p same is true for each pair, only the
+    /// texts change and the selection stays. Otherwise the model is reset.
     template <class Row, class Same>
     void replace(std::vector<Row>& mine, const std::vector<Row>& rows, Same same) {
         if (rows == mine) return;

@@ -9,9 +9,9 @@ namespace leitstand {
 /// How far the pose of a scan can be trusted.
 enum class Verdict {
     Reference,     ///< the first scan: defines the map's frame
-    Certain,       ///< converged, held in every direction
-    Uncertain,     ///< converged, but some direction is hardly held (a corridor's axis)
-    NotConverged,  ///< left at its guess, or where the iteration was given up
+    Certain,       ///< converged, and constrained in every direction
+    Uncertain,     ///< converged, but hardly constrained in some direction (a corridor's axis)
+    NotConverged,  ///< left at the guess, or where the iteration gave up
 };
 
 /// Returns the verdict by the figures of @p scan.

@@ -23,8 +23,9 @@ struct PadChoice {
     QString name;
 };
 
-/// Chooses the gamepad that drives and what its controls do. It has a row per action, "push it now", and dead
-/// zone and curve beside live bars. A separate window, never modal.
+/// Lets the operator choose the gamepad that drives and what its controls do. Has a row per action, to which
+/// the next pushed control can be bound. Sliders for dead zone and curve stand above live bars of the sticks.
+/// A separate window, never modal.
 class PadMappingDialog final : public QWidget {
     Q_OBJECT
 public:
@@ -32,7 +33,8 @@ public:
 
     void setPads(const std::vector<PadChoice>& pads, int chosen);
     void setCommands(std::vector<PadCommandFace> commands) { m_table.setCommands(std::move(commands)); }
-    /// Shows @p bindings, unless there are unsaved changes to the same layout.
+    /// Shows @p bindings. Does nothing while the operator has unsaved changes to bindings of the same
+    /// PadLayout.
     void setBindings(const PadBindings& bindings);
     void setState(const PadState& state);
 

@@ -11,7 +11,7 @@ namespace leitstand {
 class StickGauge final : public QWidget {
     Q_OBJECT
 public:
-    /// Shows the axis from @p plus, drawn to the left, to its opposite.
+    /// Shows the axis from the action @p plus, at the left end, to the opposite action, at the right end.
     explicit StickGauge(PadAction plus, QWidget* parent = nullptr);
 
     void show(const PadBindings& bindings, const PadState& state);

@@ -11,7 +11,8 @@ class ElidedLabel final : public QLabel {
 public:
     using QLabel::QLabel;
     [[nodiscard]] QSize minimumSizeHint() const override;
-    /// Sets how many lines a text that is too long for one may take, if there is room.
+    /// Sets the maximum number of small lines for a text that does not fit into one line. A low label shows
+    /// fewer.
     void setMostLines(int lines) { m_mostLines = lines; }
 
 protected:

@@ -5,8 +5,9 @@
 
 namespace leitstand {
 
-/// Returns the icon resources/icons/@p name.svg, crisp at every scale. It has the application's text colour,
-/// the highlight colour while checked, and is muted while disabled. It follows the theme.
+/// Returns the icon with file name @p name (without .svg) in resources/icons; null when there is none. It is
+/// crisp at every scale and follows the theme. It has the application's text colour, the highlight colour
+/// while checked, and the muted colour while disabled.
 [[nodiscard]] QIcon themedIcon(const QString& name);
 
 }  // namespace leitstand

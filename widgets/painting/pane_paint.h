@@ -20,35 +20,38 @@ struct PaneHead {
     QString note;   ///< after the age: "full speed"; may be empty
     DataAge age;
     FreshnessLimits limits = {};
-    bool vacant = false;  ///< nothing is expected here: no age, and no loss
+    bool vacant = false;  ///< no data are expected: neither age nor loss is shown
 };
 
 /// Returns the height of a pane's head in @p font [px].
 [[nodiscard]] int paneHeadHeight(const QFont& font);
-/// Paints the head, on a veil that keeps it legible over pictures, and the edge in the robot's colour. The
-/// title is elided before the age.
+/// Paints the head on a translucent strip, legible over pictures, and a line in the robot's colour along the
+/// pane's left edge. When there is little room, the title is elided, not the age.
 void paintPaneHead(QPainter& painter, const QRect& pane, const PaneHead& head, const ThemeColours& colours);
-/// Paints "no data for 4 s" across @p pane, if its data is lost.
+/// Paints "no data for 4 s" or "no data yet" into the middle of @p pane. Paints nothing while the data are
+/// live or stale, or when the pane is vacant.
 void paintLoss(QPainter& painter, const QRect& pane, const PaneHead& head, const ThemeColours& colours);
 
 [[nodiscard]] const QColor& toneColour(Tone tone, const ThemeColours& colours);
 /// Returns a grey as light as @p colour.
 [[nodiscard]] QColor greyed(const QColor& colour);
 
-/// Paints the surface of a mode: its colour, hatched when the mode is no longer known.
+/// Paints the background for @p mode in the colour of the mode; ModeKind::Lost is hatched, too. @p radius: of
+/// the corners [px].
 void paintModeSurface(QPainter& painter, const QRectF& box, ModeKind mode, const ThemeColours& colours,
                       double radius = 0.0);
-/// Returns the colour of text on that surface.
+/// Returns the colour of text on the background of @p mode.
 [[nodiscard]] QColor modeInk(ModeKind mode, const ThemeColours& colours);
 
 /// Returns @p font at @p pixels, bold or not.
 [[nodiscard]] QFont sized(QFont font, int pixels, bool bold = false);
-/// Returns the largest font from @p pixels down to @p least in which @p text is at most @p width wide; else
-/// @p least.
+/// Returns @p font in the largest size, from @p pixels down to @p least, in which @p text is at most @p width
+/// wide [px]. If none is small enough: in size @p least.
 [[nodiscard]] QFont fitted(const QFont& font, const QString& text, double width, int pixels, int least,
                            bool bold = true);
 
-/// Paints @p text into at most @p lines lines; the last one is elided.
+/// Paints @p text from the top of @p box, wrapped into at most @p lines lines. If the text is longer, the
+/// last line is elided.
 void paintWrapped(QPainter& painter, const QRectF& box, const QString& text, int lines);
 
 }  // namespace leitstand

@@ -15,7 +15,7 @@ public:
     /// @p cancel: triggered by the button.
     explicit ProgressStrip(QAction& cancel, QWidget* parent = nullptr);
 
-    /// Shows that @p text is done to @p fraction, 0 to 1.
+    /// Shows the strip. @p text: the current work. @p fraction: the part of it that is done, 0 to 1.
     void show(const QString& text, double fraction);
     using QWidget::show;
 

@@ -22,12 +22,12 @@ struct ThemeColours {
     QColor act;        ///< act now
     QColor stop;
     QColor wall;                                      ///< outer contour of the virtual scan
-    QColor obstacle;                                  ///< its inner contour
+    QColor obstacle;                                  ///< inner contour of the virtual scan
     QColor laser;                                     ///< points of a planar laser scanner
     QColor teleoperation, autonomous, stopped, lost;  ///< backgrounds of modes; a stop has the colour stop
     std::array<QColor, 8> robots;                     ///< edges of panes, by the robot's place in the team
 
-    /// Returns the colour of the @p place -th robot.
+    /// Returns the colour of the robot at @p place in the team, from 0. Colours repeat after eight robots.
     [[nodiscard]] const QColor& robot(int place) const {
         return robots[static_cast<std::size_t>(place < 0 ? 0 : place) % robots.size()];
     }
@@ -38,8 +38,8 @@ struct ThemeColours {
 /// Returns the application's current theme, for painters.
 [[nodiscard]] Theme presentTheme();
 
-/// Sets style, font and colours of @p theme for @p application. The palette's PlaceholderText is the colour
-/// of muted text, its BrightText that of attention.
+/// Sets style, font and colours of @p theme for @p application. In the palette, PlaceholderText is the colour
+/// of muted text, and BrightText is the colour of attention.
 void applyTheme(QApplication& application, Theme theme);
 
 }  // namespace leitstand

@@ -18,8 +18,8 @@ class QTimer;
 
 namespace leitstand {
 
-/// Shows the checks before a mission, robot by robot, brake tests, and robots that can be added. Emits the
-/// operator's requests.
+/// Shows the checks before a mission, grouped by robot. Below are the brake test and the robots that can be
+/// added. Emits the operator's requests.
 class PreflightPage final : public QWidget {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ public:
     void show(std::vector<PreflightCheck> checks, const std::vector<RobotFace>& faces,
               const QStringList& strangers);
     using QWidget::show;
-    /// Shows the state of the chosen robot's brake test. @p refused: it failed, so driving needs the
+    /// Shows the state of the chosen robot's brake test. @p refused: the test failed, so driving needs the
     /// override. @p overridden: the override is on.
     void showBrake(const QString& text, bool refused, bool overridden);
     void complain(const QString& text);        ///< shows why a robot cannot be added

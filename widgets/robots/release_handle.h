@@ -8,9 +8,9 @@
 
 namespace leitstand {
 
-/// Shows the progress of one robot's stop. Held for a second, by pointer, Space or Return, it requests the
-/// release. Letting go, losing the focus or leaving it with the pointer cancels the hold. While nothing can
-/// be released, clicks go to the widget below.
+/// Shows the stage of one robot's stop. Requests the release when it is held for a second with the pointer,
+/// Space or Return. Letting go, losing the focus or moving the pointer off the handle cancels the hold. While
+/// nothing can be released, clicks go to the widget below.
 class ReleaseHandle final : public QWidget {
     Q_OBJECT
 public:
@@ -19,11 +19,12 @@ public:
     void show(const StopLine& line);
     using QWidget::show;
     [[nodiscard]] bool isHeld() const { return m_hold.isHeld(); }
-    /// Returns the width that fits the shortest text of each state in @p font, in the window's language [px].
+    /// Returns the width that has room for the shortest text of every state, in @p font and the window's
+    /// language [px].
     [[nodiscard]] static int foldedWidth(const QFont& font);
 
 signals:
-    void held(const QString& robot);  ///< it was held for a full second
+    void held(const QString& robot);  ///< the operator held the handle for a full second
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -15,9 +15,10 @@ class MoreRobotsButton;
 class RobotChipButton;
 
 /// The bar of all robots at the top. Each robot is a button of the same width: letter, link, battery, mode,
-/// and progress of its stop. The selected one is framed. A click or its number key selects a robot; holding
-/// the lower half releases it. With little room, buttons fold to letters, then the bar scrolls. The selected
-/// one stays visible, and buttons at the ends show what is hidden. Changes of robot states move no button.
+/// and stage of a stop. The selected robot is framed. A click or a number key selects a robot; holding the
+/// lower half of a stopped robot's button releases the robot. With little room, buttons fold to letters, then
+/// the bar scrolls. The selected robot stays visible, and buttons at the ends show what is hidden. Changes of
+/// robot states move no button.
 class RobotBar final : public QWidget {
     Q_OBJECT
 public:
@@ -29,14 +30,14 @@ public:
               const QString& selected);
     using QWidget::show;
 
-    /// The width at which robots show all important details, at least 160 px each; and the width of a few
-    /// folded robots.
+    /// sizeHint() has room for all important details of all robots, at least 160 px each. minimumSizeHint()
+    /// has room for a few robots folded to letters.
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     void robotSelected(const QString& robot);     ///< RobotFace::name; chosen by the operator
-    void releaseRequested(const QString& robot);  ///< RobotFace::name; its handle was held for a second
+    void releaseRequested(const QString& robot);  ///< RobotFace::name; the handle was held for a second
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

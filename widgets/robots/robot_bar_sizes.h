@@ -6,6 +6,6 @@ namespace leitstand::robot_bar {
 inline constexpr int Height = 42;                 ///< of a robot's button, two lines [px]
 inline constexpr int Upper = 21;                  ///< of the upper line [px]
 inline constexpr int TextSize = 12;               ///< of the font [px]
-inline constexpr double Sign = 10.0, Side = 3.0;  ///< of a sign; beside a line's text [px]
+inline constexpr double Sign = 10.0, Side = 3.0;  ///< side of a sign; margin beside a line's text [px]
 
 }  // namespace leitstand::robot_bar

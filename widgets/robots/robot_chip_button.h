@@ -10,13 +10,13 @@ namespace leitstand {
 
 class ReleaseHandle;
 
-/// The button of one robot in the bar. The upper line shows link, letter, name and figures, the lower line
-/// its mode. While a stop holds the robot, the lower line is the release handle. A narrow button drops words
-/// before figures, down to the letter. Its size does not depend on its contents.
+/// The button of one robot in the bar. The upper line shows link, letter, name and figures; the lower line
+/// shows the mode. While a stop holds the robot, the lower line is the release handle. A narrow button drops
+/// words before figures, down to the letter. Its size does not depend on its contents.
 class RobotChipButton final : public QAbstractButton {
     Q_OBJECT
 public:
-    /// @p key: shown in the tooltip; empty: none.
+    /// @p key: key that selects the robot, for the tooltip; empty: none.
     explicit RobotChipButton(const QString& key, QWidget* parent = nullptr);
 
     void show(const RobotChip& chip, const StopLine& stop = {});
@@ -24,14 +24,14 @@ public:
     [[nodiscard]] const RobotChip& chip() const { return m_chip; }
     [[nodiscard]] ReleaseHandle& handle() const { return *m_handle; }
 
-    /// Returns the width that fits the letter and the state of a stop in @p font, in the window's language
-    /// [px].
+    /// Returns the width that has room for letter, battery and every state of a stop, in @p font and the
+    /// window's language [px].
     [[nodiscard]] static int foldedWidth(const QFont& font);
     [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
     [[nodiscard]] QSize minimumSizeHint() const override { return {foldedWidth(font()), robot_bar::Height}; }
 
 signals:
-    void releaseRequested(const QString& robot);  ///< RobotFace::name; its handle was held for a second
+    void releaseRequested(const QString& robot);  ///< RobotFace::name; the handle was held for a second
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -18,7 +18,7 @@ class NumberBox;
 class RegistrationPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// @p again, @p before: triggered by its buttons; they register again and show the start poses.
+    /// The panel has a button for each command. @p again: registers again. @p before: shows the start poses.
     RegistrationPanel(QAction& again, QAction& before, QWidget* parent = nullptr);
 
     /// Shows @p settings.

@@ -20,11 +20,12 @@ public:
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }
     [[nodiscard]] int heightForWidth(int width) const override;
     [[nodiscard]] QSize sizeHint() const override { return minimumSize(); }
-    [[nodiscard]] QSize minimumSize() const override;  ///< of the widest item
+    [[nodiscard]] QSize minimumSize() const override;  ///< fits the widest and the highest item
     void setGeometry(const QRect& area) override;
 
 private:
-    /// Returns the height that the lines need within @p area [px]; places the items when @p place.
+    /// Returns the height that the lines need within @p area [px]. If @p place is true, also places the
+    /// items.
     int lay(const QRect& area, bool place) const;
 
     std::vector<QLayoutItem*> m_items;

@@ -4,7 +4,7 @@ class QTableView;
 
 namespace leitstand {
 
-/// Chooses @p row of @p table after a model reset; below 0: none.
+/// Selects @p row of @p table, as needed after a model reset. Negative: clears the selection.
 void chooseRow(QTableView& table, int row);
 
 }  // namespace leitstand

@@ -13,8 +13,8 @@ namespace leitstand {
 class ColumnFitter final : public QObject {
     Q_OBJECT
 public:
-    /// Fits @p table, which must have a model. Columns of @p givingWay are hidden first to last; all others
-    /// stay. The column @p stretched takes the remaining width.
+    /// Fits @p table, which must have a model. Columns of @p givingWay are hidden in that order when there is
+    /// too little room; all others stay. The column @p stretched takes the remaining width.
     ColumnFitter(QTableView& table, std::vector<int> givingWay, int stretched);
 
     bool eventFilter(QObject* watched, QEvent* event) override;

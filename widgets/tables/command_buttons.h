@@ -8,8 +8,8 @@ class QWidget;
 
 namespace leitstand {
 
-/// Adds quiet buttons for @p commands to @p row of @p panel, each with the short text and the object name of
-/// its command.
+/// Adds a borderless button for each of @p commands to @p row, a layout of @p panel. Each button has the
+/// short text (iconText) and the object name of its command.
 void addCommandButtons(QLayout& row, const std::vector<QAction*>& commands, QWidget& panel);
 
 }  // namespace leitstand

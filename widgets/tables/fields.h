@@ -39,11 +39,11 @@ void choose(QComboBox& box, T value) {
     if (const int index = box.findData(static_cast<int>(value)); index >= 0) box.setCurrentIndex(index);
 }
 
-/// Adds a line with a caption, whose mnemonic focuses @p field. @p hint: tooltip; empty keeps the field's
-/// own.
+/// Adds @p field as a line of @p form. The mnemonic of @p caption focuses the field. @p hint: tooltip of
+/// caption and field; empty: the field keeps its own.
 void addField(QFormLayout& form, const QString& caption, QWidget* field, const QString& hint = {});
 
-/// Returns @p field followed by @p unit.
+/// Returns a widget that shows @p field and, to its right, @p unit.
 [[nodiscard]] QWidget* withUnit(QWidget* field, const QString& unit);
 
 /// Lets the wheel scroll the panel instead of changing @p field, unless the field has the focus.

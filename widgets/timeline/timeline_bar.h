@@ -24,7 +24,7 @@ public:
     /// default text.
     void setOpening(double fraction, const QString& doing = {});
 
-    /// Returns where @p at is painted [px].
+    /// Returns the x coordinate of @p at in the widget [px].
     [[nodiscard]] double pixelOf(Time at) const;
     /// Returns the glyph at @p point; null: none.
     [[nodiscard]] const TimelineGlyph* glyphAt(const QPointF& point) const;

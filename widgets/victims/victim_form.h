@@ -35,8 +35,8 @@ public:
     void nextField(int step);
     /// Sets the tags that change() steps through.
     void setTags(const QStringList& tags) { m_tags = tags; }
-    /// Sets the focused field to its next (previous) choice, word or value. False: it has none, or typed text
-    /// would be lost.
+    /// Sets the focused field to the next choice, word or value; to the previous one when @p step is
+    /// negative. Returns false when the field has none, or when typed text would be lost.
     bool change(int step);
 
     /// Sets the pictures of the find. @p awaited: pictures exist and are still being read.

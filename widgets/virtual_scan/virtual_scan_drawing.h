@@ -27,9 +27,11 @@ public:
     void surroundings(const VirtualScanView& view, bool withLaser) const;
     void path(const PredictedPath& path) const;
     void robot(const std::vector<Eigen::Vector2d>& footprint, const BodyBox& body) const;
-    void nearest(const Proximity& nearest, const QRectF& area) const;  ///< with its distance as text
+    /// Draws a ring around @p nearest and the distance as text.
+    void nearest(const Proximity& nearest, const QRectF& area) const;
 
-    [[nodiscard]] QRectF nearestBox(const Proximity& nearest, const QRectF& area) const;  ///< of that text
+    /// Returns the box of the text that nearest() draws [px]; empty when @p nearest has no place.
+    [[nodiscard]] QRectF nearestBox(const Proximity& nearest, const QRectF& area) const;
     [[nodiscard]] QPointF pixelOf(const Eigen::Vector2d& point) const;
 
 private:

@@ -10,9 +10,9 @@
 
 namespace leitstand {
 
-/// Shows the local virtual 2D scan, robot up (paper, section 2.3; docs/design.md, "The window"). It draws
-/// walls, obstacles, footprint, range rings, the path as commanded, and the nearest obstacle with its
-/// distance. Older data is fainter. The wheel, + and - zoom; a double click resets.
+/// Shows the local virtual 2D scan with the robot's front up (paper, section 2.3; docs/design.md, "The
+/// window"). It draws walls, obstacles, footprint, range rings, the path as commanded, and the nearest
+/// obstacle with its distance. Older data is fainter. The wheel, + and - zoom; a double click resets.
 class VirtualScanPane final : public QWidget {
     Q_OBJECT
 public:
@@ -29,14 +29,14 @@ public:
     [[nodiscard]] double range() const { return m_range; }  ///< visible distance ahead [m]
     /// Sets the ages from which the scan is stale or lost.
     void setLimits(const FreshnessLimits& limits) { m_head.limits = limits; }
-    void setRange(double metres);  ///< clamped to the bounds above
-    /// Whether the points of planar lasers are drawn; initially on.
+    void setRange(double metres);  ///< clamped to NearestRange .. FarthestRange [m]
+    /// Sets whether the points of planar lasers are drawn; initially on.
     void setLaserShown(bool shown);
 
     /// Returns where a point of base_link is painted [px].
     [[nodiscard]] QPointF pixelOf(const Eigen::Vector2d& point) const;
     [[nodiscard]] Eigen::Vector2d pointOf(const QPointF& pixel) const;  ///< inverse of pixelOf() [m]
-    /// Whether the next click points at something; clicks with Shift always do.
+    /// While on, clicks point at something: they emit pointedAt(). Clicks with Shift always do.
     void setPointing(bool pointing);
     [[nodiscard]] QSize sizeHint() const override { return {320, 300}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 140}; }

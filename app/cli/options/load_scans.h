@@ -23,11 +23,12 @@ struct LoadedScan {
 struct LoadedScans {
     std::vector<LoadedScan> scans;
     std::size_t expected = 0;  ///< scans and files that the sources name, readable or not
-    int broken = 0;            ///< those that could not be read
+    int broken = 0;            ///< files and missions that could not be read
 };
 
-/// Reads what can be read of @p sources (uos folders, cloud files, missions) until @p stop is requested.
-/// Reports the rest with complain(). The error names a source that is none of these.
+/// Reads all scans of @p sources: uos folders, cloud files and missions. Reports unreadable files with
+/// complain() and goes on. Returns early, with the scans so far, when @p stop is requested. Error: a source
+/// is none of these.
 [[nodiscard]] Result<LoadedScans> loadScans(const std::vector<std::filesystem::path>& sources,
                                             const std::stop_token& stop, ProgressLine& line);
 

@@ -26,11 +26,12 @@ struct RegisterOptions {
     bool json = false;
 };
 
-/// Declares the options of design section 6 on @p command; they write into @p options, which must outlive it.
+/// Declares the options of `register` (docs/design.md, "Command lines") on @p command. They write into
+/// @p options, which must outlive the command.
 void declareRegisterOptions(CLI::App& command, RegisterOptions& options);
 
-/// Returns the settings of @p options, with ranges set and the file of --guess read. Error when it cannot be
-/// read.
+/// Returns the settings of @p options, with ranges set and the file of --guess read. Error when that file
+/// cannot be read.
 [[nodiscard]] Result<RegistrationSettings> resolvedSettings(const RegisterOptions& options);
 
 }  // namespace leitstand::cli

@@ -6,9 +6,9 @@
 
 namespace leitstand {
 
-/// Returns the PDF @p bytes with @p created as its dates (in its info and its XMP). Its identities (/ID,
-/// XMP's uuid) become a hash of its content, so equal contents give equal bytes. The length of each value
-/// stays, so the table of objects stays valid. A date or identity of an unknown form stays as it is.
+/// Returns @p bytes, a PDF, with its dates (in info and XMP) set to @p created. The identities (/ID, XMP's
+/// uuid) become a hash of the content, so equal contents give equal bytes. Each value keeps its length, so
+/// the table of objects stays valid. A date or identity of an unknown form stays as it is.
 [[nodiscard]] QByteArray withIdentity(QByteArray bytes, Time created);
 
 }  // namespace leitstand

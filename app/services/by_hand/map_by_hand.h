@@ -15,15 +15,15 @@ namespace leitstand {
 
 class LiveMission;
 
-/// The map of a mission that has ended, on which an operator decides as on a live one. The operator moves
-/// parts of it, answers where it meets itself, and accepts, rejects and registers scans again. A session of
-/// the mission records the decisions. What was recorded before stays as it is, and each decision can be taken
-/// back. Any thread.
+/// The map of a mission that has ended, for decisions of an operator as on a live map. The operator moves
+/// parts of the map, answers loop closures, and accepts, rejects and registers scans again. The decisions are
+/// recorded in a new session of the mission. What was recorded before stays as it is, and each decision can
+/// be taken back. Any thread.
 class MapByHand {
 public:
-    /// Opens the mission @p folder. @p station is the name of who decides; it begins with
-    /// @ref MapByHandStation. Errors name the folder: it is no mission of ours, has no map, or cannot be
-    /// written.
+    /// Opens the mission @p folder. @p station names who decides, and begins with @ref MapByHandStation.
+    /// Errors name the folder: others recorded it, it has no map, the links of its scans are missing, or it
+    /// cannot be written.
     [[nodiscard]] static Result<std::unique_ptr<MapByHand>> open(const std::filesystem::path& folder,
                                                                  const std::string& station,
                                                                  const std::string& version,
@@ -36,11 +36,11 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const { return m_robots; }
     [[nodiscard]] MissionStatePtr state() const;
-    /// Whether anything has been decided here.
+    /// Whether any decision was recorded since open().
     [[nodiscard]] bool decided() const;
 
-    /// Waits until the map follows the decisions and the log holds all of that, then ends. Error when the log
-    /// cannot be written.
+    /// Waits until the map follows the decisions and the log holds the result, then ends the session. Error
+    /// when the log cannot be written.
     Result<void> close();
 
 private:

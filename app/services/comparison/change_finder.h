@@ -30,7 +30,8 @@ public:
     /// Requests the changes of @p map. Only the newest map counts; requesting it again costs nothing. Null:
     /// no map.
     void want(MapPtr map);
-    /// Changes of the newest finished map, while the requested map continues it; null when there are none.
+    /// Returns the changes of the newest map that was searched. Null: none yet, or the map requested since
+    /// has fewer scans.
     [[nodiscard]] MapChangesPtr changes() const;
 
 private:
@@ -38,12 +39,13 @@ private:
 
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
-    MapPtr m_asked;                  ///< newest
+    MapPtr m_asked;                  ///< requested last
     std::optional<MapPtr> m_wanted;  ///< not begun yet
     MapChangesPtr m_changes;
     std::stop_source m_atWork;  ///< stop is requested once another map is wanted
-    bool m_another = false;     ///< the wanted map continues no earlier one: ends the rest
-    std::jthread m_thread;      ///< last: joined first
+    bool m_another =
+        false;              ///< the wanted map does not continue the last one: it is searched without a pause
+    std::jthread m_thread;  ///< last: joined first
 };
 
 }  // namespace leitstand

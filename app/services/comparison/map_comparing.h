@@ -15,14 +15,14 @@ namespace leitstand {
 /// A comparison and the maps that it shows, made once. Immutable once shared.
 struct ComparedMaps {
     MapComparisonPtr comparison;  ///< never null
-    MapPtr again, both;           ///< as of mapOf()
+    MapPtr again, both;           ///< as mapOf() returns them: ComparedMap::Again and Both
     bool remembered = false;      ///< made earlier and read from the mission's folder
 };
 using ComparedMapsPtr = std::shared_ptr<const ComparedMaps>;
 
-/// Compares the finished map of the mission @p folder, whose @p index is known, to the map that @p settings
-/// make of its key scans. Includes errors where the truth is known. Changes nothing of the mission. Error
-/// when it has no key scans; null when cancelled.
+/// Compares the final map of the mission @p folder with the map that its key scans make when they are
+/// registered again with @p settings. @p index: that of the mission. Includes errors where the mission holds
+/// ground truth. Changes nothing in the mission. Error when it has no key scans; null when cancelled.
 [[nodiscard]] Result<MapComparisonPtr> compareMaps(const std::filesystem::path& folder,
                                                    const ReviewIndex& index,
                                                    const RegistrationSettings& settings,
@@ -31,25 +31,28 @@ using ComparedMapsPtr = std::shared_ptr<const ComparedMaps>;
 /// Returns the file that keeps a mission's newest comparison.
 [[nodiscard]] std::filesystem::path comparisonFileOf(const std::filesystem::path& folder);
 /// Returns the comparison kept with the mission @p folder; null when there is none. Errors as of
-/// readComparison(), and when it is of scans that the mission does not have.
+/// readComparison(), and when its scans are not those of the mission.
 [[nodiscard]] Result<MapComparisonPtr> keptComparison(const std::filesystem::path& folder,
                                                       const ReviewIndex& index);
 
 /// Compares maps on its own thread. Any thread may call; no call blocks.
 class MapComparing {
 public:
-    /// Called on its thread; may be empty.
+    /// Called on the thread of MapComparing; each may be empty.
     struct Listener {
         std::function<void(double fraction)> onProgress = {};
-        std::function<void(const Result<ComparedMapsPtr>&)> onFinished = {};  ///< as of compareMaps()
-        std::function<void(const std::string&)> onMessage = {};  ///< the result could not be kept, and why
+        std::function<void(const Result<ComparedMapsPtr>&)> onFinished =
+            {};  ///< as of compareMaps(); null: cancelled
+        std::function<void(const std::string&)> onMessage =
+            {};  ///< why a result could not be kept, or not recalled
     };
     explicit MapComparing(Listener listener);
     ~MapComparing();  ///< cancels, and waits for one step of the registration at most
     MapComparing(const MapComparing&) = delete;
     MapComparing& operator=(const MapComparing&) = delete;
 
-    /// Compares, and keeps the result in the mission's folder.
+    /// Compares as compareMaps(). Keeps the result in the mission's folder, unless others recorded the
+    /// mission (isOfOthers()).
     void begin(std::filesystem::path folder, ReviewIndexPtr index, RegistrationSettings settings);
     /// Reports the kept comparison if there is one: by onFinished, or by onMessage when it is no longer
     /// valid.

@@ -15,13 +15,15 @@ class BagReader;
 
 /// Ground truth that somebody recorded in a mission beside the robots' own data.
 struct RecordedTruth {
-    std::map<std::string, std::vector<StampedPose>> robots;  ///< base_link in the world, by name, by time
-    std::vector<Eigen::Vector3d> victims;                    ///< in the world [m]
+    std::map<std::string, std::vector<StampedPose>>
+        robots;                            ///< base_link in the world, by robot's name; in order of time
+    std::vector<Eigen::Vector3d> victims;  ///< in the world [m]
 };
 
-/// Reads `/truth/ARENA/...` of simulated robots (docs/simulation.md): victims, and odometry per kind of
-/// robot, whose child frame names the robot. Reads `/NAME/ground_truth` (nav_msgs/Odometry) of other robots.
-/// Leaves out what makes no sense. When cancelled, returns what was read so far.
+/// Reads the topics `/truth/ARENA/...` of simulated robots (docs/simulation.md): the victims, and an odometry
+/// topic for each kind of robot, whose child frame names the robot. Reads `/NAME/ground_truth`
+/// (nav_msgs/Odometry) of other robots. Leaves out samples that are invalid or name no robot. When cancelled,
+/// returns what was read so far.
 [[nodiscard]] RecordedTruth readTruth(BagReader& bag, const Progress& progress = {});
 
 }  // namespace leitstand

@@ -21,8 +21,8 @@ struct CoverageMoment {
     ReviewIndexPtr index;     ///< of the whole mission
 };
 
-/// Computes what was searched by a moment of a recorded mission, on its own thread. Reads the mission once,
-/// on the first request. Any thread.
+/// Computes which floor had been searched at a moment of a recorded mission, on its own thread. Reads the
+/// mission once, on the first request. Any thread.
 class CoverageReplay {
 public:
     explicit CoverageReplay(std::filesystem::path mission);
@@ -30,10 +30,11 @@ public:
     CoverageReplay(const CoverageReplay&) = delete;
     CoverageReplay& operator=(const CoverageReplay&) = delete;
 
-    /// Requests what was searched by @p moment. Only the newest moment counts; a moment with the same state
-    /// as the last one costs nothing. None of its pointers is null.
+    /// Requests the floor searched until @p moment. Only the newest moment counts; a moment with the same
+    /// state as the last one costs nothing. None of the pointers in @p moment may be null.
     void want(CoverageMoment moment);
-    /// What was searched by the newest finished moment; null before the first, and when there is no map.
+    /// Returns the floor searched until the newest moment that was computed. Null: none was computed yet, or
+    /// there was no map, or no robot in it.
     [[nodiscard]] SearchedFloorPtr searched() const;
 
 private:

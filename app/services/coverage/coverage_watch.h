@@ -31,16 +31,17 @@ struct CoverageWatchSetup {
     std::function<RobotsInMapPtr()> places;        ///< where the robots are now, with their trails
     std::function<std::vector<ScanPose>()> poses;  ///< where the mission's key scans are
     std::vector<KeyScanSample> earlier;            ///< key scans of the mission's earlier sessions
-    /// What cameras looked at in earlier sessions; called on the watch's thread, returns soon when it is
-    /// asked to stop. May be empty.
+    /// Returns what cameras looked at in earlier sessions. Called on the watch's thread; has to return soon
+    /// after a stop is requested. May be empty.
     std::function<std::vector<SearchView>(const std::stop_token&)> earlierViews = {};
-    /// Reports once, in words, when something cannot be counted; on any of the threads. May be empty.
+    /// Receives a message for the operator when something cannot be counted, once for each cause. Called on
+    /// the watch's thread or that of onEvent(). May be empty.
     std::function<void(const std::string&)> notify = {};
 };
 
-/// Keeps what was searched while a mission runs, on its own thread. Computes it again after a change, at most
-/// every two seconds, and less often where that takes long. Leaves out views and notifies the operator when
-/// it cannot keep up for minutes, or cameras looked from too many places. Any thread.
+/// Keeps the searched floor of a running mission, on its own thread. Computes it again after a change, at
+/// most every two seconds, and less often where that takes long. Leaves out views when it cannot keep up for
+/// minutes, or when cameras looked from too many places; the operator is then notified. Any thread.
 class CoverageWatch : public EventSink {
 public:
     static constexpr std::chrono::seconds Every{2};
@@ -50,7 +51,7 @@ public:
 
     void onEvent(const Event& event) override;  ///< all events of the mission, in order
     void close() override;                      ///< drops waiting events
-    /// What was searched, as computed last; null until there is a map.
+    /// Returns the searched floor as computed last; null until there is a map with a robot in it.
     [[nodiscard]] SearchedFloorPtr searched() const;
 
 private:

@@ -14,13 +14,15 @@ namespace leitstand {
 /// Where the cameras of a recorded mission looked from.
 struct LoggedViews {
     std::vector<SearchView> views;  ///< attached to the mission's key scans; nearly equal views are one
-    std::size_t leftOut = 0;        ///< as of SearchBook
+    std::size_t leftOut = 0;        ///< how often a new view did not fit into SearchBook
 };
 
-/// Finds views in the log, with all decisions and undos. When cancelled, returns what was found so far.
+/// Finds the views in the log @p bag, and follows all decisions on the map and their undos. When cancelled,
+/// returns what was found so far.
 [[nodiscard]] LoggedViews loggedViews(BagReader& bag, EventDecoder& decoder, const Progress& progress = {});
 
-/// Finds views in the mission @p folder with the robots that it keeps; none when it cannot be read.
+/// Finds the views in the mission @p folder, whose robots are those of robotsOf(); none when it cannot be
+/// read.
 [[nodiscard]] LoggedViews loggedViews(const std::filesystem::path& folder, const Progress& progress = {});
 
 }  // namespace leitstand

@@ -9,7 +9,7 @@ namespace leitstand {
 
 struct KeyScanSample;
 
-/// A key scan as SearchBook takes it.
+/// Returns the key scan @p sample as SearchBook takes it.
 [[nodiscard]] ReportScan scanOf(const KeyScanSample& sample);
 /// Returns where base_link of @p robots was and is, in the map [m].
 [[nodiscard]] std::vector<Eigen::Vector3d> trailsOf(const RobotsInMap& robots);

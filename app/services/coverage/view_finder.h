@@ -27,7 +27,8 @@ struct FoundView {
 class ViewFinder {
 public:
     static constexpr std::chrono::milliseconds Every{200};  ///< per camera; pictures in between add nothing
-    static constexpr double Fastest = 0.9;  ///< a camera that turns faster shows nothing [rad/s]
+    static constexpr double Fastest =
+        0.9;  ///< pictures of a camera that turns faster count as blurred [rad/s]
 
     explicit ViewFinder(const RobotDescription& robot);
     ViewFinder(const ViewFinder&) = delete;

@@ -15,8 +15,8 @@ namespace leitstand {
 
 struct Event;
 
-/// Follows where the cameras of all robots look from, and attaches each view to a key scan. All that it knows
-/// of the map is also in events, so it works on a log as it does live. Has no thread; one call at a time.
+/// Finds where the cameras of all robots looked from, and attaches each view to a key scan. Events are enough
+/// to follow the map, so that it works on a log as it does live. Has no thread; one call at a time.
 class ViewSearch {
 public:
     explicit ViewSearch(const std::vector<RobotDescription>& robots);
@@ -25,11 +25,13 @@ public:
     [[nodiscard]] static bool wants(const Event& event);
     /// Takes all events of a mission, in order.
     void onEvent(const Event& event);
-    /// Sets where key scans are: those of earlier sessions, or all after an undo.
+    /// Sets the poses of key scans: at first those of earlier sessions, after an undo those of all. Key scans
+    /// that are not in @p poses no longer count.
     void follow(std::span<const ScanPose> poses);
-    /// Sets where @p robot was, from every scan that fits: live, this is more than key scans show.
+    /// Sets where @p robot was. A live station calls this for every scan that fits, which is more often than
+    /// key scans show it.
     void correct(const std::string& robot, const MapFix& fix);
-    void lose(const std::string& robot);  ///< it is no longer in the map
+    void lose(const std::string& robot);  ///< the robot is no longer in the map
     /// Views found since the last call.
     [[nodiscard]] std::vector<SearchView> found();
 

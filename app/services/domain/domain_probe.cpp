@@ -15,6 +15,7 @@
 #include "core/base/time.h"
 #include "transport/dds/node.h"
 #include "transport/dds/ros_nodes.h"
+#include "transport/domain/join_settings.h"
 
 namespace leitstand {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/services/domain/domain_settings.h"
 #include "app/services/domain/robot_guess.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/settings/domain_settings.h"
 
 namespace leitstand {
 
@@ -18,7 +18,7 @@ struct ProbedTopic {
     int writers = 0, readers = 0;
     double rate = 0.0;  ///< samples a second
     double bytesPerSecond = 0.0;
-    std::uint64_t lost = 0;  ///< by the writers' numbers
+    std::uint64_t lost = 0;  ///< by the sequence numbers of the writers
     std::string hosts;       ///< hosts that publish it (or subscribe to it, when nobody publishes)
 };
 
@@ -31,7 +31,7 @@ struct ProbeReport {
     double seconds = 0.0;  ///< time spent listening [s]
 };
 
-/// Listens to a domain and reports what is there and what it is good for; publishes nothing.
+/// Listens to a domain and reports its topics and what each is good for; publishes nothing.
 class DomainProbe {
 public:
     /// Joins the domain and leaves it when the probe is destroyed.

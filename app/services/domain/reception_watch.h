@@ -14,26 +14,27 @@
 
 namespace leitstand {
 
-/// What a watch queries and whom it notifies; all are called on its own thread.
+/// What a ReceptionWatch works with; its functions are called on the watch's own thread.
 struct ReceptionWatchSetup {
     std::vector<RobotDescription> robots;
     std::function<LinkState(const std::string& robot)> link;
-    std::function<bool()> mayRejoin;  ///< nothing moves by this process, and nothing is being stopped
-    std::function<void(const Guid&)> onRejoining = {};  ///< the node's new guid(), as of Node::rejoin()
-    std::function<void(const std::string&)> notify;     ///< for the operator, in words
+    std::function<bool()> mayRejoin;  ///< whether this process neither moves nor stops any robot
+    std::function<void(const Guid&)> onRejoining =
+        {};  ///< with the new guid() of the node, as of Node::rejoin()
+    std::function<void(const std::string&)> notify;  ///< for the operator, in words
 };
 
 /// Watches whether the topics that robots announce are received, and makes the node join its domain again
 /// where they are not. Any thread.
 class ReceptionWatch {
 public:
-    /// @p node outlives it.
+    /// @p node must outlive the watch.
     ReceptionWatch(Node& node, ReceptionWatchSetup setup);
     ~ReceptionWatch();
     ReceptionWatch(const ReceptionWatch&) = delete;
     ReceptionWatch& operator=(const ReceptionWatch&) = delete;
 
-    /// What @p robot announces but the node does not receive; empty: no fault.
+    /// Returns what @p robot announces and the node does not receive; empty: nothing is missing.
     [[nodiscard]] std::optional<ReceptionFault> fault(const std::string& robot) const;
 
 private:
@@ -43,7 +44,7 @@ private:
 
     Node& m_node;
     const ReceptionWatchSetup m_setup;
-    std::map<std::string, RejoinPlan> m_plans;  ///< by robot; of its own thread
+    std::map<std::string, RejoinPlan> m_plans;  ///< by robot; used by the thread only
     mutable std::mutex m_mutex;                 ///< guards the faults
     struct Standing {
         ReceptionFault fault;

@@ -12,12 +12,12 @@ namespace leitstand {
 struct SeenTopic {
     std::string name;  ///< ROS name, or the DDS name if it has none
     std::string type;
-    Qos qos;               ///< as offered (or asked for, when nobody writes)
+    Qos qos;               ///< as offered (or requested, when nobody writes)
     bool written = true;   ///< somebody publishes it
-    bool read = false;     ///< somebody other than us subscribes to it: commands
-    std::string obstacle;  ///< why DDS keeps its samples from us; may be empty
-    /// Whole names of the nodes of ROS 2 that publish it, or read it when nobody does: "/kurt3d/driver".
-    /// Empty: unknown.
+    bool read = false;     ///< somebody other than us subscribes to it, as robots do to commands
+    std::string obstacle;  ///< why DDS cannot deliver its samples to us; empty: it can
+    /// Full names of the ROS 2 nodes that publish the topic, or that read it when nobody publishes:
+    /// "/kurt3d/driver". Empty: unknown.
     std::vector<std::string> nodes = {};
 };
 
@@ -25,7 +25,7 @@ struct SeenTopic {
 struct TopicVerdict {
     SeenTopic topic;
     std::optional<StreamRole> role;  ///< empty: the station does nothing with it
-    std::string remark;              ///< why not, or what to check; may be empty
+    std::string remark;              ///< why it has no role, or what to check; may be empty
 };
 
 /// A robot as its topics describe it.
@@ -34,12 +34,14 @@ struct RobotGuess {
     std::vector<TopicVerdict> topics;
 };
 
-/// Assigns @p topics to the robots of robotSpaces() ("/kurt3d/odom" belongs to kurt3d) and rates what each is
-/// good for. Topics of no robot's namespace, as of the drivers of sensors, belong to the robot without one,
-/// which is called "robot", or to the only one.
+/// Assigns @p topics to the robots of robotSpaces() by their namespaces: "/kurt3d/odom" belongs to kurt3d.
+/// Judges what each topic is good for. Topics outside the robots' namespaces, for example those of sensor
+/// drivers, belong to the robot without a namespace, which is called "robot". Without such a robot they
+/// belong to the only robot; among several, to none.
 [[nodiscard]] std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics);
 
-/// Returns what @p topic carries; sets @p remark to why it is of no use, or what to check.
+/// Returns the role of @p topic; empty: the station has no use for it. Sets @p remark to the reason, or to
+/// what the user should check.
 [[nodiscard]] std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark);
 
 }  // namespace leitstand

@@ -9,17 +9,17 @@
 
 namespace leitstand {
 
-/// First part of a name with several: "/kurt3d/odom" -> "kurt3d"; empty for "/odom".
+/// Returns the first part of a name with several parts: "/kurt3d/odom" -> "kurt3d"; empty for "/odom".
 [[nodiscard]] std::string namespaceOf(std::string_view name);
 
-/// Returns the namespace in which the nodes of @p topic were started, as far as its name and they tell:
-/// "/kurt3d/odom" -> "kurt3d". A topic below the name of a node is private to it, and that node's namespace
-/// counts: "/diffdrive_controller/cmd_vel" of a node "/diffdrive_controller" has none. Empty: it has none.
+/// Returns the namespace of @p topic by its name: "/kurt3d/odom" -> "kurt3d". If the name begins with that of
+/// one of its nodes, the topic is private to that node, and the node's namespace counts.
+/// "/diffdrive_controller/cmd_vel" of the node "/diffdrive_controller" thus has none. Empty: no namespace.
 [[nodiscard]] std::string spaceOf(const SeenTopic& topic);
 
-/// Returns the namespaces that are robots', by what only a robot's base has: commands to drive, odometry,
-/// transforms of its own, what is specific to Leitstand. Drivers of sensors have namespaces too. Empty text:
-/// the robot without a namespace.
+/// Returns the namespaces that belong to robots. Drivers of sensors have namespaces, too; that of a robot has
+/// topics of a mobile base: drive commands, odometry, its own transforms, or Leitstand's own messages. An
+/// empty text stands for the robot without a namespace.
 [[nodiscard]] std::set<std::string> robotSpaces(const std::vector<SeenTopic>& topics);
 
 }  // namespace leitstand

@@ -9,14 +9,14 @@
 
 namespace leitstand {
 
-/// Returns why DDS keeps the samples of @p endpoint from us, in words; empty when it does not.
+/// Returns in words why DDS cannot deliver the samples of @p endpoint to us; empty: it can.
 [[nodiscard]] std::string obstacleOf(const RemoteEndpoint& endpoint);
 
-/// Adds @p endpoint to what is known of its topic; @p isNew: nothing is known yet. True when @p topic was set
-/// from it.
+/// Adds @p endpoint to what is known of its @p topic. @p isNew: nothing is known yet. Returns whether @p
+/// topic was set from this endpoint alone.
 bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint, const RosNodes& nodes);
 
-/// Returns the topics of @p endpoints, each once: as offered where somebody writes it, else as requested.
+/// Returns the topics of @p endpoints, each once: as its writers offer it, else as its readers request it.
 [[nodiscard]] std::vector<SeenTopic> seenTopics(const std::vector<RemoteEndpoint>& endpoints,
                                                 const RosNodes& nodes);
 

@@ -9,9 +9,10 @@ struct VictimEvidence;
 class BagReader;
 class EventDecoder;
 
-/// Returns the event of the mission @p bag that is @p evidence of @p find: the one whose sequence it names.
-/// Evidence from another station names none. It is the event of its topic with the same stamp, received
-/// within a minute of that stamp or of the find, by whichever clock. 0: this log does not have it.
+/// Returns the sequence of the event in the mission @p bag that is @p evidence of @p find; 0: this log does
+/// not have it. Evidence of this station names its sequence. Evidence from another station does not. Then the
+/// event is that of the same topic and stamp, received within a minute of that stamp or of FindSample::found,
+/// as clocks may differ.
 [[nodiscard]] std::uint64_t sequenceInLog(BagReader& bag, EventDecoder& decoder,
                                           const VictimEvidence& evidence, const FindSample& find);
 

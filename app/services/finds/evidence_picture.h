@@ -17,13 +17,16 @@ struct Event;
 /// A picture that shows a find.
 struct EvidencePicture {
     std::string robot, sensor;
-    Time at{};                           ///< station's clock
-    std::optional<double> hottest = {};  ///< of a thermal picture, whose colours go from 15 to 40 [degrees C]
-    Picture picture;                     ///< Rgb8 or Grey8
+    Time at{};  ///< station's clock
+    /// Hottest temperature in a thermal picture [degrees C], whose colours go from 15 to 40; empty for
+    /// others.
+    std::optional<double> hottest = {};
+    Picture picture;  ///< Rgb8 or Grey8
 };
 
-/// Converts @p event, whose sample is @p sample, for people to look at. Thermal pictures of @p robots become
-/// coloured, with their hottest temperature. Error when it cannot be decoded or printed.
+/// Converts the picture @p sample of @p event into one for people. Thermal pictures, known by the streams of
+/// @p robots, become coloured, with their hottest temperature. Error when the picture cannot be decoded or
+/// printed.
 [[nodiscard]] Result<EvidencePicture> evidencePicture(const PictureSample& sample, const Event& event,
                                                       const std::vector<RobotDescription>& robots);
 

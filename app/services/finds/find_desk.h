@@ -42,7 +42,8 @@ struct FindDeskSetup {
     /// Requests the place of what @p chosen shows; answers once, on any thread. Empty answer: no place.
     std::function<void(const ChosenEvidence& chosen, Located answer)> locate = {};
     using Shown = std::function<void(const std::vector<bool>&)>;
-    /// Requests which of @p pictures show the place @p inMap [m]; answers once, on any thread.
+    /// Requests which of @p pictures show the place @p inMap [m]; answers once, on any thread, with a flag
+    /// for each.
     std::function<void(std::vector<Event> pictures, const Eigen::Vector3d& inMap, Shown answer)> shows = {};
     /// Pose of a robot in the map now; empty: unknown.
     std::function<std::optional<Pose>(const std::string& robot)> robotInMap = {};
@@ -50,8 +51,8 @@ struct FindDeskSetup {
     std::function<Time()> now = {};                       ///< station's clock
 };
 
-/// Files what the operator finds: freezes evidence, confirms, changes and takes back. Everything is an entry
-/// of the log. Any thread.
+/// Files what the operator finds: freezes evidence, and confirms, changes and takes back finds. Each of these
+/// is an entry of the log. Any thread.
 class FindDesk : public EventSink {
 public:
     explicit FindDesk(FindDeskSetup setup);
@@ -63,23 +64,26 @@ public:
     }
     void finish();  ///< waits until everything frozen is filed
 
-    /// Freezes what @p robot saw in the last seconds as a find of @p kind. Its place is at @p at in a
-    /// picture; else, for a victim, at the hot spot; else where the camera @p looksThrough looks. Evidence
-    /// joins a find that is already there.
+    /// Freezes what @p robot saw in the last seconds, and files it as a find of @p kind. Its place is what
+    /// the picture shows at @p at. Without @p at it is, for a victim, the hot spot of a thermal picture, else
+    /// the middle of the camera @p looksThrough. Without a range there, the place is 1 m ahead of the robot;
+    /// nothing is filed if the robot is not in the map. Joins a find that is there already.
     void freeze(const std::string& robot, FindSample::Kind kind, const std::string& looksThrough,
                 const std::optional<PicturePoint>& at = std::nullopt);
-    /// Freezes the same at a place on the map [m] that the operator pointed at.
+    /// Freezes the same evidence of a find at @p placeInMap [m], to which the operator pointed on the map.
     void freezeAt(const std::string& robot, FindSample::Kind kind, const Eigen::Vector3d& placeInMap);
-    /// The find that was frozen last; empty: none yet.
+    /// Returns the find that was filed last; empty: none yet.
     [[nodiscard]] std::optional<FindKey> newest() const;
-    /// The find that was frozen last, if nobody has confirmed or discarded it since.
+    /// Returns newest(), if nobody has confirmed or discarded it since.
     [[nodiscard]] std::optional<FindKey> unconfirmed();
-    [[nodiscard]] bool isFiling() const;  ///< something is frozen and its place is still being searched
-    /// The second press: confirms unconfirmed(), or what is being filed as soon as it is filed.
+    [[nodiscard]] bool isFiling() const;  ///< whether frozen evidence is still being filed
+    /// For the operator's second press: confirms unconfirmed(). While isFiling(), confirms what is being
+    /// filed once it is filed. Error: there is nothing to confirm.
     Result<void> confirmNewest();
-    [[nodiscard]] std::uint64_t filings() const;  ///< number of filings; rises with newest()
+    [[nodiscard]] std::uint64_t filings() const;  ///< number of filings so far; rises when newest() is set
 
-    /// Files @p candidate with its cues and what its robots see there now, once their pictures are searched.
+    /// Files @p candidate with its cues, after a search of the newest pictures of the robots that reported
+    /// them. Adds evidence of the first of these robots that sees the place now.
     Result<void> fileCandidate(std::uint32_t candidate);
     /// Rejects @p candidate: it stays off the list, also when it is seen again.
     Result<void> dismiss(std::uint32_t candidate);
@@ -87,27 +91,30 @@ public:
     Result<void> discard(const FindKey& find);
     Result<void> merge(const FindKey& find, std::uint32_t into);
     Result<void> move(const FindKey& find, const Eigen::Vector3d& floorInMap);
-    /// Sets the form of @p form's find as the operator filled it in: signs, situation, tag, area, text. All
-    /// else of the find stays as it is.
+    /// Sets signs, situation, tag, area and text of a find as the operator filled them into @p form, which
+    /// names the find by kind and number. All else of the find stays as it is.
     Result<void> edit(const FindSample& form);
-    /// Takes back this station's newest entry on a find or a candidate; error when there is none.
+    /// Takes back this station's newest entry on a find, or its newest rejection of a candidate if that is
+    /// newer. Error when there is neither.
     Result<void> undo();
 
 private:
-    /// The mission with all that was published here, which may not have reached it yet; with m_filing held.
+    /// Returns the mission with all that was published here, also what has not reached the mission yet. Call
+    /// with m_filing held.
     [[nodiscard]] MissionStatePtr known();
-    Result<void> keep(const FindSample& sample);      ///< publishes it; with m_filing held
-    void submitFiling(std::function<void()> filing);  ///< for the worker; isFiling() is true until then
+    Result<void> keep(const FindSample& sample);      ///< publishes @p sample; call with m_filing held
+    void submitFiling(std::function<void()> filing);  ///< runs @p filing on the worker; isFiling() until then
     [[nodiscard]] bool filedLast() const;
     void file(FrozenEvidence frozen, FindSample::Kind kind);
     void locate(ChosenEvidence chosen, FindSample::Kind kind);
     void file(const CandidateSample& candidate, const FrozenEvidence& seen);
-    /// What @p recent of @p robot shows of @p inMap [m]; empty: it looks elsewhere, or sent nothing recently.
+    /// Returns the evidence in @p recent of @p robot that shows the place @p inMap [m]. Empty: the robot
+    /// looks elsewhere, or sent no picture recently.
     [[nodiscard]] std::optional<FrozenEvidence> look(const RobotDescription& robot,
                                                      const RobotEvidence& recent,
                                                      const Eigen::Vector3d& inMap, Time pressed) const;
-    /// Publishes @p sample, notifies the operator, and marks @p candidates as filed by it; with m_filing
-    /// held.
+    /// Publishes @p sample, notifies the operator, and marks @p candidates as filed in it. @p joined: the
+    /// find was there before. Call with m_filing held.
     Result<void> enter(const FindSample& sample, bool joined, const std::vector<CandidateSample>& candidates);
     [[nodiscard]] const RobotDescription* robot(const std::string& name) const;
     Result<void> record(const std::optional<FindSample>& sample, const FindKey& find);
@@ -120,7 +127,7 @@ private:
     std::optional<FindKey> m_newest;
     std::uint64_t m_filings = 0;
     int m_awaited = 0;                   ///< filings that the worker has not finished
-    bool m_filedLast = false;            ///< the last filing that it finished had a result
+    bool m_filedLast = false;            ///< the filing that the worker finished last had a result
     std::vector<FindSample> m_recorded;  ///< may not have reached the mission yet; under m_filing
     JobQueue m_queue;
     std::jthread m_thread;  ///< last: joined first

@@ -26,12 +26,12 @@ struct PicturePoint {
 struct ChosenEvidence {
     /// Everything except the place of the find.
     FrozenEvidence frozen;
-    /// Picture and pixel that its place is searched through; empty: there is no picture of a calibrated
-    /// camera.
+    /// Picture through which the place of the find is searched, at `pixel`. Empty: there is no picture of a
+    /// calibrated camera, or the one that was pointed at is gone.
     std::optional<Event> picture;
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< [px]
     int width = 0, height = 0;                        ///< of that picture [px]
-    double halfAngle = 0.0;                           ///< angular radius of what is meant, as seen [rad]
+    double halfAngle = 0.0;  ///< half the angle under which the camera sees the find [rad]
 };
 
 /// Returns @p event as evidence of @p kind, in the form of VictimEvidence.
@@ -39,21 +39,22 @@ struct ChosenEvidence {
 /// Whether @p evidence is a picture.
 [[nodiscard]] bool isPictureEvidence(const VictimEvidence& evidence);
 
-/// Returns the pictures of @p recent, also thermal ones, that are evidence of @p frozen and came since
-/// @p since.
+/// Returns the pictures of @p recent, also thermal ones, that are evidence in @p frozen and were received at
+/// @p since or later.
 [[nodiscard]] std::vector<Event> picturesOf(const FrozenEvidence& frozen, const RobotEvidence& recent,
                                             Time since);
-/// Returns @p frozen with no pictures but @p shown; heat stays only if a thermal one is among them.
+/// Returns @p frozen without the pictures that are not in @p shown. Its heat stays only if a thermal picture
+/// stays.
 [[nodiscard]] FrozenEvidence withPictures(FrozenEvidence frozen, const std::vector<Event>& shown);
 
 /// Chooses evidence from what @p robot sent:
 /// - of each camera the sharpest picture,
-/// - of thermal cameras the newest with a body,
+/// - of each thermal camera the newest picture with a body, else the newest,
 /// - the CO2 of the last minute (the highest of each second, and the newest),
-/// - the newest scan, odometry and sightings.
-/// The place is searched through @p at if it is given. That picture is then kept of its camera, as the robot
-/// may have moved since. Else it is searched through the hot spot if @p kind is a victim, else through the
-/// middle of the camera @p looksThrough. Takes some tens of milliseconds.
+/// - the newest scan and the newest odometry.
+/// If @p at is given, the place is searched there. Its picture is then the one kept of its camera, as the
+/// robot may have moved since. Else the place is searched through the hot spot if @p kind is a victim, else
+/// through the middle of the camera @p looksThrough. Takes some tens of milliseconds.
 [[nodiscard]] ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
                                             FindSample::Kind kind, const std::string& looksThrough,
                                             const std::optional<PicturePoint>& at);

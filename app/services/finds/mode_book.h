@@ -11,8 +11,8 @@ namespace leitstand {
 
 struct Event;
 
-/// Records when robots drove themselves. Whether a find counts as autonomous is decided when it is seen, not
-/// when its place is computed. Any thread.
+/// Records when robots drove by themselves. Whether a find counts as autonomous is decided by the moment when
+/// it was seen, not when its place was computed. Any thread.
 class ModeBook {
 public:
     void onEvent(const Event& event);  ///< takes modes; ignores others
@@ -20,7 +20,7 @@ public:
     [[nodiscard]] std::optional<bool> autonomousAt(const std::string& robot, Time moment) const;
 
 private:
-    using Modes = std::map<Time, bool>;  ///< since when it drives itself, or does not
+    using Modes = std::map<Time, bool>;  ///< whether the robot drives by itself, by the time since when
     [[nodiscard]] static std::optional<bool> at(const Modes& modes, Time moment);
 
     mutable std::mutex m_mutex;

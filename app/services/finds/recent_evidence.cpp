@@ -37,7 +37,7 @@ void RecentEvidence::onEvent(const Event& event) {
         keepRecent(m_pictures[{event.robot, event.sensor}], event, Pictures, MostPictures);
     } else if (const auto* info = event.sample.as<CameraInfoSample>()) {
         m_infos[{event.robot, event.sensor}] = *info;
-    } else if (role == StreamRole::Points || role == StreamRole::Ranges) {
+    } else if (isScanner(role)) {
         newest.scan = event;
     } else if (role == StreamRole::Odometry) {
         newest.odometry = event;

@@ -18,23 +18,23 @@ namespace leitstand {
 struct RobotEvidence {
     std::map<std::string, std::vector<Event>> pictures;  ///< of cameras, by sensor, oldest first
     std::map<std::string, std::vector<Event>> thermal;   ///< of thermal cameras, by sensor, oldest first
-    std::map<std::string, CameraInfoSample> cameras;     ///< their calibration, by sensor
+    std::map<std::string, CameraInfoSample> cameras;     ///< calibrations of both, by sensor
     std::optional<Event> scan, odometry, sightings;      ///< newest
     std::vector<Event> gas;                              ///< of the last minute, oldest first
 };
 
-/// Keeps what robots sent for the moment in which the operator sees something. Any thread.
+/// Keeps what robots sent in the last seconds, for when the operator sees something. Any thread.
 class RecentEvidence {
 public:
     static constexpr std::chrono::seconds Pictures{3};  ///< how long pictures are kept
     static constexpr std::chrono::seconds Gas{60};
-    static constexpr std::chrono::seconds Silence{10};  ///< of CO2, scanner and the like: then dropped
+    static constexpr std::chrono::seconds Silence{10};  ///< a sensor that is silent for longer is left out
     static constexpr std::size_t MostPictures = 120;    ///< of a camera
 
     void onEvent(const Event& event);
-    /// What @p robot sent, as of @p now, station's clock. Leaves out what is too old, for example of a camera
-    /// or a sensor that is silent since. Keeps the picture of the event @p pointed, which a person looks at.
-    /// Empty when the robot sent nothing.
+    /// Returns what @p robot sent, as of @p now (station's clock), without what is too old. The picture of
+    /// the event @p pointed, at which a person looks, is returned also if it is older; 0: none. Empty when
+    /// the robot sent nothing.
     [[nodiscard]] RobotEvidence of(const std::string& robot, Time now, std::uint64_t pointed = 0) const;
 
 private:

@@ -34,7 +34,7 @@ struct FrozenScan {
     Time at{};                  ///< station's clock
     std::uint64_t keyScan = 0;  ///< the key scan that it became; 0: none
     std::size_t points = 0;     ///< echoes in it
-    MapPicture picture;         ///< seen from above, about the find; empty when its place is unknown
+    MapPicture picture;         ///< seen from above, the find in the middle; empty when its place is unknown
 };
 
 /// Where a robot stood when a find was frozen.
@@ -48,11 +48,11 @@ struct FrozenPose {
 /// What a report shows of a find in addition to its form.
 struct FindPages {
     std::vector<EvidencePicture> pictures;
-    int morePictures = 0;  ///< frozen too, but only in the mission
+    int morePictures = 0;  ///< further frozen pictures, which are only in the mission
     std::vector<GasTrace> gas;
     std::vector<FrozenScan> scans;
     std::vector<FrozenPose> poses;
-    MapPicture way;                          ///< the map about it and the way to it; empty without a map
+    MapPicture way;                          ///< map around the find, with the way to it; empty without a map
     std::vector<Eigen::Vector2d> wayPixels;  ///< the way in that picture [px]
 };
 
@@ -69,11 +69,11 @@ struct ReportContent {
     std::string version;                       ///< of the program that writes it
     Time created{};                            ///< stated in the report
     std::vector<PrintedMap> maps;              ///< of mapsOf(), without titles
-    std::vector<FindPages> finds;              ///< one for each of the model's
+    std::vector<FindPages> finds;              ///< one for each find of the model
     std::vector<std::string> warnings;         ///< what is missing or could not be read
     std::optional<ScoreProfile> profile = {};  ///< rules of the score; empty: there are none
     ScoreResult score;                         ///< by that profile
-    MapChanges changes = {};                   ///< when the map is made from several missions
+    MapChanges changes = {};                   ///< between missions, when the map is made from several
 };
 
 }  // namespace leitstand

@@ -23,7 +23,7 @@ class EventDecoder;
 class ReportSource {
 public:
     /// Opens the mission @p folder (or one of its files) and reads its state, key scans and paths. A bag of
-    /// others has no key scans. A choice of its clouds is then registered, one every 0.3 m or 10 degrees, by
+    /// others has no key scans: some of its clouds are then registered, one every 0.3 m or 10 degrees, by
     /// odometry where there is any. Error only when nothing at all can be read; warnings() lists what is
     /// missing. When cancelled, holds what was read so far.
     [[nodiscard]] static Result<ReportSource> open(const std::filesystem::path& folder,
@@ -42,8 +42,9 @@ public:
     [[nodiscard]] Result<Event> event(std::uint64_t sequence);
     /// Returns the event that is @p evidence of @p find, by sequenceInLog().
     [[nodiscard]] Result<Event> event(const VictimEvidence& evidence, const FindSample& find);
-    /// Returns the pose of the sensor that took the cloud or the ranges @p event in its robot's base at that
-    /// time. Uses the transforms received about that time, else the robot's file. Empty for other events.
+    /// Returns the pose of the sensor that took @p event, a cloud or ranges, in its robot's base at that
+    /// time. Uses the transforms received about that time, else the robot's file. Empty for other events, and
+    /// where transforms have a gap.
     [[nodiscard]] std::optional<Pose> sensorInBase(const Event& event);
 
 private:

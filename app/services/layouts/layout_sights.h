@@ -15,9 +15,10 @@ public:
     /// @p own: the operator's view, used for what layouts leave out.
     explicit LayoutSights(const MapSight& own) : m_own(own) {}
 
-    /// Returns the view for @p layout. @p now: the view until then, which the layout before it keeps.
+    /// Returns the view for @p layout, which is entered. @p now: the present view, which is kept for the
+    /// layout that is left.
     [[nodiscard]] MapSight enter(const WindowLayout& layout, const MapSight& now);
-    /// Makes @p name use the view of its file again when it is entered next.
+    /// Makes the layout @p name use the view of its file again when it is entered next.
     void forget(const std::string& name);
     /// Returns the operator's own view, while @p now is shown.
     [[nodiscard]] MapSight own(const MapSight& now) const;

@@ -15,17 +15,17 @@ struct Event;
 /// Samples of a topic that could not be decoded.
 struct DecodingErrors {
     std::uint64_t count = 0;
-    std::string last;  ///< names topic, type and expectation
+    std::string last;  ///< text of the last one: topic, type and what was expected
 };
 
-/// Decodes received samples into events of core. Knows the robot and the role of each topic, and ignores
-/// topics that are not listed. One thread at a time.
+/// Decodes received samples into events of core. Knows the robot and the role of each topic by the robots'
+/// files; ignores other topics, except those of stations. One thread at a time.
 class EventDecoder {
 public:
     explicit EventDecoder(std::vector<RobotDescription> robots);
 
     /// Calls @p take for each event decoded from @p event: usually one, several on a topic that robots share
-    /// ("/tf"). Calls it not at all when the topic is unknown or the sample is broken.
+    /// ("/tf"). Does not call it when the topic is unknown or the sample is broken.
     void decode(const RawEvent& event, const std::function<void(const Event&)>& take);
     /// Whether decode() may decode events of @p topic.
     [[nodiscard]] bool knows(const std::string& topic) const;

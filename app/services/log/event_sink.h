@@ -14,7 +14,8 @@ public:
 
     /// Takes all events of the mission, in order. One call at a time; must not block its caller.
     virtual void onEvent(const Event& event) = 0;
-    /// Does no more work of its own after this has returned, though events may still come. Any thread.
+    /// Ends the sink's own work: none is done after this has returned, though events may still come. Any
+    /// thread.
     virtual void close() {}
 };
 

@@ -20,12 +20,13 @@ struct Event;
 
 /// Settings of a mission that is being recorded.
 struct LiveMissionSettings {
-    std::filesystem::path folder;          ///< created if absent; an existing one is resumed
-    std::vector<RobotDescription> robots;  ///< their topics are folded; stored in the folder with the log
-    std::string station = "leitstand";     ///< persistent identity
-    std::string title = "Leitstand";       ///< of the station, for people
-    std::string version;                   ///< of the program
-    double alarmMinutes = 10.0;  ///< an alarm is raised when the disk lasts for less than this [min]
+    std::filesystem::path folder;  ///< created if absent; an existing one is resumed
+    std::vector<RobotDescription>
+        robots;  ///< their topics make up state(); their files are stored beside the log
+    std::string station = "leitstand";  ///< persistent identity
+    std::string title = "Leitstand";    ///< of the station, for people
+    std::string version;                ///< of the program
+    double alarmMinutes = 10.0;         ///< an alarm is raised when the disk lasts for less than this [min]
 };
 
 /// Status of a mission's log.
@@ -34,20 +35,20 @@ struct LiveMissionStatus {
     double bytesPerSecond = 0.0;          ///< over the last seconds
     double minutesLeft = 0.0;             ///< until the disk is full; infinite when nothing is written
     std::map<std::string, std::uint64_t> dropped;  ///< events per topic that will never be written
-    std::map<std::string, DecodingErrors> broken;  ///< samples per topic that make no sense (but kept)
+    std::map<std::string, DecodingErrors> broken;  ///< undecodable samples per topic; the log keeps them
     std::uint64_t lost = 0;                        ///< dropped events other than pictures
     std::string problem;                           ///< why nothing can be written; empty when all is well
 };
 
-/// Called on threads of the mission, which they must not block.
+/// Functions that are called on threads of the mission and must not block them.
 struct LiveMissionListener {
-    std::function<void(const std::string&)> onAlarm = {};  ///< alarms of the disk, in words
+    std::function<void(const std::string&)> onAlarm = {};  ///< in words: disk alarms, damage of the log
     /// Every decoded event, in the mission's order, once it is in the log and in state().
     std::function<void(const Event&)> onEvent = {};
 };
 
 /// The one ordered stream of events of a mission (docs/design.md, "A mission is its log"). Events that are
-/// received or published are numbered, logged and folded, in that order. Any thread.
+/// received or published are numbered, logged and applied to state(), in that order. Any thread.
 class LiveMission {
 public:
     using Listener = LiveMissionListener;
@@ -59,11 +60,12 @@ public:
     LiveMission(const LiveMission&) = delete;
     LiveMission& operator=(const LiveMission&) = delete;
 
-    /// Announces a topic, so that the log has its QoS and definition; @p type is its ROS name.
+    /// Announces @p topic, so that the log has its @p qos and the definition of its ROS @p type.
     void addTopic(const std::string& topic, const std::string& type, const Qos& qos);
     /// Takes a received event; never waits for the disk.
     void receive(RawEvent event);
-    /// Publishes an event of the station itself, on one of station_topic. Error when it contradicts itself.
+    /// Publishes an event of the station itself on @p topic, one of station_topic. Error when @p sample
+    /// contradicts itself, or when the mission is closed.
     Result<void> record(const Sample& sample, std::string_view topic);
 
     /// The newest state.

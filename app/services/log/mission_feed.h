@@ -21,17 +21,18 @@ struct ReceivedSample;
 /// Statistics of a topic that is received.
 struct RecordedTopic {
     std::string name, type;
-    std::uint64_t samples = 0, lost = 0;  ///< lost: never arrived, by the writers' numbers
+    std::uint64_t samples = 0, lost = 0;  ///< lost: never arrived, by the writers' sequence numbers
     int writers = 0;                      ///< that are there now
 };
 
 /// Subscribes to topics of a domain for a mission. Samples go to a tap, and from there into the mission. Any
-/// thread; node and mission outlive it.
+/// thread; node and mission must outlive the feed.
 class MissionFeed {
 public:
     /// Called on the node's threads, before the mission has the sample; must not block them.
     using Tap = std::function<void(const ReceivedSample&)>;
-    /// Decides which samples enter the mission, on the node's threads.
+    /// Receives samples in place of the mission, and decides which of them enter it. Called on the node's
+    /// threads.
     using Gate = std::function<void(ReceivedSample)>;
     /// Whether topics with stations' commands to robots are received too.
     enum class Commands : std::uint8_t { Left, Received };

@@ -12,6 +12,7 @@
 #include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "transport/dds/node.h"
+#include "transport/domain/join_settings.h"
 #include "transport/link/link_client.h"
 
 namespace leitstand {

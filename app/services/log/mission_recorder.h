@@ -5,18 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "app/services/domain/domain_settings.h"
 #include "app/services/log/live_mission.h"
 #include "app/services/log/mission_feed.h"
 #include "core/base/result.h"
 #include "core/robot/link/link_status.h"
 #include "core/robot/link/screen_report.h"
+#include "core/settings/domain_settings.h"
 
 namespace leitstand {
 
 /// Settings of a recording.
 struct RecorderSettings {
-    LiveMissionSettings mission;  ///< its robots' listed topics are recorded; no robots: all topics found
+    LiveMissionSettings mission;  ///< topics in its robots' files are recorded; no robots: all found
     DomainSettings domain = {};
 };
 
@@ -26,13 +26,13 @@ struct RecorderStatus {
     std::vector<RecordedTopic> topics;
     std::vector<LinkStatus> links;        ///< of the robots whose files were given
     std::vector<std::string> mismatches;  ///< in words
-    /// Topics announced as steady streams (best effort) for 2 s or more without a sample.
+    /// Topics of steady streams (best effort) that were announced for 2 s or more without a sample.
     std::vector<std::string> notReceived;
     std::vector<ScreenDrop> screened;  ///< packets that were kept from the DDS library
 };
 
-/// Records a domain into a mission until it is destroyed or stopped. It listens and never publishes to a
-/// robot.
+/// Records a domain into a mission until the recorder is stopped or destroyed. It listens and never publishes
+/// to a robot.
 class MissionRecorder {
 public:
     /// Receives texts for the operator: alarms, changed links, topics that cannot be received. Called on

@@ -19,10 +19,13 @@ class BagReader;
 [[nodiscard]] std::vector<RobotDescription> keptRobots(const std::filesystem::path& folder,
                                                        std::vector<std::string>& warnings);
 
-/// Returns the robots that the folder of @p mission keeps (a folder or a file of one, opened as @p bag).
-/// Without any, guesses them from the topics of a foreign bag.
+/// Returns the robots whose files are kept in the folder of @p mission (that folder, or a file in it). If
+/// there are none, guesses robots from the topics of @p bag, the opened mission.
 [[nodiscard]] std::vector<RobotDescription> robotsOf(const std::filesystem::path& mission,
                                                      const BagReader& bag,
                                                      std::vector<std::string>& warnings);
+/// Sets which of several clouds makes the map as the mission in @p folder had it, for each of @p robots whose
+/// own file names none.
+void carryMapping(const std::filesystem::path& folder, std::vector<RobotDescription>& robots);
 
 }  // namespace leitstand

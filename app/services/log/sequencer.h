@@ -27,9 +27,9 @@ public:
     Sequencer(const Sequencer&) = delete;
     Sequencer& operator=(const Sequencer&) = delete;
 
-    /// Takes @p event; sets its receive time to now if it has none. Any thread, also the sink's own.
+    /// Takes @p event; sets its receive time to now if it has none. Any thread, also that of the sink.
     void push(RawEvent event);
-    /// Waits until all events pushed before were passed on. Not from the sink.
+    /// Waits until all events pushed before were passed on. Must not be called from the sink.
     void drain();
 
 private:

@@ -167,6 +167,10 @@ void LiveMapping::lookFor(const std::string& robot) {
     post([this, robot](LiveMapper&) { m_lost.lookFor(robot); });
 }
 
+void LiveMapping::mapWith(const std::string& robot, const std::string& topic) {
+    post([this, robot, topic](LiveMapper&) { m_robots.mapWith(robot, topic); });
+}
+
 void LiveMapping::work(const Event& event) {
     m_robots.add(event);
 }

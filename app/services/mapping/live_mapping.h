@@ -33,15 +33,15 @@ namespace leitstand {
 struct EarlierMap {
     std::vector<KeyScanSample> scans;
     std::vector<ScanPose> poses;                          ///< where they are now
-    std::map<std::string, RobotPlaceSample> places = {};  ///< of robots that do not make it, by name
+    std::map<std::string, RobotPlaceSample> places = {};  ///< of robots without scans in the map, by name
     bool shared = false;                                  ///< another station contributed to it
     std::vector<ScanLinksSample> links = {};              ///< between the scans, as they were published
-    std::vector<Link> loops = {};                         ///< those links that close loops, as they are now
-    std::map<std::uint64_t, std::vector<BodyInScan>> bodies = {};  ///< of other robots, by scan
+    std::vector<Link> loops = {};                         ///< the links that close loops, as they are now
+    std::map<std::uint64_t, std::vector<BodyInScan>> bodies = {};  ///< other robots in scans, by scan id
     bool asRecorded = false;  ///< scans keep their poses, whatever links require, until something is decided
 };
 
-/// Restores the map of @p earlier in @p mapper, which is empty. Does not restore where robots are in it.
+/// Restores the map of @p earlier in @p mapper, which must be empty. Does not restore the robots' places.
 void restore(LiveMapper& mapper, const EarlierMap& earlier);
 
 /// Returns @p settings, adapted to the files of @p robots.
@@ -58,34 +58,38 @@ public:
     /// Takes odometry, inertial unit, fixed frames, 3D scans, turns of a plane laser, and clock offsets of
     /// robots; ignores others.
     void onEvent(const Event& event) override;
-    /// Runs @p task with the mapper, on the mapping's thread, after waiting work. The map then counts as
-    /// moved.
+    /// Runs @p task with the mapper on the mapping's thread, after waiting work. The map is then published as
+    /// changed.
     void post(std::function<void(LiveMapper&)> task);
     /// Calls @p done on the mapping's thread, once waiting work is done and the poses of scans are solved.
     /// Does not call it if the mapping ends before.
     void whenCalm(std::function<void()> done);
-    /// Sets what of the world, and of what lasers see, belongs into the map from now on.
+    /// Sets which part of the world belongs into the map from now on, also for what lasers see.
     void setCrop(const MapCrop& crop);
-    /// Takes what another station, which makes the map, added to it. follow() takes where its scans and
-    /// robots are now.
+    /// Takes additions to the map from the station that makes it. follow() takes where its scans and robots
+    /// are now.
     void adopt(const KeyScanSample& keyScan);
     void adopt(const ScanLinksSample& links);
     void adopt(const ScanBodiesSample& bodies);
     void follow(std::vector<ScanPose> poses);
     void follow(const RobotPlaceSample& place);
-    /// Records that a 3D scan of @p robot came in, which another station registers.
+    /// Records that a 3D scan of @p robot was received at @p received, station's clock. Another station
+    /// registers it.
     void scanReceived(const std::string& robot, Time received);
-    /// Sets @p robot, by name one of ours, to @p baseInMap, for the operator.
+    /// Places @p robot, the name of one of ours, at @p baseInMap, where the operator puts it.
     void place(const std::string& robot, const Pose& baseInMap);
     /// Computes what the map would become if its links were as in @p links. Calls @p done on another thread,
     /// unless the mapping ends before.
     void preview(std::vector<Link> links, std::function<void(LoopPreview)> done);
-    /// Looks for @p robot, by name one of ours, in the whole map, by its newest 3D scan; on a separate
-    /// thread.
+    /// Looks for @p robot, the name of one of ours, by its newest 3D scan, as LostRobots::lookFor(); on a
+    /// separate thread.
     void lookFor(const std::string& robot);
-    /// Corrects the scans of @p robot, by name one of ours, by @p correction from the next one on.
+    /// Corrects the scans of @p robot, the name of one of ours, by @p correction from the next scan on.
     void correct(const std::string& robot, const ScannerCorrection& correction);
-    /// Stops reports of the present @p fault of @p robot's scanner; later changes are reported.
+    /// Makes the map with the scanner of @p robot, the name of one of ours, whose clouds are on @p topic,
+    /// from the next cloud on.
+    void mapWith(const std::string& robot, const std::string& topic);
+    /// Stops reports of @p fault in the scanner of @p robot; its other faults are still reported.
     void leaveAsIs(const std::string& robot, ScannerFault fault);
     /// Where the robots are; never null.
     [[nodiscard]] RobotsInMapPtr robots() const;
@@ -109,13 +113,13 @@ private:
     void work(const Task& task);
     void work(const Look& look);
     void registerDone(Time now);
-    /// Makes the matched clouds of an earlier map's scans, on the solver's thread; of @p left, the last one
-    /// first.
+    /// Makes the matched clouds of an earlier map's scans on the solver's thread: those in @p left, the last
+    /// one first.
     void makeMatched(std::vector<MatchedCloudPtr> left);
-    void solveLoops();  ///< solves where the map meets itself, on the solver's thread
+    void solveLoops();  ///< solves loop closures, on the solver's thread
     void settle(const MapSolution& solution);
-    void meetMore();   ///< links two parts that have met at one more of their scans
-    void seekPlace();  ///< searches where the map may meet itself far off, on the solver's thread
+    void meetMore();   ///< checks one more scan of two parts that have met, and links them
+    void seekPlace();  ///< searches for loop closures far off, on the solver's thread
     void publishScanner(const std::string& name);
     void publishMap();
 

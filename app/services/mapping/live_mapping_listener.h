@@ -12,22 +12,25 @@
 
 namespace leitstand {
 
-/// Called on the mapping's thread, which they must not block.
+/// Functions that are called on the mapping's thread and must not block it.
 struct LiveMappingListener {
-    std::function<void(const RobotPlaceSample&)> onPlace =
-        {};  ///< places for the log, of robots that do not make the map
+    /// For the log: places of robots by their laser, by scans of other robots, by the operator, or by a
+    /// search.
+    std::function<void(const RobotPlaceSample&)> onPlace = {};
     std::function<void(const MapUpdate&)> onUpdate = {};  ///< for the log, in order
-    /// For the log: a place was recognised far off, or in another part of the map.
+    /// For the log: links with a place that was recognised far off, or in another part of the map.
     std::function<void(const ScanLinksSample&)> onLoop = {};
     std::function<void(const Settled&)> onSettled = {};  ///< for the log, after a loop closed or an undo
-    /// For the log, without a station: other robots in a scan that entered before they were placed, and
-    /// passers-by.
+    /// For the log, with an empty station: passers-by, and other robots in scans that entered before these
+    /// robots were placed.
     std::function<void(ScanBodiesSample)> onBodies = {};
-    /// A search for a robot in the whole map failed: @p alike places look like what it sees, or none.
+    /// A search for a robot failed: @p alike places of the map look like what the robot sees; 0: none does.
     std::function<void(const std::string& robot, std::size_t alike)> onLookedFor = {};
-    /// What the map advises about a robot's scanner. Called when it changes noticeably.
+    /// What the map finds about a robot's scanner. Called when the advised correction changes noticeably.
     std::function<void(const std::string& robot, const ScannerFinding&)> onScanner = {};
-    std::function<bool()> makesMap = {};  ///< whether our poses of scans are valid; empty: they are
+    /// Which clouds of a robot with several scanners make the map from now on.
+    std::function<void(const std::string& robot, const std::string& topic)> onMapsWith = {};
+    std::function<bool()> makesMap = {};  ///< whether this station makes the map; empty: it does
     std::function<void(const LiveMapPtr&)> onMap = {};  ///< after a scan entered or moved, or was decided on
 };
 

@@ -25,7 +25,7 @@ class LiveMission;
 /// Loops that closed by themselves since the station began.
 struct ClosedLoops {
     std::uint64_t count = 0;
-    double largest = 0.0;  ///< how far the newest one moved scans, at most [m]
+    double largest = 0.0;  ///< by how far the newest one moved scans, at most [m]
 };
 
 /// What a map log needs.
@@ -36,8 +36,9 @@ struct MapLogSetup {
     std::function<void(const std::string&)> notify;  ///< notifies the operator, in words
 };
 
-/// A station's map in the mission's log. Publishes the results of the mapping there, and makes the mapping
-/// follow the log, ours and other stations'. Any thread, unless a method states otherwise.
+/// Connects a station's mapping with the mission's log. Publishes the results of the mapping in the log, and
+/// makes the mapping follow what this and other stations publish there. Any thread, unless a method states
+/// otherwise.
 class MapLog {
 public:
     /// @p mission must outlive it. Before follow() only functions that publish, and crop(), may be called.
@@ -46,20 +47,20 @@ public:
     /// whenSettled().
     void follow(LiveMapping& mapping) { m_mapping = &mapping; }
 
-    /// Publishes @p sample, which the log returns to onEvent(). Tasks of whenSettled() wait until then. Error
-    /// when the log cannot take it.
+    /// Publishes @p sample in the log, which returns it to onEvent(). Tasks of whenSettled() wait for that.
+    /// Error when the log cannot take it.
     Result<void> publish(const Sample& sample, std::string_view topic);
     /// As publish(); notifies the operator of an error.
     void publishOrNotify(const Sample& sample, std::string_view topic);
 
-    /// Publishes a result of the mapping; on its thread.
+    /// Publish results of the mapping; on its thread.
     void publish(const MapUpdate& update);
     void publishLoop(const ScanLinksSample& loop);
     void publish(const Settled& settled);
     void publish(const RobotPlaceSample& place);
     void publish(ScanBodiesSample bodies);
-    /// Records that the operator moved something of the map: the effect of the poses that follow is reported.
-    /// On the mapping's thread.
+    /// Records that the operator moved a part of the map: the operator is notified how far scans move when
+    /// the map is solved next. On the mapping's thread.
     void movedByHand() { m_loopClosed = true; }
 
     /// Takes an event of a station, from the mission's thread.
@@ -67,14 +68,15 @@ public:
 
     /// Calls @p task on the mapping's thread once the log has all that was published before.
     void whenSettled(std::function<void(LiveMapper&)> task);
-    /// Whether the log has all of it, and no task waits.
+    /// Whether the log has returned all that was published, and no task waits.
     [[nodiscard]] bool isSettled() const;
 
     /// Publishes @p crop, valid from @p at on. Errors as of publish().
     Result<void> setCrop(const MapCrop& crop, Time at);
     [[nodiscard]] MapCrop crop() const;  ///< as requested last
     [[nodiscard]] ClosedLoops closedLoops() const;
-    [[nodiscard]] const std::string& titleOf(const std::string& robot) const;  ///< its name if it has none
+    [[nodiscard]] const std::string& titleOf(
+        const std::string& robot) const;  ///< title of @p robot, else its name
 
 private:
     /// Publishes a sample that no task waits for.
@@ -82,7 +84,8 @@ private:
     void onKeyScan(const KeyScanSample& scan);
     /// Takes what decides where scans lie, or what of them counts: links, poses, areas, and undos.
     void onDecision(const Event& event);
-    /// Returns the area that the mapping has to follow now that @p event is in the log; empty: none.
+    /// Returns the area that the mapping has to follow now that @p event is in the log; empty: it has not
+    /// changed.
     std::optional<MapCrop> changedCrop(const Event& event, const std::string& publisher);
     void runSettled(LiveMapper& mapper);
     [[nodiscard]] MapCrop cropInLog() const;
@@ -90,8 +93,9 @@ private:
     LiveMission& m_mission;
     const MapLogSetup m_setup;
     LiveMapping* m_mapping = nullptr;
-    bool m_loopClosed = false;      ///< the next poses' effect is not reported yet; of the mapping's thread
-    bool m_closedByItself = false;  ///< also, nobody decided it; of the mapping's thread
+    bool m_loopClosed = false;  ///< the next poses are to be reported; of the mapping's thread
+    bool m_closedByItself =
+        false;  ///< they follow from a loop that nobody decided on; of the mapping's thread
     std::map<std::string, bool> m_certain;  ///< whether a robot's place was certain; of the mapping's thread
     mutable std::mutex m_mutex;             ///< guards the following
     MapCrop m_crop;
@@ -101,7 +105,7 @@ private:
     /// equal.
     std::uint64_t m_published = 0, m_received = 0;
     std::set<std::uint64_t> m_registered;  ///< key scans that were published and have not come back yet
-    std::deque<std::function<void(LiveMapper&)>> m_settled;  ///< tasks to run then, on the mapping's thread
+    std::deque<std::function<void(LiveMapper&)>> m_settled;  ///< tasks of whenSettled()
 };
 
 }  // namespace leitstand

@@ -72,6 +72,13 @@ std::string scannerIsOff(const std::string& title) {
                 title);
 }
 
+std::string mapsWith(const std::string& title, const std::string& topic) {
+    return leitstand::fill(
+        translate("leitstand::Station",
+                  "{}: its map is made from {}; its other clouds are shown, and used for obstacles"),
+        title, topic);
+}
+
 std::string scannerCorrected(const std::string& title, const std::string& file) {
     const std::string what =
         fill(translate("leitstand::Station", "{}: its 3D scanner is corrected from its next scan on"), title);

@@ -68,7 +68,7 @@ RobotSight::RobotSight(const RobotDescription& robot)
     m_hasCamera = camera != nullptr;
     if (m_hasCamera) m_driversCamera = camera->sensor;
     m_hasScanner = std::any_of(robot.streams.begin(), robot.streams.end(),
-                               [](const StreamDescription& one) { return streamFacts(one.role).obstacles; });
+                               [](const StreamDescription& one) { return isScanner(one.role); });
 }
 
 void RobotSight::onEvent(const Event& event) {

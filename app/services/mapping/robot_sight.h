@@ -21,35 +21,37 @@ namespace leitstand {
 struct PictureSample;
 struct KeyScanSample;
 
-/// The surroundings of one robot: its virtual 2D scan from what it sent, and how old the driver's view is.
-/// Scans wait for odometry that covers them, at most 150 ms. After that their motion is extrapolated from the
-/// last speed. Any thread.
+/// The surroundings of one robot by what it sent: its virtual 2D scan, and the age of the driver's view.
+/// Scans wait for odometry of their time, at most 150 ms. After that, the motion of the robot is extrapolated
+/// from its last speed. Any thread.
 class RobotSight {
 public:
     explicit RobotSight(const RobotDescription& robot);
 
     void onEvent(const Event& event);  ///< takes what this robot sent; ignores what is of no use here
-    void onEvent(const Event& event, SteadyTime now);  ///< the same, received at another moment
-    /// The same for a whole turn of the scanner, @p scan, that a station kept, when its slices are not at
-    /// hand.
+    void onEvent(const Event& event, SteadyTime now);  ///< the same for an event received at @p now
+    /// Takes a whole turn of the scanner that a station kept as the key scan @p scan, received at @p now. For
+    /// missions without the slices of that turn.
     void take(const KeyScanSample& scan, SteadyTime now);
-    /// Sets the driver's camera to @p sensor, infrared or not; at first it is the one named first.
+    /// Sets the camera of the driver to @p sensor, infrared or not. At first it is the first camera of the
+    /// robot's file, infrared only without others.
     void selectCamera(const std::string& sensor);
-    /// Returns how fast the robot may be driven where @p sticks lead.
+    /// Returns the limit on the robot's speed in the direction of @p sticks, by the age of what the driver
+    /// sees there. @p withoutEyes: the operator drives without a view.
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes) const;
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes, SteadyTime now) const;
     /// Fills cameras and joints.
     void fillView(RobotView& robot) const;
     void fillView(RobotView& robot, SteadyTime now) const;
-    /// The surroundings seen from where the robot was by its newest odometry; ages grow while nothing comes.
-    /// Empty before any odometry. Sectors' ages are on the robot's clock.
+    /// Returns the surroundings as seen from the robot's pose in its newest odometry; empty before any
+    /// odometry. Ages grow while nothing comes. Ages of sectors are on the robot's clock.
     [[nodiscard]] std::optional<VirtualScanView> view() const;
     [[nodiscard]] std::optional<VirtualScanView> view(SteadyTime now) const;
 
-    /// When a scan or a slice of one came last; empty: never.
+    /// Returns when a scan, or a slice of a scan, came last; empty: never.
     [[nodiscard]] std::optional<SteadyTime> scanned() const;
-    /// Returns how far the robot can drive straight ahead until it touches something, at most 2 m. NaN when
-    /// this was not looked at within 10 s.
+    /// Returns how far the robot can drive straight ahead until it touches something, at most 2 [m]. NaN when
+    /// the space ahead was not scanned within the last 10 s.
     [[nodiscard]] double spaceAhead() const;
 
 private:
@@ -63,7 +65,7 @@ private:
     void placeHeld(SteadyTime now);                                                      ///< under the mutex
     void place(const Held& held);                                                        ///< under the mutex
     [[nodiscard]] std::optional<VirtualScanView> look(SteadyTime now) const;             ///< under the mutex
-    /// Whether the odometry started again since its newest sample.
+    /// Whether the robot's odometry has started again with @p odometry, taken at @p stamp.
     [[nodiscard]] bool hasLeapt(const OdometrySample& odometry, Time stamp) const;
     void addLasers(VirtualScanView& view, SteadyTime now) const;  ///< under the mutex
     [[nodiscard]] const PictureWatch* driversPicture() const;     ///< under the mutex; null: no picture came

@@ -51,10 +51,9 @@ Result<std::string> written(const fs::path& file, const std::string& sensor,
 
 }  // namespace
 
-std::string onlyScanner(const RobotDescription& robot) {
-    const auto isScanner = [](const StreamDescription& stream) { return stream.role == StreamRole::Points; };
-    if (std::count_if(robot.streams.begin(), robot.streams.end(), isScanner) != 1) return {};
-    return std::find_if(robot.streams.begin(), robot.streams.end(), isScanner)->sensor;
+std::string mappingSensor(const RobotDescription& robot) {
+    const StreamDescription* const maps = robot.mappingStream();
+    return maps != nullptr ? maps->sensor : std::string();
 }
 
 ScannerAdvice::ScannerAdvice(std::vector<RobotDescription> robots, fs::path mission)
@@ -69,7 +68,7 @@ bool ScannerAdvice::follow(const std::string& robot, const ScannerFinding& findi
     const std::lock_guard lock(m_mutex);
     const auto described = find(robot);
     if (described == m_robots.end()) return false;
-    const auto sensor = described->sensors.find(onlyScanner(*described));
+    const auto sensor = described->sensors.find(mappingSensor(*described));
     const ScannerCorrection now =
         sensor == described->sensors.end() ? ScannerCorrection{} : sensor->second.correction;
     // On its way while the operator answered: it advises what use() already did.
@@ -78,6 +77,36 @@ bool ScannerAdvice::follow(const std::string& robot, const ScannerFinding& findi
     if (!finding.more || now.with(*finding.more) == now) return false;  // none, or at the limits
     m_advised.emplace(robot, *finding.more);
     return m_reported.emplace(robot, faultOf(*finding.more)).second;
+}
+
+Result<void> ScannerAdvice::mapWith(const std::string& robot, const std::string& topic) {
+    RobotDescription chosen;
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto described = find(robot);
+        if (described == m_robots.end()) return {};
+        for (StreamDescription& stream : described->streams) stream.maps = stream.topic == topic;
+        chosen = *described;
+    }
+    return m_mission.empty() ? Result<void>() : keepRobots(m_mission, {chosen});
+}
+
+bool ScannerAdvice::hasClouds(const std::string& robot, const std::string& topic) const {
+    const std::lock_guard lock(m_mutex);
+    return std::any_of(m_robots.begin(), m_robots.end(), [&](const RobotDescription& one) {
+        return one.name == robot &&
+               std::any_of(one.streams.begin(), one.streams.end(), [&](const auto& stream) {
+                   return stream.role == StreamRole::Points && stream.topic == topic;
+               });
+    });
+}
+
+std::string ScannerAdvice::mapsWith(const std::string& robot) const {
+    const std::lock_guard lock(m_mutex);
+    const auto described =
+        std::find_if(m_robots.begin(), m_robots.end(), [&](const auto& one) { return one.name == robot; });
+    const StreamDescription* const maps = described == m_robots.end() ? nullptr : described->mappingStream();
+    return maps != nullptr ? maps->topic : std::string();
 }
 
 std::optional<ScannerQuestion> ScannerAdvice::question() const {
@@ -103,7 +132,7 @@ ScannerAdvice::Used ScannerAdvice::use(const ScannerQuestion& question) {
         m_reported.erase({question.robot, faultOf(question.more)});
         const auto robot = find(question.robot);
         if (robot == m_robots.end()) return used;
-        sensor = onlyScanner(*robot);
+        sensor = mappingSensor(*robot);
         SensorDescription& described =
             robot->sensors.try_emplace(sensor, SensorDescription{.frame = sensor}).first->second;
         used.total = described.correction = described.correction.with(question.more);

@@ -18,7 +18,7 @@ namespace leitstand {
 struct ScannerQuestion {
     std::string robot;       ///< name
     ScannerCorrection more;  ///< in addition to what its file holds
-    /// Whether both ask about the same error of the same scanner, perhaps with other figures.
+    /// Whether both questions are about the same fault of the same scanner, perhaps with other figures.
     [[nodiscard]] bool asksAs(const ScannerQuestion& other) const {
         return robot == other.robot && faultOf(more) == faultOf(other.more);
     }
@@ -31,12 +31,13 @@ public:
     /// @p mission: the folder that keeps the robots' files beside the log; empty: none.
     ScannerAdvice(std::vector<RobotDescription> robots, std::filesystem::path mission);
 
-    /// Takes what the map finds about @p robot's scanner, unless it was measured with another correction than
-    /// the present one. Returns whether to notify the operator: only of the first question of its kind.
+    /// Takes @p finding, what the map finds about the scanner of @p robot. Ignores it if the scanner was
+    /// measured with another correction than the present one. Returns whether to notify the operator: only of
+    /// the first question on a fault.
     bool follow(const std::string& robot, const ScannerFinding& finding);
     /// The first question without an answer.
     [[nodiscard]] std::optional<ScannerQuestion> question() const;
-    /// Dismisses the question. LiveMapping remembers what was left, and does not advise it again.
+    /// Dismisses @p question. LiveMapping::leaveAsIs() makes the map not advise it again.
     void leave(const ScannerQuestion& question);
 
     /// Result of applying a correction.
@@ -49,6 +50,13 @@ public:
     /// mission's copy. A file that came with the program stays unchanged; a copy goes to the user's folder.
     [[nodiscard]] Used use(const ScannerQuestion& question);
 
+    /// Keeps in the mission's copy of @p robot's file that the stream on @p topic makes the map. Errors name
+    /// the file.
+    [[nodiscard]] Result<void> mapWith(const std::string& robot, const std::string& topic);
+    [[nodiscard]] bool hasClouds(const std::string& robot, const std::string& topic) const;
+    /// Returns the topic whose clouds make the map of @p robot, which has several; empty: none yet.
+    [[nodiscard]] std::string mapsWith(const std::string& robot) const;
+
 private:
     mutable std::mutex m_mutex;
     std::vector<RobotDescription> m_robots;
@@ -58,8 +66,7 @@ private:
     [[nodiscard]] std::vector<RobotDescription>::iterator find(const std::string& robot);
 };
 
-/// Returns the sensor of @p robot that the map is made with: that of its only stream of points. Empty: there
-/// is none, or there are several.
-[[nodiscard]] std::string onlyScanner(const RobotDescription& robot);
+/// Returns the sensor of RobotDescription::mappingStream(); empty: there is none, or it names none.
+[[nodiscard]] std::string mappingSensor(const RobotDescription& robot);
 
 }  // namespace leitstand

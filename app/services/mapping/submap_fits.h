@@ -20,22 +20,23 @@ public:
     SubmapFits(const SubmapFits&) = delete;
     SubmapFits& operator=(const SubmapFits&) = delete;
 
-    /// Begins a move of @p submap of @p map, which is compared with the rest without @p left. Drops earlier
-    /// requests.
+    /// Begins a move of the key scans @p submap of @p map. They are compared with the other scans, except
+    /// those in @p left. Drops earlier requests.
     void begin(LiveMapPtr map, std::set<std::uint64_t> submap, std::set<std::uint64_t> left = {});
     void end();  ///< ends the move
-    /// Requests how well it fits at @p moved (SubmapOnMap::at()); only the newest request counts.
+    /// Requests how well the submap fits at @p moved (SubmapOnMap::at()); only the newest request counts.
     void want(const Pose& moved);
-    /// Requests to snap it from @p moved.
+    /// Requests the pose near @p moved at which the submap fits best (SubmapOnMap::snapped()). No effect
+    /// before submap() is there.
     void snap(const Pose& moved);
 
     /// The submap that is moved; null: it is not ready yet, or there is none.
     [[nodiscard]] SubmapOnMapPtr submap() const;
-    /// How it fits at the newest requested pose that was computed; empty: not known yet.
+    /// Returns how the submap fits at the newest requested pose that was computed; empty: not known yet.
     [[nodiscard]] std::optional<SubmapFit> fit() const;
     /// The result of snap(), returned once.
     struct Snapped {
-        std::optional<Pose> moved;  ///< empty: too little of it lies on anything there
+        std::optional<Pose> moved;  ///< empty: too little of the submap lies on anything there
     };
     [[nodiscard]] std::optional<Snapped> takeSnapped();
 

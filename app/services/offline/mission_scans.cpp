@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
+#include <stop_token>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,6 +19,7 @@
 #include "core/event/event.h"
 #include "core/event/stream_role.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/mapping/motion/mapping_scanner.h"
 #include "core/mapping/motion/turn_assembler.h"
 
 namespace leitstand {
@@ -53,6 +56,7 @@ struct CloudLane {
 /// State of one robot.
 struct RobotScans {
     SensorPoses poses;
+    MappingScanner mapping;                  ///< which of its scanners makes the map
     std::map<std::string, CloudLane> lanes;  ///< by topic
     int scans = 0, withoutPose = 0;
 };
@@ -61,10 +65,14 @@ class Reading {
 public:
     Reading(BagReader& bag, std::vector<RobotDescription> robots) : m_bag(bag), m_decoder(std::move(robots)) {
         for (const RobotDescription& robot : m_decoder.robots()) {
-            m_robots.emplace(robot.name, RobotScans{.poses = SensorPoses(robot), .lanes = {}});
+            m_robots.emplace(
+                robot.name,
+                RobotScans{.poses = SensorPoses(robot), .mapping = MappingScanner(robot), .lanes = {}});
         }
     }
     void readPoses(const Progress& progress);
+    /// Compares the scanners of robots that have several, by their first clouds.
+    void chooseScanners(const Progress& progress, MissionScans& result);
     void readClouds(const Progress& progress, MissionScans& result);
 
 private:
@@ -108,11 +116,43 @@ void Reading::keep(std::optional<Scan> scan, const std::string& robot, const Clo
     m_scans.push_back({std::make_shared<const Scan>(std::move(*scan)), sensorInBase, lane.newest});
 }
 
+void Reading::chooseScanners(const Progress& progress, MissionScans& result) {
+    const auto isOpen = [](const auto& one) {
+        return one.second.mapping.hasChoice() && one.second.mapping.chosen().empty();
+    };
+    std::stop_source decided;
+    std::optional<Time> newest;
+    const auto take = [&](const Event& event) {
+        const auto* cloud = event.sample.as<CloudSample>();
+        RobotScans& robot = m_robots.at(event.robot);
+        if (cloud != nullptr)
+            (void)robot.mapping.takes(event.topic, *cloud,
+                                      robot.poses.inBase(event.sensor, cloud->header.frame), event.received);
+        newest = event.received;
+        if (progress.cancelled() || std::none_of(m_robots.begin(), m_robots.end(), isOpen))
+            decided.request_stop();
+    };
+    if (std::any_of(m_robots.begin(), m_robots.end(), isOpen))
+        forEach(topicsOf(m_decoder.robots(), {StreamRole::Points}),
+                {.report = {}, .stop = decided.get_token()}, take);
+    for (auto& [name, robot] : m_robots) {
+        if (!robot.mapping.hasChoice()) continue;
+        if (newest) robot.mapping.decide(*newest);
+        if (!robot.mapping.chosen().empty())
+            result.warnings.push_back(
+                leitstand::fill(translate("leitstand::Error",
+                                          "{}: has several scanners; scans of {} are taken (`maps: true` in "
+                                          "its file names another)"),
+                                name, robot.mapping.chosen()));
+    }
+}
+
 void Reading::readClouds(const Progress& progress, MissionScans& result) {
     forEach(topicsOf(m_decoder.robots(), {StreamRole::Points}), progress, [&](const Event& event) {
         const auto* cloud = event.sample.as<CloudSample>();
         if (cloud == nullptr) return;
         RobotScans& robot = m_robots.at(event.robot);
+        if (robot.mapping.hasChoice() && event.topic != robot.mapping.chosen()) return;
         CloudLane& lane = robot.lanes[event.topic];
         lane.sensor = event.sensor;
         lane.frame = cloud->header.frame;
@@ -165,6 +205,7 @@ Result<MissionScans> readMissionScans(const fs::path& mission, const Progress& p
     MissionScans result;
     Reading reading(**bag, robotsOf(mission, **bag, result.warnings));
     reading.readPoses(part(progress, 0.0, 0.3));
+    reading.chooseScanners(progress, result);
     reading.readClouds(part(progress, 0.3, 1.0), result);
     if (result.scans.empty() && !progress.cancelled()) {
         return Error{leitstand::fill(

@@ -19,8 +19,8 @@ struct OfflineScan {
     ScanArrival arrival;
 };
 
-/// A map of a mission that no station mapped. Its frame is level by odometry, with the origin below where the
-/// robot of the first scan began.
+/// A map of a mission that no station mapped. Its frame is level by odometry. The x and y of its origin are
+/// where the robot of the first scan stood.
 struct OfflineMap {
     std::vector<OfflineScan> scans;     ///< in the order they were registered
     std::size_t read = 0;               ///< scans that the mission holds; the above are a choice of them

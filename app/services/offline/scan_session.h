@@ -36,13 +36,13 @@ struct SessionOutcome {
     double seconds = 0.0;  ///< wall clock [s]
 };
 
-/// Receives what the session does. All functions are called on the session's thread and may call the
-/// session's; any may be empty.
+/// Receives what the session does. All functions are called on the session's thread and may call functions of
+/// the session; any may be empty.
 struct SessionListener {
     std::function<void(MapPtr)> onMap;                       ///< a new snapshot, never null
     std::function<void(const SessionProgress&)> onProgress;  ///< may come many times a second
     std::function<void(const SessionMessage&)> onMessage;
-    std::function<void(const SessionOutcome&)> onFinished;  ///< once for each job, after all else of it
+    std::function<void(const SessionOutcome&)> onFinished;  ///< once for each job, after its other calls
 };
 
 /// Returns the endings of files that hold a scan, with their dots, in lower case.

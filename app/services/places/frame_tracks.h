@@ -24,7 +24,7 @@ public:
 
     void add(const Event& event);  ///< takes transforms and odometry; ignores others
     /// Returns the pose of @p frame of @p sensor in the robot's base at @p stamp. Uses tf, else the robot's
-    /// file, which does not know where a unit is turned to. Empty where tf has a gap.
+    /// file, which does not know how a pan-tilt unit is turned. Empty where tf has a gap.
     [[nodiscard]] std::optional<Pose> inBase(const std::string& sensor, const std::string& frame, Time stamp);
 
 private:

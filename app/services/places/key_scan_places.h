@@ -20,20 +20,21 @@ struct PlaceOfRobot {
     MapFix fix;
 };
 
-/// Where a mission's key scans are, by its events, and where its robots were by them. What is seen is
-/// attached to a scan, so that it moves with the map. Has no thread; one call at a time.
+/// The poses of a mission's key scans by its events, and the places of its robots by these. What is seen is
+/// attached to a key scan, so that it moves with the map. Has no thread; one call at a time.
 class KeyScanPlaces {
 public:
     /// Whether @p event concerns the places of key scans or robots.
     [[nodiscard]] static bool wants(const Event& event);
-    /// Takes all events of a mission that it wants, in order. Returns where robots were by them.
+    /// Takes all events of a mission that wants() accepts, in order. Returns the places of robots that @p
+    /// event shows.
     [[nodiscard]] std::vector<PlaceOfRobot> onEvent(const Event& event);
-    /// Sets where all scans are: those of earlier sessions, or all after an undo. Scans that are not named do
-    /// not count. Returns where robots were by them.
+    /// Sets the poses of key scans: at first those of earlier sessions, after an undo those of all. Key scans
+    /// that are not in @p poses no longer count. Returns the places of robots that the poses show.
     [[nodiscard]] std::vector<PlaceOfRobot> follow(std::span<const ScanPose> poses);
 
-    /// Returns the scan to attach something to that @p robot saw from @p place: its newest one if that
-    /// counts, else the nearest that does; 0: none.
+    /// Returns the key scan to which something is attached that @p robot saw from @p place in the map [m]. It
+    /// is the newest one of the robot if that counts, else the nearest one that counts; 0: none.
     [[nodiscard]] std::uint64_t scanFor(const std::string& robot, const Eigen::Vector3d& place) const;
     [[nodiscard]] const Pose& scanInMap(std::uint64_t scan) const { return m_scans.at(scan).scanInMap; }
 

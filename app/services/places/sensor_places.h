@@ -39,7 +39,7 @@ public:
     void correct(const MapFix& fix);
     void lose();  ///< the robot's place is unknown
 
-    /// Whether the odometry of that time has come.
+    /// Whether the odometry of @p stamp has come.
     [[nodiscard]] bool covers(Time stamp) const { return m_tracker.motion().covers(stamp); }
     /// Returns where frame @p frame of @p sensor was; empty where transforms or odometry have a gap.
     [[nodiscard]] std::optional<SensorPlace> at(const std::string& sensor, const std::string& frame,

@@ -22,27 +22,28 @@ public:
 
     /// Takes odometry and transforms; ignores other events.
     void add(const Event& event);
-    /// Returns the pose of the sensor that took @p event's sample in the odometry's frame at @p stamp; empty
-    /// when there is no odometry near it. A sensor at an unknown place counts as at the robot's base, and
-    /// remarks() reports it.
+    /// Returns the pose of the sensor that took the sample of @p event, in the odometry's frame at @p stamp.
+    /// Empty when there is no odometry near that time. A sensor at an unknown place counts as at the robot's
+    /// base, and remarks() reports it.
     [[nodiscard]] std::optional<Pose> sensorInOdom(const Event& event, const SampleHeader& header,
                                                    Time stamp);
     /// Returns the pose of frame @p frame of sensor @p sensor in the robot's base: by its transforms, else by
     /// its file, else the base itself, which remarks() reports.
     [[nodiscard]] Pose inBase(const std::string& sensor, const std::string& frame);
-    /// Sets the correction of sensor @p sensor, or of the one of frame @p frame, from now on.
+    /// Sets the correction of @p sensor from now on. If the robot's file has no such sensor, it is that of
+    /// the sensor with @p frame.
     void setCorrection(const std::string& sensor, const std::string& frame,
                        const ScannerCorrection& correction);
     /// Whether @p frame can be a sensor's own. Data in the frame of the base or of the odometry was seen from
     /// an unknown place.
     [[nodiscard]] bool isOfScanner(const std::string& frame) const;
-    /// Returns the correction that was set last, else that of the robot's file; its lean is in inBase(). None
-    /// where isOfScanner() is false.
+    /// Returns the correction that was set last, else that of the robot's file. Its lean is already in
+    /// inBase(). No correction where isOfScanner() is false.
     [[nodiscard]] ScannerCorrection correctionOf(const std::string& sensor, const std::string& frame) const;
     /// Returns the parent of a frame by the transforms that came, and the frame's pose in it; empty: unknown.
     [[nodiscard]] std::optional<std::pair<std::string, Pose>> parentOf(const std::string& frame) const;
     [[nodiscard]] std::optional<Pose> baseInOdom(Time stamp) const { return m_baseInOdom.at(stamp); }
-    void forgetBefore(Time stamp) { m_baseInOdom.forgetBefore(stamp); }  ///< odometry
+    void forgetBefore(Time stamp) { m_baseInOdom.forgetBefore(stamp); }  ///< drops older odometry
     /// What was missing, each once.
     [[nodiscard]] const std::set<std::string>& remarks() const { return m_remarks; }
 
@@ -52,7 +53,7 @@ private:
         Pose childInParent = Pose::Identity();
     };
     [[nodiscard]] std::optional<Pose> inBaseByTransforms(const std::string& frame) const;
-    /// Name of the sensor in the robot's file; empty: it has none like it.
+    /// Returns the name of the sensor in the robot's file; empty: the file has no such sensor.
     [[nodiscard]] std::string nameOf(const std::string& sensor, const std::string& frame) const;
     [[nodiscard]] Pose describedInBase(const std::string& sensor, const std::string& frame);
 

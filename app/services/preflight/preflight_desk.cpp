@@ -19,6 +19,7 @@
 #include "core/base/time.h"
 #include "core/base/words.h"
 #include "core/event/stream_role.h"
+#include "transport/domain/join_settings.h"
 
 namespace leitstand {
 namespace {
@@ -104,6 +105,7 @@ PreflightFacts PreflightDesk::facts(const std::string& gamepad) const {
     for (const RobotGuess& stranger : strangers()) facts.strangers.push_back(stranger.robot.name);
     facts.limits = m_station.limits();
     facts.cards = networkCards(settings.domain.interfaces);
+    facts.environment = settings.domain.fromEnvironment;
     facts.folder = settings.mission.folder.string();
     std::error_code ignored;
     facts.freeBytes = std::filesystem::space(settings.mission.folder, ignored).available;
@@ -116,7 +118,7 @@ PreflightFacts PreflightDesk::facts(const std::string& gamepad) const {
     }
     facts.farClock = m_station.alarms().limits().clock;
     facts.gamepad = gamepad;
-    facts.secured = !settings.domain.keys.empty();
+    facts.secured = isSecured(settings.domain);
     facts.security = securityLine(settings.domain);
     facts.versions = {"Leitstand " + settings.mission.version};
     return facts;

@@ -16,11 +16,12 @@ namespace leitstand {
 
 class Station;
 
-/// Measures how fast the disk of @p folder takes @p megabytes, written to the platter [B/s]. Errors name the
+/// Returns how fast @p megabytes, written into @p folder, reach the disk itself [B/s]. Errors name the
 /// folder.
 [[nodiscard]] Result<double> measureDisk(const std::filesystem::path& folder, int megabytes = 16);
 
-/// Gathers what the preflight page judges. The station outlives it. One thread (its own measures the disk).
+/// Gathers the facts that the preflight page judges. The station must outlive it. For one thread; measures
+/// the disk on another.
 class PreflightDesk {
 public:
     explicit PreflightDesk(Station& station);
@@ -32,7 +33,7 @@ public:
     [[nodiscard]] PreflightFacts facts(const std::string& gamepad) const;
     /// Measures the disk again; facts() has the result a moment later.
     void measure();
-    /// Returns robots that are in the domain and that the station does not drive.
+    /// Returns the robots in the domain that are not among the station's robots.
     [[nodiscard]] std::vector<RobotGuess> strangers() const;
 
 private:

@@ -25,19 +25,20 @@ struct CarriedInto {
 /// little of it.
 [[nodiscard]] Result<void> hasMap(const std::filesystem::path& mission);
 
-/// Writes the map of the mission @p from into that of @p into, as a session of its own. Carries the scans
-/// that count, with their poses and links, and the area that belongs into the map. That mission then no
-/// longer needs @p from, which stays as it is. Its robots are called NAME@FOLDER there. Robots of the new
-/// mission are placed only by what they see: they map parts of their own until a place is found that both
-/// have seen. Finds, trails and what was searched are not carried. Returns the number of scans. Errors name
-/// the mission: it has no map of ours, or that of @p into exists already. Nothing of the new mission is left
-/// then.
+/// Writes the map of the mission @p from into the new mission of @p into, as a session of its own. Carries
+/// the scans that count, with their poses and links, and the area that belongs into the map. The new mission
+/// then no longer needs @p from, which stays as it is. The robots of the carried scans are called NAME@FOLDER
+/// there. Robots of the new mission are placed only by what they see: they map parts of their own until a
+/// place is found that both maps have seen. Finds, trails and what was searched are not carried. Returns the
+/// number of scans that count. Errors name the mission: @p from has no map of ours, or the new folder has
+/// content already. A new mission that is not whole is removed.
 [[nodiscard]] Result<std::size_t> carryMap(const std::filesystem::path& from, const CarriedInto& into,
                                            const Progress& progress = {});
 
-/// Adds the map beside the one that the mission of @p into has already, as a part of its own. How the two lie
-/// relative to each other is unknown. Only the area of the first one stays. Error when it has no map, or
-/// cannot be written. The mission is then as it was, except for a session that adds nothing.
+/// Adds the map of @p from to the mission of @p into, beside the map there, as a part of its own. The pose of
+/// the two relative to each other is unknown. Only the area of the map that was there stays. Returns the
+/// number of added scans that count. Error when @p from has no map, the mission cannot be written, or when
+/// cancelled. The mission may then hold some of the scans.
 [[nodiscard]] Result<std::size_t> addMap(const std::filesystem::path& from, const CarriedInto& into,
                                          const Progress& progress = {});
 

@@ -13,7 +13,7 @@ namespace leitstand {
 
 /// Two missions whose maps are merged into one.
 struct MergeOrder {
-    std::filesystem::path first, second;  ///< stay unchanged; which of them began first is found out
+    std::filesystem::path first, second;  ///< stay unchanged; in any order
     std::filesystem::path into;           ///< a new mission: absent, or empty
     LiveSettings mapping;
     RelocalisationSettings relocalisation;
@@ -23,17 +23,19 @@ struct MergeOrder {
 /// Result of a merge.
 struct MergedMap {
     std::size_t first = 0, second = 0;  ///< key scans of the earlier and of the later mission
-    std::size_t sought = 0, found = 0;  ///< scans of the second, sought and found in the first: PartsMeeting
-    std::size_t agreeing = 0;           ///< of those found
-    bool together = false;              ///< the two are one map now
-    std::size_t aside = 0;              ///< scans of the later one, in parts that are not in the first
+    std::size_t sought = 0,
+                found = 0;     ///< scans of the later mission that were sought, and found, in the earlier one
+    std::size_t agreeing = 0;  ///< found scans whose places agree
+    bool together = false;     ///< the two maps are one now
+    std::size_t aside = 0;     ///< scans of the later one, in parts that have not met the earlier one
 };
 
-/// Writes the maps of two missions into a new one. Places the later one (its largest part, if it has parts)
-/// where its scans see what the earlier one has. At least three places must agree, and all of it is compared
-/// with what the earlier one looked through. If that place is not certain, the later one lies beside the
-/// earlier one as its own part, for somebody to place. Errors name the mission: it has no map of ours, that
-/// of @p order exists already, or it was cancelled. Nothing of the new one is left then.
+/// Writes the maps of two missions into a new one. Places the later map (its largest part, if it has parts)
+/// where its scans see what the earlier map has. At least three places must agree, and the placed part must
+/// stand in little that the earlier map saw as free. Otherwise the later map lies beside the earlier one as a
+/// part of its own, for an operator to place. Errors name the mission: it has no map of ours, both are the
+/// same, or the new folder has content already. Also an error when cancelled. A new mission that is not whole
+/// is removed.
 [[nodiscard]] Result<MergedMap> mergeMaps(const MergeOrder& order, const Progress& progress = {});
 
 }  // namespace leitstand

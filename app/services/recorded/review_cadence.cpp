@@ -2,7 +2,7 @@
 
 #include "app/services/recorded/review_index.h"
 #include "core/base/time.h"
-#include "core/event/stream_role.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
 namespace {
@@ -40,7 +40,7 @@ bool hasSlices(const ReviewIndex& index, const std::string& robot) {
     const auto scans = index.scanned.find(robot);
     const std::size_t keyScans = scans == index.scanned.end() ? 0 : scans->second.size();
     for (const auto& [topic, stream] : reported->second->streams) {
-        if (stream.role != StreamRole::Points && stream.role != StreamRole::Ranges) continue;
+        if (!stream.role || !isScanner(*stream.role)) continue;
         if (stream.events > keyScans) return true;
     }
     return false;

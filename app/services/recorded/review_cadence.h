@@ -13,8 +13,8 @@ struct ReviewIndex;
 [[nodiscard]] double usualRate(const ReviewIndex& index, const std::string& robot, const std::string& topic);
 /// Returns the mean rate of key scans of @p robot [Hz].
 [[nodiscard]] double keyScanRate(const ReviewIndex& index, const std::string& robot);
-/// Whether the mission has more samples of the scanners of @p robot than key scans: not only what was kept as
-/// evidence of finds.
+/// Whether the log holds the slices of the scanners of @p robot: one scanner has more samples than the robot
+/// has key scans. Fewer samples were kept only as evidence of finds.
 [[nodiscard]] bool hasSlices(const ReviewIndex& index, const std::string& robot);
 
 }  // namespace leitstand

@@ -27,7 +27,7 @@ struct ReviewIndex {
         Pose baseInOdom = Pose::Identity();
         std::chrono::nanoseconds notReceived{};  ///< longest gap in the odometry since the point before
     };
-    static constexpr double TrackApart = 0.1;               ///< of its points [m]
+    static constexpr double TrackApart = 0.1;               ///< between two points of a track [m]
     std::vector<TimelineMark> marks;                        ///< by time
     std::vector<TimelineStretch> stretches;                 ///< in which something was recorded
     std::map<std::uint64_t, KeyScanSample> keyScans;        ///< by id

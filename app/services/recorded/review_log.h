@@ -23,9 +23,9 @@ namespace leitstand {
 class BagReader;
 
 /// A mission's log at any of its moments, forwards and backwards: its events, and the state that they make.
-/// Reads it in short segments and keeps the newest few, with states on the way. A moment beside the last one
-/// is then at hand; a far one costs a checkpoint and the events after it. Never changes the mission, not even
-/// one whose writer was killed. One thread at a time.
+/// Reads the log in short segments and keeps those used last, with states in between. A moment near the last
+/// one is then at hand; a far one costs a checkpoint and the events after it. Never changes the mission, not
+/// even one whose writer was killed. One thread at a time.
 class ReviewLog {
 public:
     using Take = std::function<void(const Event&)>;
@@ -44,11 +44,11 @@ public:
     /// What could not be read so far, in words.
     [[nodiscard]] std::vector<std::string> problems() const;
 
-    /// Whether no station made a map of it, but its robots' clouds could make one.
+    /// Whether the mission has no key scans, but clouds of robots from which makeMap() can make a map.
     [[nodiscard]] bool lacksMap() const;
-    /// Registers the clouds (mapOffline()) into key scans. They then appear as if a station had published
-    /// each when it was complete. Writes nothing. Problems go to problems(). When cancelled, keeps the scans
-    /// registered so far.
+    /// Registers the clouds (mapOffline()) into key scans. These then appear as if a station had published
+    /// each of them when it was complete. Writes nothing. Problems go to problems(). When cancelled, keeps
+    /// the scans registered so far.
     void makeMap(const Progress& progress);
 
     /// Returns the state after the last event that was received at or before @p at.
@@ -87,7 +87,7 @@ private:
 /// Whether @p mission holds what a review shows: a map that a station of ours made while robots drove, or
 /// clouds and either pictures or odometry. Clouds alone are for a window on scans.
 [[nodiscard]] bool isReviewable(const std::filesystem::path& mission);
-/// Whether @p mission is a bag that no station of ours wrote into: it stays as it is.
+/// Whether @p mission is a bag that no station of ours wrote into; such a bag must stay as it is.
 [[nodiscard]] bool isOfOthers(const std::filesystem::path& mission);
 
 }  // namespace leitstand

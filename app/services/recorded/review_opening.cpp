@@ -12,6 +12,7 @@
 #include "app/services/recorded/review_log.h"
 #include "core/event/stream_role.h"
 #include "core/mission/state/scan_state.h"
+#include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
 namespace {
@@ -30,7 +31,7 @@ std::vector<std::string> awaitedOf(const RobotDescription& robot, bool slices) {
     }
     if (!cameras.empty()) topics = {cameras.front(), cameras.back()};
     for (const StreamDescription& stream : robot.streams) {
-        const bool scanner = stream.role == StreamRole::Points || stream.role == StreamRole::Ranges;
+        const bool scanner = isScanner(stream.role);
         const bool shown = std::find(StripRoles.begin(), StripRoles.end(), stream.role) != StripRoles.end();
         if (scanner ? slices : shown) topics.push_back(stream.topic);
     }

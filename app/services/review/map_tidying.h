@@ -25,26 +25,27 @@ struct TidySettings {
 struct TidiedMap {
     std::size_t scans = 0;  ///< in the map
     std::size_t moved = 0;  ///< those that moved noticeably
-    /// Links made for scans that had none: those of missions before version 0.2.
+    /// Links that were written because scans had none, as in missions before version 0.2; 0: no scan lacked
+    /// links.
     std::size_t linked = 0;
     Relaxation relaxation;
 };
 
-/// Relaxes all scans of the map of @p mission that overlap, whenever they were taken. Writes their new links
-/// and poses as a session of the mission; what was recorded stays as it is. Error when the mission has no map
-/// of ours or cannot be written, or when cancelled, with nothing written.
+/// Makes all scans of the map of @p mission that overlap fit each other, whenever they were taken (relax()).
+/// Writes their new links and poses as a session of the mission; what was recorded stays as it is. Error when
+/// the mission has no map of ours or cannot be written. Error also when cancelled: nothing is written then.
 [[nodiscard]] Result<TidiedMap> tidyMap(const std::filesystem::path& mission,
                                         const TidySettings& settings = {}, const Progress& progress = {});
 
 /// Takes back the newest tidying that is not taken back: scans and links are then as before it. Error when
-/// there is none.
+/// there is none, or when the map has changed since.
 [[nodiscard]] Result<void> untidyMap(const std::filesystem::path& mission, const std::string& version);
 
 /// Returns the result of a tidying in words, for the operator.
 [[nodiscard]] std::string tidiedText(const TidiedMap& tidied);
 
-/// Returns the poses before the newest tidying of the scans that it moved, by id, in a mission that ended as
-/// @p finished. That tidying must be one that canUntidy().
+/// Returns, by id, the poses that scans had before the newest tidying moved them. @p finished: the state at
+/// the mission's end, for which canUntidy() is true.
 [[nodiscard]] std::map<std::uint64_t, Pose> posesBeforeTidying(MissionState finished);
 
 /// Whether untidyMap() can take something back in a mission that ended as @p finished.

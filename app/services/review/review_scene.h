@@ -30,10 +30,11 @@ enum class ReviewMap : std::uint8_t {
 struct ReviewMoment {
     Time now{};  ///< station's clock then
     MissionStatePtr mission;
-    std::map<std::string, RobotView> robots;  ///< surroundings, cameras and joints: of the watched one
-    RobotsInMapPtr places;                    ///< never null
-    LiveMapPtr scans;                         ///< never null; the same object while nothing changed
-    MapPtr map;                               ///< never null; the same object while nothing changed
+    std::map<std::string, RobotView>
+        robots;             ///< by name; surroundings, cameras and joints: only of the watched one
+    RobotsInMapPtr places;  ///< never null
+    LiveMapPtr scans;       ///< never null; the same object while nothing changed
+    MapPtr map;             ///< never null; the same object while nothing changed
     std::vector<Alarm> alarms;
     std::vector<Event> pictures;  ///< newest picture and calibration of each of the watched robot's cameras
 };
@@ -42,14 +43,14 @@ using ReviewMomentPtr = std::shared_ptr<const ReviewMoment>;
 /// Makes moments of a mission. One thread at a time.
 class ReviewScene {
 public:
-    /// Both must outlive it.
+    /// @p log and @p index must outlive the scene.
     ReviewScene(ReviewLog& log, const ReviewIndex& index);
 
     /// Sets the robot whose surroundings and pictures are shown; at first, the first robot.
     void watch(const std::string& robot);
     void show(ReviewMap map) { m_which = map; }
-    /// Returns the mission at @p at. The surroundings of the watched robot take longest. When @p around is
-    /// false, they and the rates of streams stay as they were made last.
+    /// Returns the mission at @p at. If @p around is false, the surroundings of the watched robot, which take
+    /// longest, and the rates of streams stay as they were made last.
     [[nodiscard]] ReviewMomentPtr at(Time at, bool around = true);
 
 private:
@@ -68,7 +69,7 @@ private:
     ReviewMap m_which = ReviewMap::AsThen;
     std::unique_ptr<RobotSight> m_sight;  ///< of the watched robot
     bool m_scanned = false;               ///< the log has what the watched robot's scanners sent
-    Time m_seen{};                        ///< up to where m_sight has seen
+    Time m_seen{};                        ///< time up to which m_sight has taken events
     std::optional<VirtualScanView> m_around;
     std::map<std::string, std::vector<StreamStatus>> m_streams;  ///< by robot
     CroppedScans m_cropped;

@@ -18,12 +18,12 @@ struct MissionState;
     return SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(moment.time_since_epoch()));
 }
 
-/// Returns how @p robot was at @p now, by @p state: link, stop, and who had the grant to drive it. Its
-/// surroundings, cameras and joints are not in a state.
+/// Returns how @p robot was at @p now, by @p state: link, stop, and who had the grant to drive it. A state
+/// does not hold surroundings, cameras and joints.
 [[nodiscard]] RobotView reviewedRobot(const RobotDescription& robot, const MissionState& state, Time now);
 
-/// Returns the alarms of @p state that stood at @p now, or were over for no longer than they are shown; as
-/// AlarmBook::alarms().
+/// Returns the alarms of @p state that stood at @p now, or had ended so shortly before that they were still
+/// shown. Their order is that of AlarmBook::alarms().
 [[nodiscard]] std::vector<Alarm> reviewedAlarms(const MissionState& state, Time now);
 
 }  // namespace leitstand

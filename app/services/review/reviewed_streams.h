@@ -18,9 +18,9 @@ struct RateWindow {
     [[nodiscard]] static RateWindow before(Time now, const ReviewIndex& index);
 };
 
-/// Returns how the streams of @p robot came in, in the order of its description. Counts are those in @p state
-/// at the end of @p window, less those in @p earlier at its begin. Whether a stream is steady is judged by
-/// the whole mission. A log does not hold losses, delays and shares of the link: those are NaN.
+/// Returns how the streams of @p robot came in, in the order of its description. Rates are counted from @p
+/// earlier, the state at the begin of @p window, to @p state, that at its end. Whether a stream is steady is
+/// judged by the whole mission. A log does not hold losses, delays and shares of the link: those are NaN.
 [[nodiscard]] std::vector<StreamStatus> reviewedStreams(const RobotDescription& robot,
                                                         const MissionState& earlier,
                                                         const MissionState& state, const RateWindow& window,

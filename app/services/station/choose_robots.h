@@ -14,8 +14,9 @@ namespace leitstand {
 /// Checks that the robot of @p file can work beside @p team. Errors name the obstacle.
 [[nodiscard]] Result<void> checkJoins(const std::string& file, std::vector<RobotDescription> team);
 
-/// Writes a first file of @p robot, known only by its topics, among the user's own, unless one of its name
-/// exists. Its letter is none of @p team's. Returns the file. Errors name it.
+/// Writes a first file for @p robot, which is known only by its topics, into the user's folder, unless a file
+/// of that name exists. Gives the robot a letter that none of @p team has. Returns the path of the file.
+/// Errors name it.
 [[nodiscard]] Result<std::string> writeFirstFile(RobotDescription robot,
                                                  const std::vector<RobotDescription>& team);
 

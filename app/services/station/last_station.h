@@ -7,9 +7,9 @@
 
 namespace leitstand {
 
-/// Returns with what the station was opened last, as stored in @p file; empty when it never was.
+/// Returns the settings with which the station was opened last, as stored in @p file; empty: none are.
 [[nodiscard]] std::optional<LastStation> lastStation(const std::filesystem::path& file);
-/// Stores @p station; what cannot be written is asked for again next time.
+/// Stores @p station in @p file; if that fails, the user is asked again next time.
 void rememberStation(const std::filesystem::path& file, const LastStation& station);
 
 }  // namespace leitstand

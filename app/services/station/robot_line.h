@@ -25,7 +25,8 @@ public:
         std::function<DriveConditions()> conditions;
         std::function<void(const GuardPulse&)> onPulse;
     };
-    /// Opens the line. @p watch: the line uses onStatus, too. Errors name the robot's topic.
+    /// Opens the line. @p watch listens to the link; the line follows its onStatus, too. Errors name the
+    /// robot's topic.
     [[nodiscard]] static Result<std::unique_ptr<RobotLine>> create(Node& node, const RobotDescription& robot,
                                                                    const std::string& station,
                                                                    Driving driving, LinkListener watch);

@@ -14,11 +14,11 @@ namespace leitstand {
 /// A station's lines to its robots, by name.
 using RobotLines = std::map<std::string, std::unique_ptr<RobotLine>>;
 
-/// Gives the sticks to @p robot alone; all others stand first. Empty: to none.
+/// Gives the sticks to @p robot alone, after all others were made to stand; empty: to no robot.
 void giveSticks(const RobotLines& lines, const std::string& robot);
 
-/// Returns what brake tests do with robots and ask of them, except focus, refresh and done. All arguments
-/// outlive it.
+/// Returns the functions by which brake tests drive and query robots, without focus, refresh and done. All
+/// arguments must outlive them.
 [[nodiscard]] StationBrakes::Hands brakeHands(const RobotLines& lines, const GrantKeeper& grants,
                                               const StopSender& stops);
 

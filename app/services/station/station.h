@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "app/services/domain/domain_settings.h"
 #include "app/services/domain/robot_guess.h"
 #include "app/services/log/live_mission.h"
 #include "core/base/result.h"
@@ -18,6 +17,7 @@
 #include "core/mapping/map.h"
 #include "core/robot/control/drive_setpoint.h"
 #include "core/robot/link/wire_complaint.h"
+#include "core/settings/domain_settings.h"
 #include "core/station/robot_view.h"
 
 namespace leitstand {
@@ -35,20 +35,22 @@ class StationStreams;
 /// Settings of a station in a domain.
 struct StationSettings {
     DomainSettings domain = {};
-    /// How everything is recorded; its robots are those of the station. Its station is set from the memory.
+    /// How everything is recorded. Its robots are those of the station; its field `station` is set from
+    /// `memory`.
     LiveMissionSettings mission = {};
     std::filesystem::path memory;  ///< file of the station's identity and grants (StationFile)
     std::filesystem::path alarms;  ///< file of AlarmLimits; empty, or no such file: the usual ones
     LiveSettings mapping = {};     ///< for the registration by the station that holds the map's grant
 };
 
-/// Receives what happens. Called on threads of the station, which they must not block; any may be empty. May
-/// call the station's functions, but not destroy it.
+/// Receives what happens; any function may be empty. Called on threads of the station, which the functions
+/// must not block. They may call functions of the station, but must not destroy it.
 struct StationListener {
     std::function<void(const std::string&)> onMessage = {};  ///< for the operator, in words
     std::function<void(const Event&)> onEvent = {};          ///< as of LiveMission
     std::function<void(const MapPtr&)> onMap = {};           ///< the map has grown or moved
-    std::function<void(const LiveMapPtr&)> onScans = {};  ///< its scans have changed, or how far they count
+    std::function<void(const LiveMapPtr&)> onScans =
+        {};  ///< key scans of the map have changed, or whether they count
 };
 
 class StationClock;
@@ -68,28 +70,31 @@ public:
     Station& operator=(const Station&) = delete;
 
     [[nodiscard]] const std::vector<RobotDescription>& robots() const;
-    /// Returns the view of a robot; an empty one for an unknown name. Its surroundings are asked for
-    /// separately, since they take longest.
+    /// Returns the view of a robot; an empty one for an unknown name. It lacks the surroundings, which take
+    /// longest: surroundings() returns them.
     [[nodiscard]] RobotView robot(const std::string& name) const;
-    /// Returns its surroundings now: RobotView::around.
+    /// Returns the surroundings of @p robot now, for RobotView::around; empty: not known.
     [[nodiscard]] std::optional<VirtualScanView> surroundings(const std::string& robot) const;
-    /// When any of its scans came last, after which its surroundings look different; empty: never.
+    /// Returns when a scan of @p robot came last, since when surroundings() returns something else; empty:
+    /// never.
     [[nodiscard]] std::optional<SteadyTime> scanned(const std::string& robot) const;
     [[nodiscard]] MissionStatePtr mission() const;
     [[nodiscard]] LiveMissionStatus log() const;
     [[nodiscard]] const std::filesystem::path& folder() const;  ///< of the mission
     [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans
     [[nodiscard]] StationClock& clock();      ///< of the mission
-    /// Sets what the report contains on the mission; fills in time and sender.
+    /// Sets what reports contain about the mission; fills in time and sender.
     Result<void> describe(MissionInfoSample info);
     [[nodiscard]] FindDesk& finds();  ///< files victims and other finds
     /// What was searched with each kind of sensor; null until there is a map.
     [[nodiscard]] std::shared_ptr<const SearchedFloor> searched() const;
     [[nodiscard]] StationAlarms& alarms();                        ///< what the operator has to know
     [[nodiscard]] std::vector<WireComplaint> mismatches() const;  ///< between robots and us
-    [[nodiscard]] std::vector<std::string> limits() const;        ///< of this computer, which cost samples
-    [[nodiscard]] std::vector<SeenTopic> visibleTopics() const;   ///< what others publish and subscribe to
-    [[nodiscard]] const StationSettings& settings() const;        ///< as it was opened
+    /// Returns warnings in words: limits of this computer, such as those that cost samples. Empty: all is
+    /// well.
+    [[nodiscard]] std::vector<std::string> limits() const;
+    [[nodiscard]] std::vector<SeenTopic> visibleTopics() const;  ///< what others publish and subscribe to
+    [[nodiscard]] const StationSettings& settings() const;       ///< with which it was opened
 
     /// Gives the sticks to one robot; all others stand. Empty: to none.
     void setDriveFocus(const std::string& robot);
@@ -97,11 +102,11 @@ public:
     /// capped by the age of what the driver sees (SightCap), wherever the sticks come from, except while
     /// @p withoutEyes is set.
     void setStick(const DriveVelocity& sticks, bool withoutEyes = false);
-    /// Stops the robot that has the sticks until they were neutral; asks one that drives itself to obey them
-    /// again.
+    /// Stops the robot that has the sticks, until the sticks were neutral. If it drives itself, requests that
+    /// it obeys them again.
     void halt();
-    /// Sets the camera @p sensor through which the driver looks at @p robot's surroundings; at first, its
-    /// first.
+    /// Sets the camera through which the driver of @p robot looks to @p sensor; at first, it is the robot's
+    /// first camera.
     void selectCamera(const std::string& robot, const std::string& sensor);
 
     void requestGrant(const std::string& robot);                 ///< requests the grant to drive
@@ -115,15 +120,16 @@ public:
     void stop(const std::string& robot);
     Result<void> release(const std::string& robot);  ///< as of StopSender
 
-    /// Requests @p mode of a robot; fills in time and sender. Errors: it takes no such command; and those of
+    /// Requests @p mode of a robot; fills in time and sender. Errors: the robot takes no modes; those of
     /// maySend(), except for modes of teleoperation.
     Result<void> setMode(const std::string& robot, const std::string& mode);
-    /// Whether @p robot may be sent anywhere: not while drive commands are refused for its brakes.
+    /// Error when @p robot may not be sent anywhere: during its brake test, or while drive commands are
+    /// refused after it.
     [[nodiscard]] Result<void> maySend(const std::string& robot) const;
     /// Sends @p robot to @p goal. Errors also as of maySend().
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
-    [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do without commands
-    [[nodiscard]] StationGuards& guards();    ///< of robots that go on without commands
+    [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do when commands end
+    [[nodiscard]] StationGuards& guards();    ///< of robots that drive on when commands end
     [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send; the thin link
     [[nodiscard]] StationCameras& cameras();
 

@@ -146,6 +146,11 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
         if (state.scanners.follow(robot, finding))
             state.notify(mapping_words::scannerIsOff(state.log.titleOf(robot)));
     };
+    listening.onMapsWith = [&state](const std::string& robot, const std::string& topic) {
+        const auto kept = state.scanners.mapWith(robot, topic);
+        state.notify(mapping_words::mapsWith(state.log.titleOf(robot), topic));
+        if (!kept) state.notify(kept.error().text);
+    };
     listening.makesMap = [&state] { return state.mayMap(); };
     listening.onPlace = [&state](const RobotPlaceSample& place) { state.log.publish(place); };
     listening.onMap = [&state](const LiveMapPtr& map) { state.show(map); };
@@ -387,6 +392,19 @@ Result<void> StationMapping::answerScanner(const ScannerQuestion& asked, bool co
     m_state->notify(mapping_words::scannerCorrected(m_state->log.titleOf(asked.robot), used.file));
     if (!used.notWritten.empty()) m_state->notify(used.notWritten);
     return {};
+}
+
+Result<void> StationMapping::mapWith(const std::string& robot, const std::string& topic) {
+    if (auto may = m_state->granted(); !may) return may;
+    if (!m_state->scanners.hasClouds(robot, topic))
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "{}: expected a topic of its clouds, found {}"), robot, topic)};
+    m_state->mapping->mapWith(robot, topic);
+    return {};
+}
+
+std::string StationMapping::mapsWith(const std::string& robot) const {
+    return m_state->scanners.mapsWith(robot);
 }
 
 LiveMapPtr StationMapping::scans() const {

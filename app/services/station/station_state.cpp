@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/services/log/link_line.h"
+#include "app/services/log/mission_robots.h"
 #include "app/services/log/sequencer.h"
 #include "app/services/places/mission_map.h"
 #include "core/base/words.h"
@@ -18,6 +19,7 @@
 #include "core/io/settings/alarm_file.h"
 #include "core/mission/state/session_state.h"
 #include "core/station/preflight/brake_format.h"
+#include "transport/domain/join_settings.h"
 #include "transport/link/grant_sender.h"
 #include "transport/link/guard_arguments.h"
 
@@ -293,8 +295,9 @@ void Station::State::guardRobots() {
         arguments.network.domain = settings.domain.domain;
         arguments.network.interfaces = settings.domain.interfaces;
         arguments.network.initialPeers = settings.domain.initialPeers;
+        arguments.network.multicast = settings.domain.multicast;
         arguments.network.discoveryServer = settings.domain.discoveryServer;
-        arguments.keys = settings.domain.keys;
+        if (isSecured(settings.domain)) arguments.keys = settings.domain.keys;
         arguments.guard.robot = robot.name;
         arguments.guard.station = memory->identity().id;
         arguments.guard.driver = senderOf(node->guid());
@@ -335,6 +338,7 @@ Result<void> Station::State::start() {
     };
     std::vector<KeyScanSample> earlier = keyScansOf(settings.mission.folder);
     std::vector<ScanLinksSample> links = scanLinksOf(settings.mission.folder);
+    carryMapping(settings.mission.folder, settings.mission.robots);
     auto recorded = LiveMission::open(settings.mission, std::move(log));
     if (!recorded) return recorded.error();
     mission = std::move(recorded).value();

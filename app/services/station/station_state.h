@@ -34,7 +34,7 @@
 
 namespace leitstand {
 
-/// The station that holds it registers; the others would make a second map of the same scans.
+/// Grant of the map. Its holder registers scans; else each station would make its own map of the same scans.
 inline const GrantId MapGrant{GrantSample::Kind::Map, {}};
 
 /// All parts of a station, put together and taken apart in the right order.
@@ -67,7 +67,8 @@ struct Station::State {
     std::atomic<bool> open = false;  ///< everything is there; changed under the mutex
     std::set<std::string> reported;  ///< reported mismatches; under the mutex
     ScreenMessages screened;         ///< under the mutex
-    std::map<FindSample::Kind, std::uint32_t> filedAgain;  ///< last numbers; of the intake's callers
+    std::map<FindSample::Kind, std::uint32_t>
+        filedAgain;  ///< numbers given last; used by the intake's callers
     HeapKeeper heap;
 
     ~State();

@@ -28,8 +28,8 @@ struct MissionSharingSetup {
     std::filesystem::path folder;                       ///< of the mission: key scans are read from it
     std::function<bool()> holdsMap = {};                ///< whether this station makes the map
     std::function<bool(std::uint64_t)> isAdopted = {};  ///< whether a key scan came from another station
-    std::function<bool()> sharesMap = {};               ///< whether its finds lie in the map that others know
-    std::function<RobotsInMapPtr()> robots = {};        ///< never null
+    std::function<bool()> sharesMap = {};  ///< whether our finds lie in the map that other stations know
+    std::function<RobotsInMapPtr()> robots = {};          ///< never null
     std::function<void(const std::string&)> notify = {};  ///< for the operator, in words
 };
 
@@ -44,11 +44,11 @@ public:
 
     /// Takes an event of the log.
     void onEvent(const Event& event) override;
-    /// Publishes what the operator changed of clock or mission.
+    /// Publishes a change of the operator to the clock or to the mission's description.
     void publish(const Sample& sample, std::string_view topic);
     /// Checks who listens and who makes the map; call it when either may have changed.
     void look();
-    /// Publishes all finds again: they lie in a map that others know, too.
+    /// Publishes all finds again: from now on they lie in a map that other stations know, too.
     void publishFindsAgain();
     void close() override;  ///< drops waiting work
 

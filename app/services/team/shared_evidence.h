@@ -6,12 +6,12 @@ namespace leitstand {
 
 struct MissionState;
 
-/// Returns @p sample for other stations: the sequences of its evidence and cues mean nothing in their logs,
-/// and become 0.
+/// Returns @p sample as other stations receive it: the sequences of its evidence and cues are 0, since they
+/// mean nothing in other logs.
 [[nodiscard]] Sample forOthers(Sample sample);
 
-/// Gives @p sample of another station the sequences of evidence and cues that @p mission has of the same find
-/// or candidate, as far as known. Returns whether there were any.
+/// Sets the sequences of evidence and cues in @p sample of another station, as far as @p mission knows them
+/// of the same find or candidate. Returns whether any was set.
 [[nodiscard]] bool takeOurSequences(Sample& sample, const MissionState& mission);
 
 }  // namespace leitstand

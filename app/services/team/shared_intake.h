@@ -28,17 +28,19 @@ struct ScanBodiesSample;
 struct ScanLinksSample;
 struct Event;
 
-/// What a SharedIntake works with; may be called on any thread, with its lock held.
+/// What a SharedIntake works with. Its functions may be called on any thread, while the lock of the intake is
+/// held.
 struct SharedIntakeSetup {
-    Sender me;            ///< this process at first; what it publishes itself is left out
+    Sender me;            ///< this process at first; of its own samples only grants are taken
     std::string station;  ///< persistent identity
-    std::function<MissionStatePtr()> mission = {};        ///< never null
-    std::function<bool()> holdsMap = {};                  ///< whether this station makes the map
-    std::function<void(RawEvent)> enter = {};             ///< adds it to the log, in this order
+    std::function<MissionStatePtr()> mission = {};  ///< never null
+    std::function<bool()> holdsMap = {};            ///< whether this station makes the map
+    std::function<void(RawEvent)> enter = {};       ///< adds an event to the log, in the order of the calls
     std::function<void(const std::string&)> notify = {};  ///< for the operator, in words
     /// Called when another station turns out to make this mission's map.
     std::function<void()> onJoined = {};
-    /// Called when a find of this station needs another number: another one had its number first.
+    /// Called when a find of this station needs another number: a find of another station had its number
+    /// first.
     std::function<void(const FindSample&)> fileAgain = {};
 };
 
@@ -46,17 +48,18 @@ struct SharedIntakeSetup {
 /// different topics overtake each other on the wire, and a station that comes late receives everything again.
 /// The log gets each entry once, and after what it builds on:
 ///
-/// - A key scan that the map has already is left out. One with another's number counts instead of it, as its
-///   station lost that one when it was killed. Poses and places wait until all their scans are there.
-/// - Of a find, a candidate, a clock and the mission's description the newest by its stamp counts. Of two
-///   finds with one number, the one that was found first keeps it. A clock that a station began by itself
-///   gives way.
-/// - The station that makes the map takes nobody else's. It may be wrong about that for a moment: after a
-///   restart it makes the map as before until it receives that another one does by now. What it receives of a
-///   map meanwhile is kept for UntilDecided. If the map turns out to be another station's, what that one
-///   published of it is taken.
-/// - A map that has no scan in common with this mission's, which is not empty, is another one. That is
-///   reported once, and nothing that lies in it is taken from that station. (A station that meets another one
+/// - A key scan that the map has already is left out. A different key scan with the same number replaces the
+///   known one, since its station lost that one when it was killed. Poses and places wait until all their
+///   scans are there.
+/// - Of samples about one find, candidate, clock or mission description, the newest by its stamp counts. Of
+///   two finds with one number, the one that was found first keeps the number. A clock that a station began
+///   by itself gives way.
+/// - A station that makes the map takes no other station's map. It may be wrong for a moment: after a restart
+///   it makes the map as before, until it receives that another station does by now. It keeps what it
+///   receives of a map meanwhile for UntilDecided. If another station turns out to make the map, what that
+///   station published is taken.
+/// - If this mission has scans and the map of another station shares none of them, that is another map. This
+///   is reported once, and nothing that lies in that map is taken. (A station that meets another one
 ///   publishes all its scans to it, from the first on.)
 ///
 /// Any thread.
@@ -64,9 +67,9 @@ class SharedIntake : public EventSink {
 public:
     explicit SharedIntake(SharedIntakeSetup setup);
 
-    /// Sets this process to @p me in the domain from now on.
+    /// Sets the identity of this process in the domain to @p me from now on.
     void rejoined(const Sender& me);
-    /// Takes what @p from published, on one of station_topic.
+    /// Takes @p event, which @p from published on one of station_topic.
     void take(RawEvent event, const Sender& from, SteadyTime now);
     /// Takes an event of our log: key scans and their links are known from then on.
     void onEvent(const Event& event) override;
@@ -80,8 +83,8 @@ public:
     static constexpr std::chrono::seconds UntilDecided{
         10};  ///< who makes the map: heartbeats come each second
     static constexpr std::size_t MostUndecidedBytes = std::size_t{256} << 20U;
-    static constexpr std::size_t MostWaiting = 4096;     ///< of one station ...
-    static constexpr std::size_t MostWaitingScans = 64;  ///< ... and with all their points
+    static constexpr std::size_t MostWaiting = 4096;     ///< of one station
+    static constexpr std::size_t MostWaitingScans = 64;  ///< key scans of one station, with all their points
 
 private:
     /// Distinguishes a key scan from another of its number.
@@ -94,7 +97,7 @@ private:
         RawEvent event;
         SteadyTime since;
         std::vector<std::uint64_t> scans;                          ///< scans that it builds on
-        std::optional<std::pair<std::uint64_t, Known>> scan = {};  ///< the key scan that it is itself: id
+        std::optional<std::pair<std::uint64_t, Known>> scan = {};  ///< if it is a key scan: its id
     };
     /// What was published of a map while this station made it.
     struct Undecided {

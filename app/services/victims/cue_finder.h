@@ -28,15 +28,16 @@ struct SightingSample;
 
 /// How closely a robot's samples are searched.
 struct CueSettings {
-    std::chrono::milliseconds motionEvery{180};  ///< between pictures of a camera that are compared
-    std::chrono::milliseconds signsEvery{450};   ///< ... and that are searched for codes and placards
-    std::chrono::milliseconds longestWait{500};  ///< of a picture for odometry
-    double fastest = 0.9;                        ///< a camera that turns faster is not looked through [rad/s]
-    double standing = 0.7;                       ///< a camera must stand this long before motion counts [s]
-    double highest = 1.0;       ///< people higher over the robot's ground are beyond walls [m]
-    double lowest = -0.6;       ///< [m]
-    double farthestHeat = 6.0;  ///< [m]
-    double farthest = 5.0;      ///< of motion, codes and placards [m]
+    std::chrono::milliseconds motionEvery{
+        180};                                   ///< between pictures of a camera that are compared for motion
+    std::chrono::milliseconds signsEvery{450};  ///< between pictures that are searched for codes and placards
+    std::chrono::milliseconds longestWait{500};  ///< that a picture waits for odometry
+    double fastest = 0.9;       ///< pictures of a camera that turns faster are ignored [rad/s]
+    double standing = 0.7;      ///< a camera must stand this long before motion counts [s]
+    double highest = 1.0;       ///< people higher over the robot's base are beyond walls, and ignored [m]
+    double lowest = -0.6;       ///< everything lower over the robot's base is ignored [m]
+    double farthestHeat = 6.0;  ///< body heat farther off is ignored [m]
+    double farthest = 5.0;      ///< motion, codes and placards farther off are ignored [m]
 };
 
 /// Something in a picture whose place is wanted.
@@ -44,7 +45,7 @@ struct LookedAt {
     Event picture;
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< [px]
     int width = 0, height = 0;                        ///< of the picture [px]
-    double halfAngle = 0.0;                           ///< of what is meant, as seen [rad]
+    double halfAngle = 0.0;                           ///< half the angle under which the camera sees it [rad]
 };
 
 /// Finds cues in what one robot sends and places them in the map. The caller reports where the robot is. Has
@@ -60,10 +61,10 @@ public:
     void onEvent(const Event& event);
     /// Sets where the robot was; nothing can be placed before the first call.
     void correct(const MapFix& fix) { m_places.correct(fix); }
-    /// Cues found since the last call, without the key scan.
+    /// Returns the cues found since the last call; their key scan is not set.
     [[nodiscard]] std::vector<PlacedCue> found();
     [[nodiscard]] const RobotInMap& now() const { return m_places.now(); }
-    /// Returns where @p looked lies, in the map; empty when the picture is too old or nothing was scanned
+    /// Returns the place of @p looked in the map; empty when the picture is too old or nothing was scanned
     /// there.
     [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
     /// Whether @p picture of a calibrated camera shows @p inMap [m]: it is within the picture, and no scanned

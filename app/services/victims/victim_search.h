@@ -21,13 +21,14 @@ namespace leitstand {
 /// Which codes are tags of victims, by the score profile that a mission names.
 struct TagsOfProfiles {
     std::map<std::string, TagPatterns> byName;
-    /// Returns those of the profile @p name, else of the newest (last by name), else the usual ones.
+    /// Returns the patterns of the profile @p name, else those of the newest profile (last by name), else the
+    /// usual ones.
     [[nodiscard]] TagPatterns of(const std::string& name) const;
 };
 
 /// Searches what all robots send for victims, codes and hazards: finds cues, places them in the map and joins
-/// them into candidates. All that it knows of the map is also in events, so it works on a log as it does
-/// live. Has no thread; one call at a time.
+/// them into candidates. Events are enough to follow the map, so that it works on a log as it does live. Has
+/// no thread; one call at a time.
 class VictimSearch {
 public:
     VictimSearch(const std::vector<RobotDescription>& robots, const std::string& station,
@@ -35,23 +36,23 @@ public:
 
     /// Takes all events of a mission, in order. @p search false: only follows where robots are.
     void onEvent(const Event& event, bool search = true);
-    /// Sets where key scans are: those of earlier sessions, or all after an undo.
+    /// Sets the poses of key scans: at first those of earlier sessions, after an undo those of all.
     void follow(std::span<const ScanPose> poses);
-    /// Sets where @p robot was, from every scan that fits: live, this is more than key scans show. Ignores
-    /// robots that are not the search's.
+    /// Sets where @p robot was. A live station calls this for every scan that fits, which is more often than
+    /// key scans show it. Ignores robots that are not the search's.
     void correct(const std::string& robot, const MapFix& fix);
-    /// Returns where it takes @p robot to be; null when it is none of its own.
+    /// Returns the place of @p robot as the search follows it; null: the search has no such robot.
     [[nodiscard]] const RobotInMap* place(const std::string& robot) const;
     /// Restores a candidate of an earlier session.
     void restore(const CandidateSample& sample) { m_book.take(sample); }
     void restore(const FindSample& find);  ///< of an earlier session; after its candidates
-    /// Sets which codes are tags of victims. @p profile holds until the mission's data name one.
+    /// Sets which codes are tags of victims. @p profile is used until the mission names one.
     void setTags(TagsOfProfiles tags, const std::string& profile);
     /// Returns the place of what a robot's picture shows; empty: unknown.
     [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
     /// Whether a robot's picture shows a place [m].
     [[nodiscard]] bool shows(const Event& picture, const Eigen::Vector3d& inMap);
-    /// Candidates that are new or changed.
+    /// Returns the candidates that are new or have changed since they were returned last.
     [[nodiscard]] std::vector<CandidateSample> due(Time now) { return m_book.due(now); }
 
     /// Receives every cue that counts, before it is joined; for tests and tuning. May be empty.

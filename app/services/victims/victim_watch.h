@@ -25,13 +25,13 @@ struct VictimWatchSetup {
     std::string station;                                      ///< persistent identity
     std::function<bool()> maySearch;                          ///< whether the station has the map's grant
     std::function<void(const CandidateSample&)> onCandidate;  ///< on the watch's thread
-    std::function<RobotsInMapPtr()> places;        ///< where the robots are now; empty: by key scans alone
+    std::function<RobotsInMapPtr()> places;  ///< where the robots are now; empty: only key scans show it
     std::function<std::vector<ScanPose>()> poses;  ///< where the mission's key scans are; used after an undo
     std::function<std::vector<FindSample>()> finds;  ///< in the mission; used after an undo, and at first
     std::vector<ScanPose> earlierPoses;              ///< of the mission's earlier sessions
     std::vector<CandidateSample> earlier;            ///< of the mission's earlier sessions
     TagsOfProfiles tags;                             ///< of victims
-    std::string profile;                             ///< of the score, as the mission's data name it by now
+    std::string profile;                             ///< score profile that the mission names by now
 };
 
 /// VictimSearch on its own thread, live. Any thread. When it cannot keep up, it leaves out pictures (the log
@@ -45,7 +45,8 @@ public:
     /// Calls @p answer with the place of what a picture shows, on the watch's thread, after waiting work;
     /// empty: unknown. Does not call it if the watch ends before.
     void locate(LookedAt looked, std::function<void(const std::optional<PlacedCue>&)> answer);
-    /// Calls @p answer, in the same way, with which of @p pictures show the place @p inMap [m].
+    /// Calls @p answer, in the same way, with a flag for each of @p pictures: whether it shows the place @p
+    /// inMap [m].
     void seen(std::vector<Event> pictures, const Eigen::Vector3d& inMap,
               std::function<void(const std::vector<bool>&)> answer);
     void close() override;  ///< drops waiting work; no function is called any more

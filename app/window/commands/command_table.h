@@ -19,13 +19,13 @@ enum class CommandMenu { Mission, Robot, Cameras, Map, View, Help };
 
 /// One command that the operator can request.
 struct Command {
-    QString id;  ///< stable, named by layouts and pads; also the action's object name: "camera.recentre"
+    QString id;  ///< "camera.recentre": for layouts and gamepads, never changes; the action's objectName()
     CommandMenu menu = CommandMenu::View;
     QString text;            ///< in the menu, with its mnemonic
-    QString hint = {};       ///< what it does, without its keys; empty: the text suffices
-    QKeySequence keys = {};  ///< unless a layout binds others
+    QString hint = {};       ///< tooltip: what the command does, without its keys; empty: the text
+    QKeySequence keys = {};  ///< default; a layout may bind others
     bool checkable = false;
-    const char* icon = nullptr;  ///< of resources/icons
+    const char* icon = nullptr;  ///< file in resources/icons, without ".svg"; null: none
 };
 
 /// Holds every command of a window once, by its id. Menus, keys and pad buttons trigger the same action.
@@ -37,7 +37,8 @@ public:
 
     /// Adds a command and returns its action. Ids are unique.
     QAction& add(const Command& command);
-    /// Takes over the actions that others added to @p menu. Their object names are the ids.
+    /// Takes over the actions that were added to @p menu without add(). Their object names become the ids;
+    /// actions without a name are left out.
     void adopt(CommandMenu menu);
     void separate(CommandMenu menu);
     /// Returns the menu, for entries that are no commands, such as submenus and exclusive groups.
@@ -47,14 +48,15 @@ public:
     [[nodiscard]] const std::vector<QAction*>& all() const { return m_actions; }
     /// Triggers command @p id as if the operator had chosen it. Does nothing when it is unknown or disabled.
     void trigger(const QString& id);
-    /// Sets the tooltip of @p id, to which its keys are appended.
+    /// Sets the tooltip of command @p id. The table appends the keys of the command.
     void setHint(const QString& id, const QString& hint);
     struct Refused {
-        QStringList unknown;  ///< ids
-        QStringList taken;    ///< "id: keys" that are no keys, belong to another command or are @p reserved
+        QStringList unknown;  ///< ids that no command has
+        QStringList taken;    ///< "id: keys": invalid keys, keys of another command, or @p reserved keys
     };
-    /// Binds @p keys by command id, as text ("Ctrl+K"; empty: none). All other commands, and the refused
-    /// ones, get their default keys.
+    /// Binds @p keys: by command id, as text ("Ctrl+K"; empty: no keys). All other commands get their default
+    /// keys, and so do those whose keys are refused. Returns what was refused. @p reserved: keys that no
+    /// command may have.
     Refused bind(const std::map<QString, QString>& keys, const std::vector<Qt::Key>& reserved);
 
 private:

@@ -17,7 +17,7 @@ namespace leitstand {
 class HelpCommands final : public QObject {
     Q_OBJECT
 public:
-    /// Lists the keys of all actions in @p window's menus, and of the map and the lists of scans.
+    /// Lists the keys of all actions in the menus of @p window, and of the map and the lists of scans.
     explicit HelpCommands(QWidget& window);
     /// Lists @p others beside the keys of the menus.
     HelpCommands(QWidget& window, KeyColumn others);

@@ -20,11 +20,11 @@ struct KeyColumn {
     std::vector<KeyLine> lines;
 };
 
-/// Returns keys and meanings of all commands with keys in the menus of @p window, without repetition. A key
-/// behind a tab in a command's text is included; something else listens to it.
+/// Returns keys and meanings of all commands with keys in the menus of @p window, each line once. Keys that
+/// only stand behind a tab in a command's text count, too; another object handles them.
 [[nodiscard]] std::vector<KeyLine> commandKeys(const QWidget& window);
 
-/// Returns a table for reading, with @p columns side by side.
+/// Returns a read-only table with @p columns side by side. The caller owns it.
 [[nodiscard]] QWidget* makeKeyTable(const std::vector<KeyColumn>& columns);
 
 }  // namespace leitstand

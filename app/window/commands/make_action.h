@@ -10,9 +10,9 @@ namespace leitstand {
 struct ActionLook {
     const char* name;  ///< object name, for tests
     QString text;      ///< with its mnemonic
-    QString hint;      ///< what it does, without its keys; empty: the text suffices
+    QString hint;      ///< tooltip: what the command does, without its keys; empty: the text
     QKeySequence keys = {};
-    const char* icon = nullptr;  ///< of resources/icons
+    const char* icon = nullptr;  ///< file in resources/icons, without ".svg"; null: none
     bool checkable = false;
 };
 

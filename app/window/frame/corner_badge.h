@@ -6,8 +6,8 @@ class QWidget;
 
 namespace leitstand {
 
-/// Returns a hidden label for a state that must be in sight all the time. WindowFrame::addBadge() places it.
-/// @p name: its object name.
+/// Returns a label for a state that the operator must see as long as it lasts. The label is hidden at first;
+/// WindowFrame::addBadge() places it. @p name: object name of the label.
 [[nodiscard]] QLabel* makeCornerBadge(QWidget& parent, const QString& name);
 
 }  // namespace leitstand

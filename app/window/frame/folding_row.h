@@ -10,8 +10,8 @@ namespace leitstand {
 /// How a part of a bar gives way when there is not enough room.
 enum class GivesWay {
     Never,
-    AtOnce,          ///< before others, from its preferred to its smallest size
-    LittleByLittle,  ///< after those; also takes room that is left over, up to its largest size
+    AtOnce,          ///< first: shrinks from its preferred to its smallest width in one step
+    LittleByLittle,  ///< then: shrinks as far as needed; also grows into free room, up to its largest width
 };
 
 /// The widths of one part [px].
@@ -20,12 +20,12 @@ struct PartWidths {
     GivesWay gives = GivesWay::Never;
 };
 
-/// Returns the widths of @p parts in @p room [px], without spaces. They exceed it when even the least widths
-/// do not fit.
+/// Returns the widths of @p parts in a bar with @p room [px], which excludes spacing. Their sum exceeds
+/// @p room when the parts do not fit after all of them gave way.
 [[nodiscard]] std::vector<int> foldedWidths(const std::vector<PartWidths>& parts, int room);
 
-/// Lays out parts of a bar side by side, some of them at its right end. They give way in a fixed order. Room
-/// that is left lies between the two groups.
+/// Lays out the parts of a bar side by side: some from the left, the others at the right end. Parts give way
+/// in the order of GivesWay. Free room lies between the two groups.
 class FoldingRow final : public QLayout {
     Q_OBJECT
 public:

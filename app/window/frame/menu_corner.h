@@ -10,16 +10,16 @@ namespace leitstand {
 
 class ElidedLabel;
 
-/// Fills the room beside the menus: the newest message, which gives way, and right of it badges, which do
-/// not. No message moves the menus.
+/// Fills the room beside the menus with the newest message and, right of it, badges. The message gives way to
+/// badges; nothing moves the menus.
 class MenuCorner final : public QWidget {
     Q_OBJECT
 public:
-    /// @p menus must have all its menus and no corner widget.
+    /// @p menus must have all menus already, and no corner widget.
     explicit MenuCorner(QMenuBar& menus);
 
     void setMessage(const QString& text, const QString& toolTip);
-    /// Adds @p badge right of earlier ones. A hidden badge keeps its place when @p keepsPlace.
+    /// Adds @p badge right of earlier badges. @p keepsPlace: its place stays free while it is hidden.
     void addBadge(QLabel& badge, bool keepsPlace);
     [[nodiscard]] QSize sizeHint() const override;
 

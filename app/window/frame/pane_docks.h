@@ -17,8 +17,9 @@ class QDockWidget;
 
 namespace leitstand {
 
-/// The panes of the live window, each in a dock that layouts place by the pane's id. While they are being
-/// arranged, docks have titles to drag them by and may float. Otherwise a slip of the mouse moves nothing.
+/// The panes of a window, each in a dock. Layouts place docks by the ids of their panes. While the operator
+/// arranges panes (setArranging()), docks have titles to drag them by and may float. Otherwise a slip of the
+/// mouse moves nothing.
 class PaneDocks final : public QMainWindow {
     Q_OBJECT
 public:
@@ -27,23 +28,26 @@ public:
     /// Takes @p pane over, hidden until a layout names it. @p title: for people. @p formerId: the pane's id
     /// in older layouts and saved arrangements; empty: the same.
     void add(const QString& id, const QString& title, QWidget& pane, const QString& formerId = {});
-    /// Keeps pane @p id in sight: no pane opens as a tab before it while there is another host.
+    /// Keeps pane @p id in sight: no pane opens as a tab over it while there is another host. Sheets have
+    /// hosts of their own.
     void keepInSight(const QString& id) { m_inSight.insert(id); }
-    /// Makes pane @p id a sheet, of its sizeHint() at least. When the layout has no place for it, it opens
-    /// beside the first of @p hosts in sight, in that one's room. It opens as a tab before the host when the
-    /// room is too small for both, and never before another pane.
+    /// Makes pane @p id a sheet, which opens with at least its sizeHint(). When the layout has no place for
+    /// it, it opens beside the first visible pane of @p hosts, in the room of that host. It covers the host
+    /// as a tab when the room is too small for both. Without a visible host it opens beside the widest
+    /// visible pane, never as a tab.
     void addSheet(const QString& id, const QStringList& hosts);
     [[nodiscard]] QStringList ids() const;
     [[nodiscard]] bool has(const QString& id) const {
         return dock(id) != nullptr;
-    }  ///< also by its former id
+    }  ///< @p id may be a former one
     [[nodiscard]] bool isPaneVisible(const QString& id) const;
-    /// Returns the action that shows or hides one pane, checked while it is shown. A pane without a place in
-    /// the layout opens as a tab before the smallest pane with room for it.
+    /// Returns the action that shows or hides pane @p id, checked while the pane is shown. Null: there is no
+    /// such pane. A pane without a place in the layout opens as a tab over the smallest pane with room for
+    /// it.
     [[nodiscard]] QAction* visibility(const QString& id) const;
     /// Shows a pane in front of others that share its room.
     void open(const QString& id);
-    /// Hides a pane that has no place in the layout.
+    /// Hides pane @p id, unless the layout has a place for it or it floats.
     void putAway(const QString& id);
 
     /// Places panes as @p layout describes. Panes that it does not name are hidden. Named panes that do not
@@ -62,7 +66,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    [[nodiscard]] QString idOf(const QString& name) const;  ///< the present id when @p name is a former one
+    [[nodiscard]] QString idOf(const QString& name) const;  ///< @p name, or the id that replaced it
     [[nodiscard]] QDockWidget* dock(const QString& id) const;
     [[nodiscard]] PaneSplit known(const PaneSplit& split) const;
     void place(const PaneSplit& split);
@@ -71,8 +75,8 @@ private:
     void open(QDockWidget& dock);
     void settle(QDockWidget& sheet);
     [[nodiscard]] QDockWidget* sheetHost(const QDockWidget& sheet, const QStringList& hosts) const;
-    /// Returns the sheet that is open at pane @p id: @p beside it, or before it as a tab. Null when there is
-    /// none.
+    /// Returns the sheet that is open beside pane @p id or, without @p beside, as a tab over that pane. Null:
+    /// there is none.
     [[nodiscard]] QDockWidget* guestOf(const std::string& id, bool beside) const;
     [[nodiscard]] QSize needOf(const PaneSplit& split) const;
     [[nodiscard]] QList<int> sizesIn(const PaneSplit& split, QSize room) const;
@@ -92,7 +96,7 @@ private:
     std::map<QString, QStringList> m_sheets;  ///< hosts of each sheet
     std::map<QString, Stay> m_stays;          ///< place of each sheet while it is open
     std::set<QDockWidget*> m_strays;          ///< docks that neither layout nor operator gave a place
-    PaneSplit m_placed;   ///< its shares hold when the window is resized, until a pane is moved
+    PaneSplit m_placed;   ///< layout in use, kept on resizing; empty: the operator arranged the panes
     QByteArray m_unseen;  ///< arrangement chosen before the window had its size
     bool m_arranging = false;
 };

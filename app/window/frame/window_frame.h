@@ -33,8 +33,8 @@ public:
     /// entries are hidden.
     void build(const std::vector<Part>& left, const std::vector<Part>& right, QWidget& panes,
                QWidget* below = nullptr);
-    /// Places @p badge in the corner beside the menus, right of earlier ones; requires build(). A hidden
-    /// badge keeps its place when @p keepsPlace, so that none before it moves.
+    /// Places @p badge in the corner beside the menus, right of earlier badges; requires build().
+    /// @p keepsPlace: its place stays free while it is hidden, so that earlier badges do not move.
     void addBadge(QLabel& badge, bool keepsPlace = false);
     /// Shows @p text as the newest message. The tooltip also lists earlier ones.
     void showMessage(const QString& text);
@@ -45,7 +45,7 @@ private:
     void showMessage();
 
     QMainWindow& m_window;
-    MenuCorner* m_corner = nullptr;  ///< null until it is built
+    MenuCorner* m_corner = nullptr;  ///< null before build()
     QStringList m_recent;
 };
 

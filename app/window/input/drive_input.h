@@ -17,17 +17,17 @@ class QWidget;
 
 namespace leitstand {
 
-/// Returns the keys that drive or stop in any layout: the usual ones, and those bound by the files of @p
-/// robots.
+/// Returns the keys that drive or stop in any layout: the default keys, and those that the files of @p robots
+/// bind. They include Esc, Space and G, but not Shift and Ctrl.
 [[nodiscard]] std::vector<Qt::Key> drivingKeys(const std::vector<RobotDescription>& robots);
 
-/// Decides who has the sticks, keys or gamepad; nothing else does. Keys drive only in an explicit drive
-/// focus: forward, back, left, right as the robot's file binds them (W S A D), or the arrows. Shift is slow,
-/// Ctrl fast. While the gamepad's trigger is held the pad drives, with or without that focus, and keys do
-/// nothing. After that, held keys must be pressed again. Space releases everything. G drives without eyes
-/// while it is held. A text field that gets the keyboard ends the focus of the keys. Keys and pad both end
-/// when the window loses the keyboard. For the gamepad, a pane that floats beside the window is part of it;
-/// for keys it is not.
+/// Decides whether keys or the gamepad drive the robot; nothing else does. Keys drive only while they have
+/// the drive focus: W S A D, the arrows, and the keys that the robot's file binds. Shift is slow, Ctrl fast.
+/// While the gamepad's trigger is held, the pad drives, with or without that focus, and keys do nothing. When
+/// the trigger is released, keys that are still held must be pressed again. Space halts the robot and
+/// releases keys and pad. While G is held, old pictures do not cap the speed. A text field that gets the
+/// keyboard ends the focus of the keys. When the window loses the keyboard, keys and pad both end; when one
+/// of its floating panes gets it, only the keys.
 class DriveInput final : public QObject {
     Q_OBJECT
 public:
@@ -38,8 +38,9 @@ public:
     void setRobot(const RobotDescription& robot);
     [[nodiscard]] bool hasFocus() const { return m_focus || m_pad; }  ///< of keys or gamepad
     [[nodiscard]] bool keysHaveFocus() const { return m_focus; }
-    void setFocus(bool focus);  ///< of the keys; without it the pad must be released too
-    /// Takes the gamepad's sticks. @p driving: its trigger is held and counts.
+    void setFocus(bool focus);  ///< of the keys; false also disables the pad until its trigger is released
+    /// Takes the positions of the gamepad's sticks. @p driving: its trigger is held and counts.
+    /// @p withoutEyes: its override of the speed cap is held.
     void setPad(const DriveVelocity& velocity, bool driving, bool withoutEyes = false);
     /// Returns whether the override of the speed cap is held, on keyboard or gamepad.
     [[nodiscard]] bool withoutEyes() const { return m_withoutEyes || m_padWithoutEyes; }
@@ -49,10 +50,11 @@ public:
 signals:
     /// hasFocus() or keysHaveFocus() changed. @p focus is hasFocus().
     void focusChanged(bool focus);
-    /// The positions of the sticks: at every change, and at 50 Hz while keys have the focus.
+    /// The velocity that keys or gamepad request: at every change, and at 50 Hz while the keys have the focus
+    /// and the pad does not drive.
     void sticks(const leitstand::DriveVelocity& velocity);
     void halted();  ///< Space was pressed
-    /// What the gamepad holds no longer counts: its trigger and sticks must be released first.
+    /// The gamepad no longer drives, even if its trigger is held: trigger and sticks must be released first.
     void padMustLetGo();
     /// A letter that drives was pressed without the drive focus.
     void pressedInVain();
@@ -62,7 +64,8 @@ private:
     bool take(const QKeyEvent& event, bool held);
     [[nodiscard]] bool isTaken(int key) const;
     [[nodiscard]] bool isInVain(const QWidget& widget, const QKeyEvent& event) const;
-    /// Returns the key that went down there: modifiers pressed meanwhile change the key of a release event.
+    /// Returns the key that @p event is about, as it was when it went down: modifiers pressed meanwhile
+    /// change the key of a release event.
     int keyOf(const QKeyEvent& event, bool held);
     void take(bool keys, bool pad);  ///< sets who has the sticks
 

@@ -22,15 +22,15 @@ public:
     /// Returns the selected robot. Null when the station has none.
     [[nodiscard]] const RobotDescription* robot() const { return find(m_name); }
     [[nodiscard]] const QString& name() const { return m_name; }
-    [[nodiscard]] RobotFace face() const;  ///< of the selected one
+    [[nodiscard]] RobotFace face() const;  ///< of robot(); empty: there is none
     [[nodiscard]] const RobotDescription* find(const QString& name) const;
     [[nodiscard]] std::vector<RobotFace> faces() const;  ///< of robots(), in their order
-    /// Returns the face of @p robot, one of robots().
+    /// Returns the face of @p robot, which must be one of robots().
     [[nodiscard]] RobotFace faceOfRobot(const RobotDescription& robot) const;
 
     /// Selects robot @p name. Does nothing when it is unknown or selected already.
     void select(const QString& name);
-    /// Selects robot @p number of robots(), counted from 1. Does nothing when there is none.
+    /// Selects the robot with this @p number in robots(), counted from 1. Does nothing when there is none.
     void selectNumber(int number);
 
 signals:

@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// Esc stops always, whatever has the keyboard, even a dialog.
+/// Emits pressed() at every Esc, whatever has the keyboard, even a dialog. Esc has no other effect then.
 class StopKey final : public QObject {
     Q_OBJECT
 public:

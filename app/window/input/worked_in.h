@@ -4,8 +4,8 @@ class QWidget;
 
 namespace leitstand {
 
-/// Returns whether the operator works in @p window now: it or a pane floating beside it has the keyboard.
-/// Dialogs do not count.
+/// Returns whether the operator works in @p window now: the window or one of its floating panes has the
+/// keyboard. Dialogs do not count.
 [[nodiscard]] bool isWorkedIn(const QWidget& window);
 
 /// Returns whether @p widget is a text field, so that letters are typed into it.

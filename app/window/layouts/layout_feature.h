@@ -18,8 +18,9 @@ namespace leitstand {
 class LayoutSwitch;
 class MapFeature;
 
-/// Arranges the live window: layouts by key, menu and the switch in the top bar, the operator's own layouts
-/// as files, and swapping camera and map. Each layout has its own way to look at the map.
+/// Arranges the panes of a live window or a review. Layouts are switched by key, by menu and by the switch in
+/// the top bar; the operator's own ones are files. Camera and map can be swapped. Each layout has its own
+/// view of the map.
 class LayoutFeature final : public QObject {
     Q_OBJECT
 public:
@@ -30,12 +31,14 @@ public:
     [[nodiscard]] const WindowLayout& current() const { return m_used; }
     /// Switches to layout @p name. Shows a message and returns false when there is none.
     bool use(const QString& name);
-    /// Like use(), for the first layout of a window: no earlier one determines how the map is looked at.
+    /// Like use(), for the first layout of a window: layouts used before in the window do not affect the view
+    /// of the map.
     bool begin(const QString& name);
-    /// Returns how the operator looks at the map where layouts leave it open.
+    /// Returns the operator's own view of the map, which counts where a layout defines none.
     [[nodiscard]] MapSight ownSight() const;
-    /// Saves the present arrangement and map under @p title, with the keys of the layout in use. Shows a
-    /// message and returns false when they cannot be saved.
+    /// Saves the present arrangement of panes and view of the map as a layout with @p title, and switches to
+    /// it. Keys and pad buttons are those of the layout in use. Shows a message and returns false when it
+    /// cannot be saved.
     bool saveAs(const QString& title);
 
 signals:
@@ -44,14 +47,14 @@ signals:
 
 private:
     void addCommands();
-    void addPanes();  ///< to the View menu, each time it is opened
+    void addPanes();  ///< adds a list of panes to the View menu, filled each time it is opened
     void fill();      ///< fills menu and switch with the layouts of the book
     /// Returns whether this window has most of the panes that @p layout names.
     [[nodiscard]] bool isOfUse(const WindowLayout& layout) const;
     void addChoice(const WindowLayout& layout, int place);
     void askForTitle();
-    /// Returns a file name for a layout titled @p title. Returns the name of the operator's own layout with
-    /// that title, when there is one.
+    /// Returns the file name for a layout titled @p title: that of the operator's own layout with this title
+    /// if there is one, else a new name.
     [[nodiscard]] std::string nameFor(const QString& title) const;
     void forget();
 

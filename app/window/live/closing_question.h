@@ -17,15 +17,15 @@ class QMessageBox;
 
 namespace leitstand {
 
-/// Asks what becomes of robots that drive themselves when the window is closed: they go on without a station.
-/// Robots that are driven stop in any case, without a question. The question blocks nothing: STOP, keys and
-/// gamepads work on.
+/// When the window is closed, asks what shall become of robots that drive by themselves: they would go on
+/// without a station. Robots that the operator drives stop in any case, without a question. The question
+/// blocks nothing: STOP, keys and gamepads still work.
 class ClosingQuestion final : public QObject {
     Q_OBJECT
 public:
     explicit ClosingQuestion(const LiveContext& context);
 
-    /// Returns whether the window may close now. Otherwise asks the operator; the answer closes the window.
+    /// Returns whether the window may close now. If not, asks the operator; the answer may close the window.
     [[nodiscard]] bool mayClose();
     void allow() { m_allowed = true; }  ///< no questions from now on
 

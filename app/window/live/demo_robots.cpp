@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QProcessEnvironment>
 
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -57,6 +58,10 @@ void DemoRobots::start(const QString& kind) {
                              QString::number(m_settings.domain)};
     if (!m_settings.interface.isEmpty()) arguments += {"--interface", m_settings.interface};
     robot->setArguments(arguments);
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const QString& variable : environment.keys())
+        if (variable.startsWith(QLatin1String("ROS_"))) environment.remove(variable);
+    robot->setProcessEnvironment(environment);
     robot->setProcessChannelMode(QProcess::MergedChannels);
     robot->setChildProcessModifier([] {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);

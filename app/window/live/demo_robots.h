@@ -11,7 +11,7 @@ namespace leitstand {
 
 /// Settings of simulated robots.
 struct DemoSettings {
-    QString program;  ///< leitstand-robot; empty: the one beside this program
+    QString program;  ///< path of leitstand-robot; empty: the one in the folder of this program
     QString arena = QStringLiteral("yellow");
     int seed = 7;
     int domain = 0;

@@ -161,14 +161,15 @@ fs::path lastFile() {
     return under(QStandardPaths::GenericConfigLocation, QStringLiteral("live.yaml"));
 }
 
-StationSettings settingsOf(const Options& options, const fs::path& passing) {
+Result<StationSettings> settingsOf(const Options& options, const RosEnvironment& environment,
+                                   const fs::path& passing) {
     const bool picture = !options.screenshot.empty();
+    auto domain = domainSettings(options.network, options.demo ? RosEnvironment{} : environment);
+    if (!domain) return domain.error();
     StationSettings settings;
-    settings.domain.domain = options.domain;
-    settings.domain.interfaces = options.interfaces;
+    settings.domain = std::move(domain).value();
     // Simulated robots concern nobody else: nothing leaves this computer unless that is requested.
-    if (options.demo && options.interfaces.empty()) settings.domain.interfaces = {"lo"};
-    settings.domain.keys = options.keys;
+    if (options.demo && settings.domain.interfaces.empty()) settings.domain.interfaces = {"lo"};
     settings.mission.title = QSysInfo::machineHostName().toStdString();
     settings.mission.version = version();
     settings.mission.folder = !options.mission.empty() ? fs::path(options.mission)
@@ -302,24 +303,28 @@ std::optional<Options> lastOptions() {
     Options options;
     options.live = true;
     options.robots = last->robots;
-    options.domain = last->domain;
-    options.interfaces = last->interfaces;
-    options.keys = last->keys;
+    options.network.domain = last->domain;
+    options.network.interfaces = last->interfaces;
+    options.network.initialPeers = last->initialPeers;
+    options.network.discoveryServer = last->discoveryServer;
+    options.network.keys = last->keys;
     return options;
 }
 
-int runLive(const Options& options) {
+int runLive(const Options& options, const RosEnvironment& environment) {
     std::vector<std::string> files =
         options.robots.empty() ? std::vector<std::string>{"kurt3d", "crawler"} : options.robots;
     const QTemporaryDir passing;  // holds the mission of a screenshot, which is not kept
     const fs::path before = newestMission();
-    StationSettings settings = settingsOf(options, passing.path().toStdString());
+    auto chosen = settingsOf(options, environment, passing.path().toStdString());
+    if (!chosen) return complain(chosen.error().text), 1;
+    StationSettings settings = std::move(chosen).value();
     if (settings.mission.folder.empty())
         return complain("--resume: no mission was recorded so far into " + missions().string()), 1;
     std::optional<DemoRobots> demo;
     if (options.demo) {
         DemoSettings simulated;
-        simulated.domain = options.domain;
+        simulated.domain = settings.domain.domain;
         simulated.interface = QString::fromStdString(settings.domain.interfaces.front());
         demo.emplace(simulated);
         QObject::connect(&*demo, &DemoRobots::failed,
@@ -345,7 +350,9 @@ int runLive(const Options& options) {
             }
         }
         if (!options.demo && options.screenshot.empty())
-            rememberStation(lastFile(), {files, options.domain, options.interfaces, options.keys});
+            rememberStation(lastFile(), {files, settings.domain.domain, settings.domain.interfaces,
+                                         settings.domain.initialPeers, settings.domain.discoveryServer,
+                                         settings.domain.keys.string()});
         const Ended ended = showStation(settings, options, demo ? &*demo : nullptr, earlier,
                                         std::exchange(hint, {}), printed);
         const bool opened = ended.problem.isEmpty();

@@ -3,14 +3,16 @@
 #include <optional>
 
 #include "app/window/shell/options.h"
+#include "core/settings/ros_environment.h"
 
 namespace leitstand {
 
-/// Returns the options of the last station on live robots. Nothing when there was none.
+/// Returns the options of the last station on live robots: its robots and network. Empty: there was none.
 [[nodiscard]] std::optional<Options> lastOptions();
 
-/// Runs the station on live robots for @p options: on robots that are there, or with simulated ones started
-/// beside it. Needs a QApplication. Returns the exit status.
-[[nodiscard]] int runLive(const Options& options);
+/// Runs the station on live robots as @p options request: on robots that are there, or on simulated ones that
+/// it starts. @p environment does not apply to simulated robots. Needs a QApplication. Returns the exit
+/// status.
+[[nodiscard]] int runLive(const Options& options, const RosEnvironment& environment = {});
 
 }  // namespace leitstand

@@ -36,10 +36,10 @@ public:
     ~LiveWindow() override;
 
     [[nodiscard]] MapView& mapView() const;
-    /// Returns how the map is looked at now, to be remembered. The look is the operator's own, not a
-    /// layout's.
+    /// Returns the present view of the map, to be remembered. Its look is the operator's own, not that of the
+    /// layout.
     [[nodiscard]] MapViewSettings view() const;
-    void setLook(MapLook look);  ///< in the layout in use
+    void setLook(MapLook look);  ///< of the map, in the layout in use
     void closeUnasked() override;
     [[nodiscard]] Selection& selection() const { return *m_selection; }
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
@@ -51,8 +51,8 @@ public:
     [[nodiscard]] bool driving() const;
     [[nodiscard]] QString newest() const;      ///< message
     [[nodiscard]] QStringList recent() const;  ///< messages, the newest first
-    /// Returns what is not visible yet. Empty when each robot is connected, a turn is registered and drawn,
-    /// and each camera pane shows a picture.
+    /// Returns, in words, what is not visible yet. Empty when each robot is connected, a scan is registered
+    /// and drawn, and each camera pane shows a picture.
     [[nodiscard]] QString missing() const;
 
 signals:

@@ -30,7 +30,7 @@ public:
     void setStoreys(QWidget& row);
     /// Shows @p summary of the map in the title, in brief when the pane is narrow.
     void setSummary(const MapSummary& summary);
-    /// Shows what to do while the map is empty.
+    /// Shows or hides the help text for an empty map.
     void setHelpVisible(bool visible);
 
 protected:

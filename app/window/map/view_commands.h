@@ -13,14 +13,14 @@ namespace leitstand {
 
 class MapView;
 
-/// Commands for how the map is looked at: the View menu and the tool column.
+/// Commands for the view of the map, in a menu and in the tool column.
 class ViewCommands final : public QObject {
     Q_OBJECT
 public:
     /// Which keys the commands have.
     enum class Keys {
-        Plain,  ///< also 1 to 3 and letters alone
-        Aside,  ///< only Alt with 1 to 3, Ctrl and Shift with letters: plain keys are needed otherwise
+        Plain,  ///< those of Aside, and 1 to 3 and letters alone
+        Aside,  ///< Alt with 1 to 3, Ctrl and Shift with letters: plain keys have other uses in the window
     };
     /// What Esc is for.
     enum class Escape {
@@ -35,11 +35,11 @@ public:
     void fill(QMenu& menu);
     /// Returns the commands of the tool column, from top to bottom. Null stands for a gap.
     [[nodiscard]] QList<QAction*> tools() const;
-    /// Enables poses before registration and measuring only for a map that has scans.
+    /// Takes the number of scans in the map. Without any, before() and measure() are disabled.
     void setScans(int scans);
-    /// Shows the poses before registration while checked.
+    /// The map shows the poses before registration while this action is checked.
     [[nodiscard]] QAction& before() const { return *m_before; }
-    /// Measures while checked.
+    /// Clicks measure distances while this action is checked.
     [[nodiscard]] QAction& measure() const { return *m_measure; }
 
 private:

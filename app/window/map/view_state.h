@@ -14,7 +14,7 @@ public:
         : QObject(parent), m_settings(settings) {}
 
     [[nodiscard]] const MapViewSettings& settings() const { return m_settings; }
-    /// Takes over @p settings, and notifies when something differs.
+    /// Takes over @p settings. Emits changed() if they differ from the present ones.
     void set(const MapViewSettings& settings) {
         if (settings == m_settings) return;
         m_settings = settings;

@@ -40,11 +40,11 @@ struct PaneFeatures {
 /// What the panes of one window are made from.
 struct PaneMaking {
     const ViewContext& view;
-    const MapViewSettings& look;            ///< how the map is looked at first
+    const MapViewSettings& look;            ///< first view of the map
     const LiveContext* live = nullptr;      ///< null: no live window
     const ReviewContext* review = nullptr;  ///< null: no review
     const MapContext* byHand = nullptr;     ///< null: the map is not corrected by hand
-    PaneFeatures made = {};                 ///< features made by the rows above
+    PaneFeatures made = {};                 ///< features made by earlier rows of the table
 };
 
 /// One pane: its names and its place, and what makes it in each kind of window.
@@ -52,8 +52,8 @@ struct PaneRow {
     using Make = QWidget& (*)(PaneMaking&);
     enum class Kind : std::uint8_t {
         Plain,
-        Kept,   ///< no pane opens as a tab before it while there is another host
-        Sheet,  ///< opens on demand, in the room of a host
+        Kept,   ///< no other pane opens as a tab over it while there is another host (keepInSight())
+        Sheet,  ///< opens on demand, in the room of a host (addSheet())
     };
 
     const char* id;     ///< its name in layouts and saved arrangements, forever
@@ -61,8 +61,8 @@ struct PaneRow {
     Make live;          ///< null: a live window has no such pane
     Make review;        ///< null: a review has no such pane
     Kind kind = Kind::Plain;
-    /// Sheets open in the room of the visible pane with the lowest rank. 0: never in this one's. Panes where
-    /// a driver looks (camera, surroundings, second camera, strip) and the alarms have 0.
+    /// Sheets open in the room of the visible pane with the lowest rank above 0. 0: this pane is no host.
+    /// Panes where a driver looks (camera, surroundings, second camera, strip) and the alarms have 0.
     int hostRank = 0;
     const char* formerId = "";  ///< its id in older layouts and arrangements; empty: the same
     Make byHand = nullptr;      ///< null: the window that corrects a map by hand has no such pane

@@ -8,17 +8,18 @@ namespace leitstand {
 
 /// Outcome of merging two maps.
 struct MergingOutcome {
-    std::filesystem::path mission;  ///< the new one; empty: there is none
+    std::filesystem::path mission;  ///< the new mission; empty: there is none
     QString text;                   ///< outcome in words
 };
 
-/// Returns the folder beside @p mission for its map merged with that of @p other: "monday+tuesday". A number
-/// is appended when that exists.
+/// Returns the folder for the map of @p mission merged with that of @p other: "monday+tuesday", beside
+/// @p mission. Appends a number if that folder exists: "monday+tuesday-2".
 [[nodiscard]] std::filesystem::path mergedName(const std::filesystem::path& mission,
                                                const std::filesystem::path& other);
 
-/// Merges the maps of @p mission and @p other into a new mission, mergedName(), and tidies it. A window shows
-/// the progress and can cancel it. Both missions stay as they are.
+/// Merges the maps of @p mission and @p other into a new mission in the folder mergedName(). Tidies the new
+/// map if the two could be joined; otherwise they lie side by side in it. A window shows the progress and can
+/// cancel it. Both missions stay as they are.
 [[nodiscard]] MergingOutcome mergeInFront(const std::filesystem::path& mission,
                                           const std::filesystem::path& other);
 

@@ -4,8 +4,8 @@
 
 namespace leitstand {
 
-/// Returns whether @p options request the review of a mission: one source, which holds the events of a
-/// station.
+/// Returns whether @p options request the review of a mission: their only source can be reviewed
+/// (isReviewable()), and is not to be registered again.
 [[nodiscard]] bool wantsReview(const Options& options);
 
 /// Runs the review of the mission that @p options name. Needs a QApplication. Returns the exit status.

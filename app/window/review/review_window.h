@@ -30,10 +30,10 @@ public:
     ~ReviewWindow() override;
 
     [[nodiscard]] MapView& mapView() const;
-    /// Returns how the map is looked at now, to be remembered. The look is the operator's own, not a
-    /// layout's.
+    /// Returns the present view of the map, to be remembered. Its look is the operator's own, not that of the
+    /// layout.
     [[nodiscard]] MapViewSettings view() const;
-    void setLook(MapLook look);  ///< in the layout in use
+    void setLook(MapLook look);  ///< of the map, in the layout in use
     [[nodiscard]] Selection& selection() const { return *m_selection; }
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
@@ -41,17 +41,17 @@ public:
     [[nodiscard]] TimelineFeature& timeline() const { return *m_timeline; }
     [[nodiscard]] FindsFeature& finds() const { return *m_features.finds; }
     [[nodiscard]] QString newest() const;  ///< message
-    /// Returns what is not visible yet. Empty when the mission is read through, and its map drawn if it has
-    /// one.
+    /// Returns, in words, what is not visible yet. Empty when the mission is read through, its map is drawn
+    /// if it has one, and a camera pane shows a picture if there is one.
     [[nodiscard]] QString missing() const;
 
 signals:
     void closing();
     void languageWanted(const QString& code);        ///< requests a new window in this language
     void registerAgainWanted();                      ///< the mission's scans are to be registered again
-    void tidyingWanted(leitstand::MapTidying what);  ///< the review is opened again after it
-    void byHandWanted();                             ///< decisions on its map; the review opens again then
-    /// This map is to be merged with that of @p folder into a new mission, which is reviewed then.
+    void tidyingWanted(leitstand::MapTidying what);  ///< tidying of the map; the review opens again then
+    void byHandWanted();                             ///< correction by hand; the review opens again then
+    /// The map is to be merged with that of mission @p folder into a new mission, which is reviewed then.
     void mergingWanted(const QString& folder);
 
 public slots:

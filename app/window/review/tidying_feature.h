@@ -13,7 +13,7 @@ class MapQuestion;
 class MapView;
 class ReviewBridge;
 
-/// Tidies the map of a mission, takes that back, and shows where scans lay before it.
+/// Commands that tidy the map of a mission, take the tidying back, and show where scans lay before it.
 class TidyingFeature final : public QObject {
     Q_OBJECT
 public:

@@ -40,7 +40,8 @@ private:
     void toggle(double direction);
     void change(bool faster);
     void jump(bool forwards);
-    /// Jumps to the next mark that is @p wanted, from the last to the first; or to the one before.
+    /// Jumps to the next mark for which @p wanted is true or, without @p forwards, to the previous one. Goes
+    /// on at the other end when there is none.
     void jumpTo(bool (*wanted)(const TimelineMark&), bool forwards);
     void go(const TimelineMark* mark);
     void showMission();
@@ -53,8 +54,8 @@ private:
     TimelineBar* m_bar;
     QAction *m_play = nullptr, *m_back = nullptr;
     TimelineAxis m_axis;
-    std::vector<TimelineMark> m_own, m_marks;  ///< by time
-    double m_speed = 1.0;                      ///< of playing
+    std::vector<TimelineMark> m_own, m_marks;  ///< m_own: made in the review; m_marks: all, by time
+    double m_speed = 1.0;                      ///< of playing, in multiples of real time
 };
 
 }  // namespace leitstand

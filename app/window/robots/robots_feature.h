@@ -13,7 +13,7 @@ struct LiveMoment;
 class RobotBar;
 class StopButton;
 
-/// All robots: which one is selected. For live ones also mode requests, STOP and its release.
+/// Shows all robots and selects one of them. For live robots also mode requests, STOP and its release.
 class RobotsFeature final : public QObject {
     Q_OBJECT
 public:

@@ -23,7 +23,7 @@ public:
     void setPick(const QString& text);
     /// Shows a measurement, or how to make one, until replaced.
     void setMeasurement(const QString& text);
-    /// Shows something that went well, until the next pick.
+    /// Shows something that went well, in the place of setPick() and until its next call.
     void setNote(const QString& text);
     void showProgress(const SessionProgress& progress);
     void hideProgress();

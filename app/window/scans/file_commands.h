@@ -27,7 +27,7 @@ public:
     /// Remembers @p sources and requests to open them.
     void open(const Sources& sources);
     [[nodiscard]] const std::vector<Sources>& recent() const { return m_recent; }
-    /// Enables closing and saving only for a map that has scans.
+    /// Closing and saving are disabled while the map is empty.
     void setMapEmpty(bool empty);
 
 signals:

@@ -18,7 +18,7 @@ class RegistrationCommands;
 class RegistrationPanel;
 class ViewCommands;
 
-/// The station's window: wires session, models, panels and commands together.
+/// The window for files of scans: wires session, models, panels and commands together.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
@@ -30,7 +30,7 @@ public:
     void open(const Sources& sources);
     /// Returns all that was opened and not closed again.
     [[nodiscard]] const Sources& sources() const { return m_sources; }
-    /// Returns what is to be remembered.
+    /// Returns the state to be remembered. What concerns only other windows has its default.
     [[nodiscard]] WindowState state() const;
     /// Returns whether nothing is being read or registered.
     [[nodiscard]] bool idle() const { return !m_session.busy(); }

@@ -13,14 +13,15 @@ class SessionBridge;
 class RegistrationCommands final : public QObject {
     Q_OBJECT
 public:
-    /// Cancels and follows @p session, which must outlive it.
+    /// Cancels the work of @p session and follows its state. @p session must outlive this object.
     RegistrationCommands(SessionBridge& session, QObject* parent);
 
-    /// Puts the commands into @p menu, together with @p before.
+    /// Puts the commands and @p before (ViewCommands::before()) into @p menu.
     void fill(QMenu& menu, QAction& before);
     [[nodiscard]] QAction& again() const { return *m_again; }
     [[nodiscard]] QAction& cancel() const { return *m_cancel; }
-    /// Enables registering again for two scans or more.
+    /// Takes the number of scans in the map. Registering again is enabled from two scans on, while nothing is
+    /// being done.
     void setScans(int scans);
 
 signals:

@@ -12,8 +12,8 @@
 
 namespace leitstand {
 
-/// The session as the GUI thread sees it. What its thread reports arrives here as signals, in order; of
-/// progress only the newest.
+/// A ScanSession as the GUI thread sees it. Reports of the session's thread arrive here as signals, in order.
+/// Of the reports on progress, only the newest arrives.
 class SessionBridge final : public QObject {
     Q_OBJECT
 public:

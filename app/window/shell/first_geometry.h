@@ -15,8 +15,9 @@ struct FirstGeometry {
     bool maximised = false;  ///< is shown maximised
 };
 
-/// Returns the geometry in the middle of @p available, the usable part of a screen. It has the @p usual size,
-/// or less when that does not fit with a @p frame around it. Maximised when more fits.
+/// Returns a geometry in the middle of @p available, the usable part of a screen. Its size is @p usual, or
+/// less when that does not fit with a @p frame around it. Maximised when there is room for more than
+/// @p usual.
 [[nodiscard]] FirstGeometry firstGeometry(const QRect& available, const QMargins& frame, QSize usual);
 
 /// Shows @p window as it was left; @p left is from QWidget::saveGeometry(). The first time (@p left is empty

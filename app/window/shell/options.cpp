@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/language/language.h"
+#include "app/options/domain_options.h"
 #include "app/services/offline/scan_session.h"
 #include "app/window/shell/terminal.h"
 #include "core/version/version.h"
@@ -16,6 +17,8 @@ namespace leitstand {
 namespace {
 
 constexpr int UsageError = 2;
+constexpr const char* LiveGroup = "Live robots";
+constexpr int LastDemoDomain = 132;  ///< the truth of simulated robots is on the domain 100 above
 constexpr int SmallestSide = 320, LargestSide = 8192;  ///< [px]
 
 /// Reads "1280x800" into @p size. Returns the error text; empty: none.
@@ -72,14 +75,15 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     auto* demo = app.add_flag("--demo", options.demo,
                               "Drive a simulated Kurt3D and Crawler, which are started beside the station");
     const auto onRobots = [&](CLI::Option* option, CLI::Option* with) {
-        option->group("Live robots");
+        option->group(LiveGroup);
         if (with != nullptr) option->excludes(with);
         return option;
     };
     onRobots(live, demo);
     onRobots(demo, nullptr);
-    onRobots(app.add_option("--robot", options.robots,
-                            "Robot files, or names of shipped ones (kurt3d, crawler, turtlebot)"),
+    onRobots(app.add_option(
+                 "--robot", options.robots,
+                 "Robot files, or names of shipped ones (kurt3d, crawler, turtlebot, turtlebot4, husky)"),
              demo)
         ->type_name("YAML...");
     auto* mission =
@@ -106,24 +110,18 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
         ->needs(screenshot)
         ->check(CLI::Range(0, 3600))
         ->type_name("SECONDS");
-    onRobots(app.add_option("--domain", options.domain, "DDS domain, as ROS_DOMAIN_ID (0)"), nullptr)
-        ->check(CLI::Range(0, 132))
-        ->type_name("N");
-    onRobots(app.add_option("--interface", options.interfaces,
-                            "Network interfaces to use, by name or address (all)"),
-             nullptr)
-        ->type_name("NAME...");
-    onRobots(app.add_option(
-                 "--keys", options.keys,
-                 "Take part in a secured domain with the identity of this folder (see leitstandctl keys)"),
-             demo)
-        ->type_name("DIR");
+    addDomainOptions(app, options.network, LiveGroup);
+    app.get_option("--keys")->excludes(demo);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
         return app.exit(problem) == 0 ? 0 : UsageError;
     }
     options.live = options.live || options.demo;
+    if (options.demo && options.network.domain.value_or(0) > LastDemoDomain) {
+        printProblem("--demo: --domain: expected 0 to 132");
+        return UsageError;
+    }
     if (options.after > 0 && !options.live) {
         printProblem("--after waits for live robots: --live or --demo");
         return UsageError;

@@ -9,15 +9,16 @@
 
 namespace leitstand {
 
-/// While it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP ends the program as closing its windows does:
-/// recordings are closed, and what is remembered is written. That takes at most 5 s, whatever libraries do. A
-/// second signal ends it at once. GUI thread, at most one at a time.
+/// While this object lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP closes all windows without questions
+/// and ends the program. Recordings are closed, and what is remembered is written. After 5 s the program ends
+/// in any case, even if a library hangs. A second signal ends it at once (InterruptGuard). GUI thread, at
+/// most one at a time.
 class OrderlyEnd final : public QObject {
     Q_OBJECT
 public:
     explicit OrderlyEnd(QObject* parent = nullptr);
 
-    /// Returns whether the program was asked to end: no window opens any more.
+    /// Returns whether a signal asked the program to end: no window may open any more.
     [[nodiscard]] static bool asked();
 
 private:

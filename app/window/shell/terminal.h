@@ -4,14 +4,15 @@
 
 namespace leitstand {
 
-/// Prints "leitstand: TEXT" on stderr as one line. Names that others chose are made printable.
+/// Prints "leitstand: TEXT" on stderr as one line. Control characters, for example in received names, are
+/// escaped (printable()).
 void printProblem(std::string_view text);
 
 /// Prints "leitstand: TEXT" on stdout in the same way.
 void printNotice(std::string_view text);
 
-/// Sends messages of Qt to stderr from now on, made printable. With @p picture, drops its remarks on a
-/// display-free platform, which come with every window.
+/// Prints messages of Qt on stderr from now on, escaped in the same way. @p picture: drops the warnings that
+/// Qt gives with every window when it runs without a display.
 void printQtMessages(bool picture);
 
 }  // namespace leitstand

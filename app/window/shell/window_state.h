@@ -21,8 +21,8 @@ struct WindowState {
     QByteArray geometry;  ///< QWidget::saveGeometry; empty: firstSize decides
     QSize firstSize{1280, 800};
     QByteArray layout;        ///< QMainWindow::saveState
-    QByteArray liveGeometry;  ///< of the live window
-    QString liveLayout;       ///< name of the live window's layout; empty: the first
+    QByteArray liveGeometry;  ///< of the live, review and by-hand windows
+    QString liveLayout;       ///< name of the live window's layout; empty: "drive"
     QString language;         ///< code; empty: the user's
     MapViewSettings view;
     RegistrationSettings registration;

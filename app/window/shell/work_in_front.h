@@ -8,7 +8,7 @@
 
 namespace leitstand {
 
-/// What a window shows of work that it waits for.
+/// How a window shows work that the program waits for.
 struct WorkInFront {
     QString name;             ///< objectName() of the window
     QString label;            ///< what is being done

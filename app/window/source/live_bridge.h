@@ -22,12 +22,12 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<LiveBridge>> open(const StationSettings& settings);
     ~LiveBridge() override;
 
-    /// Notifies a new window of the map that is there.
+    /// Emits the present map again, for a new window.
     void showAgain();
     [[nodiscard]] Station& station() { return *m_station; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const override;
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
-    void watch(const std::string& robot) override;  ///< updates its surroundings at about 10 Hz
+    void watch(const std::string& robot) override;  ///< updates the robot's surroundings at 10 to 15 Hz
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
     [[nodiscard]] GasTrend gas(const std::string& robot) const override;
 
@@ -35,7 +35,7 @@ private:
     LiveBridge();
     void tick();
     void keepGas();
-    void lookAround();  ///< updates m_around when something was scanned, or the robot may have moved
+    void lookAround();  ///< updates m_around, sooner after a new scan
     template <class Call>
     void hop(Call call) {
         QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);

@@ -12,14 +12,14 @@
 
 namespace leitstand {
 
-/// The newest of everything at one moment, collected once and shown by all panes.
+/// The newest state of everything at one moment. It is collected once and shown by all panes.
 struct LiveMoment {
     Time now = {};  ///< the station's clock
     std::chrono::steady_clock::time_point steady = {};
     MissionStatePtr mission;
     RobotsInMapPtr places;                    ///< where robots are in the map
     LiveMapPtr scans;                         ///< of the map
-    std::map<std::string, RobotView> robots;  ///< by name; only the watched one has surroundings
+    std::map<std::string, RobotView> robots;  ///< by name; only the watched robot has surroundings
 
     [[nodiscard]] const RobotView& view(const std::string& robot) const;       ///< empty when unknown
     [[nodiscard]] const RobotState& reported(const std::string& robot) const;  ///< empty when it sent nothing

@@ -13,6 +13,7 @@
 #include "app/window/source/review_comparison.h"
 #include "app/window/source/review_report.h"
 #include "core/event/stream_role.h"
+#include "core/robot/streams/stream_table.h"
 #include "core/version/version.h"
 
 namespace leitstand {
@@ -161,7 +162,7 @@ MomentSource::ScanSource ReviewBridge::scanSource(const std::string& robot) cons
     double rate = 0.0;
     for (const RobotDescription& one : robots()) {
         for (const StreamDescription& stream : one.streams) {
-            if (one.name == robot && (stream.role == StreamRole::Points || stream.role == StreamRole::Ranges))
+            if (one.name == robot && isScanner(stream.role))
                 rate = std::max(rate, usualRate(*m_index, robot, stream.topic));
         }
     }

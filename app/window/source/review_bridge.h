@@ -30,18 +30,19 @@ public:
     ~ReviewBridge() override;
 
     [[nodiscard]] ReviewPlayer& player() { return *m_player; }
-    /// Returns the pen with what is written in this review, in whatever window.
+    /// Returns the pen, with everything that was written in this review, in any of its windows.
     [[nodiscard]] const ReviewPen& pen() const { return *m_pen; }
-    /// Calls @p what on a thread of its own, in order, then emits wrote() with @p done on the GUI thread.
+    /// Calls @p what on the writing thread, after all earlier calls. Then emits wrote() with @p done, or with
+    /// the error, on the GUI thread.
     void write(std::function<Result<void>(ReviewPen&)> what, const QString& done);
     [[nodiscard]] ReviewComparison& comparison() const { return *m_comparison; }
     [[nodiscard]] ReviewReport& report() const { return *m_report; }
-    /// Writes the hand-in into @p folder, with all that was written before.
+    /// Writes the hand-in into @p folder, with everything that was passed to write() before.
     void reportInto(const QString& folder);
     [[nodiscard]] bool reporting() const;  ///< from the request until it is done
-    /// Shows @p map to panes in place of that of the moment. Null: the moment's again.
+    /// Shows @p map in panes, in place of the moment's map. Null: the moment's map again.
     void showInstead(MapPtr map);
-    /// Notifies a new window of everything that was notified before.
+    /// Emits the present state again, for a new window.
     void showAgain();
     [[nodiscard]] const ReviewIndexPtr& index() const { return m_index; }      ///< null: still being read
     [[nodiscard]] const ReviewMomentPtr& reviewed() const { return m_shown; }  ///< null before the first
@@ -50,7 +51,8 @@ public:
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
     void watch(const std::string& robot) override;
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
-    /// By their usual rate in this mission, which may have kept only some of them.
+    /// By the usual rate of the camera's pictures in this mission's log, which may have kept only some of
+    /// them.
     [[nodiscard]] FreshnessLimits pictureLimits(const std::string& robot,
                                                 const std::string& sensor) const override;
     [[nodiscard]] ScanSource scanSource(const std::string& robot) const override;
@@ -58,9 +60,10 @@ public:
     [[nodiscard]] GasTrend gas(const std::string& robot) const override;
 
 signals:
-    /// Something was written, requested in whatever window: @p done, or the error in @p problem.
+    /// A write() has ended, whichever window requested it. @p done: its text. @p problem: the error; empty:
+    /// none.
     void wrote(const QString& done, const QString& problem);
-    void opening(double fraction);                        ///< how far the mission is read through
+    void opening(double fraction);                        ///< how far the mission is read through, 0 to 1
     void opened(const leitstand::ReviewIndexPtr& index);  ///< the mission is read through
 
 private:

@@ -20,7 +20,7 @@ public:
     ~ReviewComparison() override;
 
     void begin(const ReviewIndexPtr& index, const RegistrationSettings& settings);
-    /// Brings back what was compared in an earlier review, if anything.
+    /// Brings back the result of an earlier review, if that left one.
     void recall(const ReviewIndexPtr& index);
     void cancel();
     void show(ComparedMap which) { m_shown = which; }
@@ -33,7 +33,7 @@ public:
 
 signals:
     void progressed(double fraction);
-    void changed();                      ///< it began, is done, was cancelled or failed
+    void changed();                      ///< the comparison began, is done, was cancelled or failed
     void finished(const QString& text);  ///< its outcome, for the operator
 
 private:

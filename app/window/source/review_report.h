@@ -16,17 +16,17 @@ class ReviewReport final : public QObject {
 public:
     /// Writes the hand-in of the mission @p folder.
     explicit ReviewReport(std::filesystem::path folder);
-    ~ReviewReport() override;  ///< cancels writing; files are complete all the same
+    ~ReviewReport() override;  ///< cancels writing; no file is left incomplete
 
-    void begin(const QString& out);  ///< does nothing while one is being written
-    /// Calls @p change while nothing is written, then starts again what was being written. So a change of
-    /// language leaves no hand-in in two of them.
+    void begin(const QString& out);  ///< does nothing while a hand-in is being written
+    /// Interrupts writing, calls @p change, then starts the interrupted hand-in again from the beginning. So
+    /// a hand-in is never in two languages when the language changes.
     void beginAround(const std::function<void()>& change);
     [[nodiscard]] bool writing() const { return m_writing; }
     [[nodiscard]] double progress() const { return m_progress; }  ///< 0 to 1
 
 signals:
-    void changed();                      ///< it began, progressed or ended
+    void changed();                      ///< writing began, progressed or ended
     void notified(const QString& text);  ///< messages for the operator
 
 private:
@@ -39,7 +39,7 @@ private:
 
     const std::filesystem::path m_mission;
     QString m_out;
-    int m_attempt = 0;  ///< notifications of earlier ones are ignored
+    int m_attempt = 0;  ///< number of the present one; notifications of earlier ones are ignored
     bool m_writing = false;
     double m_progress = 0.0;
     std::jthread m_thread;  ///< last: ends first

@@ -11,19 +11,19 @@ namespace leitstand {
 /// A received sentence, matched to a known one.
 struct KnownSentence {
     const char* words = nullptr;           ///< the known sentence; null: none matches
-    std::vector<std::string> values = {};  ///< texts at its "{}", in order
+    std::vector<std::string> values = {};  ///< what the text has at each "{}", in order
 };
-/// Returns which of @p known @p text is; "{}" stands for any text that is not empty. Sentences without "{}"
-/// are tried first.
+/// Finds the sentence of @p known that @p text is; a "{}" in it stands for any text that is not empty.
+/// Sentences without "{}" are tried first.
 [[nodiscard]] KnownSentence knownSentence(std::string_view text, std::span<const char* const> known);
 
-/// Returns which of @p known @p text ends with, as after the name of a speaker: "Kurt: stands". The shortest
-/// end that fits counts; a text far longer than any sentence matches none.
+/// Finds the sentence of @p known that @p text is or ends with after ": ", as in "Kurt: stands" after the
+/// name of a speaker. The shortest end that fits counts. A text of more than 4096 bytes matches none.
 [[nodiscard]] KnownSentence knownEnding(std::string_view text, std::span<const char* const> known);
 
-/// The finite number that the whole of @p text is; empty when it is none.
+/// Reads @p text as a finite number; empty when any part of it is something else.
 [[nodiscard]] std::optional<double> figureIn(std::string_view text);
-/// A number as such sentences contain it: "12", "0.4".
+/// Returns @p value with @p decimals decimals, as sentences of the log contain it: "12", "0.4".
 [[nodiscard]] std::string loggedFigure(double value, int decimals = 0);
 
 /// Returns @p words with @p values at its "{}", in order; a "{}" without a value stays.

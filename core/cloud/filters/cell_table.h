@@ -10,13 +10,14 @@
 
 namespace leitstand::detail {
 
-/// Numbers the occupied cubes of a grid 0, 1, 2 ... in the order in which they are met. It is a hash table
-/// with linear probing over 64-bit keys, 21 bits an axis.
+/// Numbers the occupied cubes of a grid 0, 1, 2 ... in the order in which cellOf() first meets them. It is a
+/// hash table with linear probing over 64-bit keys, 21 bits an axis.
 class CellTable {
 public:
     static constexpr std::uint32_t Outside = 0xffffffff;
 
-    /// A grid of cubes of edge @p edge [m] from @p origin on; has room for @p expected ones, and grows.
+    /// A grid of cubes of edge @p edge [m], with a corner at @p origin. Has room for @p expected cubes at
+    /// first, and grows.
     explicit CellTable(double edge, std::size_t expected = 0,
                        const Eigen::Vector3d& origin = Eigen::Vector3d::Zero())
         : m_perMetre(1.0 / edge),
@@ -24,7 +25,8 @@ public:
           m_slots(std::max(InitialSlots, std::bit_ceil(2 * expected))),
           m_shift(64 - std::countr_zero(m_slots.size())) {}
 
-    /// The number of the cube with @p point; Outside for points beyond 2^20 edges or not finite.
+    /// Returns the number of the cube that holds @p point [m]. Outside for points that are not finite or
+    /// farther than 2^20 edges from the origin along an axis.
     [[nodiscard]] std::uint32_t cellOf(const Eigen::Vector3f& point) {
         const double x = point.x() * m_perMetre + m_from.x(), y = point.y() * m_perMetre + m_from.y(),
                      z = point.z() * m_perMetre + m_from.z();
@@ -84,7 +86,7 @@ private:
     std::vector<Slot> m_slots;
     int m_shift;
     std::uint32_t m_count = 0;
-    std::uint64_t m_lastKey = NoKey;  ///< neighbours in a scan often share a cube
+    std::uint64_t m_lastKey = NoKey;  ///< key of the last point: neighbours in a scan often share a cube
     std::uint32_t m_lastCell = Outside;
 };
 

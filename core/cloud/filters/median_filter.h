@@ -9,7 +9,8 @@ namespace leitstand {
 
 /// Settings of the paper's median and reduction filter.
 struct MedianFilterSettings {
-    double outlier = 0.20;  ///< a range farther than this from the median of its 7 neighbours becomes it [m]
+    double outlier = 0.20;  ///< a range that is farther than this from the median of 7 (itself and 3 on each
+                            ///< side) is replaced by that median [m]
     double joinDistance =
         0.08;  ///< neighbours nearer than this are joined (0.05 leaves a fifth of half-degree scans) [m]
     double longestRun = 0.20;                ///< longest distance of a run from its first point [m]
@@ -17,11 +18,11 @@ struct MedianFilterSettings {
 };
 
 /// The paper's median and reduction filter for organised scans (section 2.2; Surmann, Nuechter & Hertzberg
-/// 2003). Along each raw scan an outlier is replaced by the median of its 7 neighbours. Runs of close points
-/// then become one point: their mean, with the commonest label, the mean normal and their number as weight.
-/// Runs of successive raw scans are joined in the same way, so near surfaces are thinned in both directions.
-/// About a tenth of a scan is left. @p normals: empty, or one a point of the scan. An unorganised scan is
-/// only limited to its range.
+/// 2003). Along each raw scan an outlier is replaced by the median of 7 ranges, its own in the middle. Each
+/// run of close points then becomes one point: their mean, with the commonest label, the mean normal and
+/// their number as weight. Runs of successive raw scans are joined in the same way, so near surfaces are
+/// thinned in both directions. About a tenth of a scan is left. @p normals: empty, or one a point of the
+/// scan. Of an unorganised scan, only the points out of range are left out.
 [[nodiscard]] PointCloud medianReduced(const Scan& scan, std::span<const Eigen::Vector3f> normals,
                                        const MedianFilterSettings& settings = {});
 

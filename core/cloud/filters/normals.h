@@ -13,12 +13,13 @@ struct GridTangents;
 /// sensor. Zero where there is no echo or the surface is unknown. @p threads: 0 is one per core.
 [[nodiscard]] std::vector<Eigen::Vector3f> gridNormals(const Scan& scan, int threads = 1);
 
-/// The same for a scan whose @p tangents are known.
+/// As above, for a scan whose gridTangents() are known.
 [[nodiscard]] std::vector<Eigen::Vector3f> gridNormals(const Scan& scan, const GridTangents& tangents,
                                                        int threads = 1);
 
-/// Returns normals of any points, towards @p sensor, from the plane through each one's @p neighbours nearest
-/// points. Zero where these span no plane or are not finite. @p threads: 0 is one per core.
+/// Returns normals of any points, one a point, unit length, towards @p sensor. Each is that of the plane
+/// through the nearest points, the point itself included; @p neighbours is their number. Zero where these
+/// points span no plane or the point is not finite. @p threads: 0 is one per core.
 [[nodiscard]] std::vector<Eigen::Vector3f> knnNormals(std::span<const Eigen::Vector3f> points,
                                                       int neighbours = 20,
                                                       const Eigen::Vector3f& sensor = Eigen::Vector3f::Zero(),

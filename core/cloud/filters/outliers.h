@@ -8,10 +8,10 @@ namespace leitstand {
 
 /// Settings of the search for isolated points.
 struct IsolationSettings {
-    double radius = 0.10;  ///< neighbours are nearer than this [m] ...
+    double radius = 0.10;  ///< a neighbour is nearer than this [m] ...
     double radiusPerRange =
-        0.03;                 ///< ... or than this times the distance from the sensor, where scans are thin
-    int leastNeighbours = 3;  ///< points with fewer are isolated
+        0.03;  ///< ... or than this share of the point's distance from the sensor, where scans are thin
+    int leastNeighbours = 3;  ///< a point with fewer neighbours is isolated
     int threads = 1;          ///< 0: one per core
 };
 
@@ -20,17 +20,18 @@ struct IsolationSettings {
 
 /// Settings of the search for mixed pixels in organised scans.
 struct MixedPixelSettings {
-    double leastStep = 0.08;  ///< least step of range from the surfaces on both sides; less is noise [m]
-    double steepness = 1.5;   ///< least change of range over distance across the beams, of both steps
-    int widest = 2;           ///< points hanging side by side; more are an object of its own
+    double leastStep = 0.08;  ///< least range step to the surfaces on both sides [m]; less is noise
+    double steepness = 1.5;   ///< least range change per distance across the beams, for both steps
+    int widest = 2;           ///< most mixed pixels side by side; more points are an object of their own
 };
 
-/// Returns which points of an organised @p scan are mixed pixels, one flag a point. Such a point hangs
-/// between foreground and background, where an edge split the beam. Along a row or a column the surface
-/// through it would run along the beams on both sides, and it continues neither surface there.
+/// Returns which points of an organised @p scan are mixed pixels, one flag a point; none in unorganised ones.
+/// A mixed pixel hangs between foreground and background, where an edge split the beam. Along its row or
+/// column the range rises or falls steeply from one side to the other. It continues the surface of neither
+/// side.
 [[nodiscard]] std::vector<bool> mixedPixels(const Scan& scan, const MixedPixelSettings& settings = {});
 
-/// Returns @p scan with no echo in place of its mixed pixels; unorganised scans stay as they are.
+/// Returns @p scan with its mixed pixels replaced by points without echo; an unorganised scan stays as it is.
 [[nodiscard]] Scan withoutMixedPixels(Scan scan, const MixedPixelSettings& settings = {});
 
 }  // namespace leitstand

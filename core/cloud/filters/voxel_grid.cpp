@@ -17,12 +17,13 @@ namespace {
 using detail::CellTable;
 
 constexpr std::size_t PointsACell = 4;  ///< most clouds have at least so many; for others the tables grow
+/// A scan has no more; tables for all of a dense cloud would not fit the processor's caches.
+constexpr std::size_t MostReserved = 8'192;
 
 /// Sums over the points of a cube.
 struct Sum {
     Eigen::Vector3d points = Eigen::Vector3d::Zero();
     double count = 0.0;
-    Eigen::Vector3f normals = Eigen::Vector3f::Zero();
 
     [[nodiscard]] Eigen::Vector3f centroid() const { return (points / count).cast<float>(); }
 };
@@ -30,14 +31,16 @@ struct Sum {
 struct Cells {
     std::vector<std::uint32_t> ofPoints;  ///< CellTable::Outside: left out
     std::vector<Sum> sums;
+    std::vector<Eigen::Vector3f> normals;  ///< their sums, by cube; empty: the points have none
 };
 
 Cells gathered(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& normals,
                double edge, const Eigen::Vector3d& origin) {
     Cells cells;
     cells.ofPoints.resize(points.size());
-    cells.sums.reserve(points.size() / PointsACell);
-    CellTable table(edge, points.size() / PointsACell, origin);
+    const std::size_t expected = std::min(points.size() / PointsACell, MostReserved);
+    cells.sums.reserve(expected);
+    CellTable table(edge, expected, origin);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::uint32_t cell = table.cellOf(points[i]);
         cells.ofPoints[i] = cell;
@@ -46,7 +49,9 @@ Cells gathered(const std::vector<Eigen::Vector3f>& points, const std::vector<Eig
         Sum& sum = cells.sums[cell];
         sum.points += points[i].cast<double>();
         sum.count += 1.0;
-        if (!normals.empty()) sum.normals += normals[i];
+        if (normals.empty()) continue;
+        if (cell == cells.normals.size()) cells.normals.emplace_back(Eigen::Vector3f::Zero());
+        cells.normals[cell] += normals[i];
     }
     return cells;
 }
@@ -104,10 +109,8 @@ PointCloud voxelGrid(const PointCloud& cloud, double edge, VoxelPoint kept, cons
     std::transform(cells.sums.begin(), cells.sums.end(), result.points.begin(),
                    [](const Sum& sum) { return sum.centroid(); });
     if (!cloud.normals.empty()) {
-        result.normals.resize(cells.sums.size());
-        std::transform(cells.sums.begin(), cells.sums.end(), result.normals.begin(), [](const Sum& sum) {
-            return sum.normals.normalized();  // a zero stays zero
-        });
+        result.normals = cells.normals;
+        for (Eigen::Vector3f& normal : result.normals) normal.normalize();  // a zero stays zero
     }
     if (!cloud.labels.empty()) result.labels = commonestLabels(cloud, cells);
     return result;

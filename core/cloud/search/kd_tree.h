@@ -25,19 +25,21 @@ public:
     KdTree() = default;
     /// A tree over all @p points. Throws std::length_error beyond some 2^31 points.
     explicit KdTree(std::span<const Eigen::Vector3f> points, SimdLevel simd = simdLevel());
-    /// A tree over the points with the indices @p chosen; neighbours have their index among @p points.
+    /// A tree over the points with the indices @p chosen. Results hold indices into @p points.
     KdTree(std::span<const Eigen::Vector3f> points, std::span<const std::int32_t> chosen,
            SimdLevel simd = simdLevel());
 
-    /// The nearest point whose squared distance is below @p maxSquaredDistance [m^2]. The distance equals
-    /// that of a search through all points to the last bit; among equally near points any may be found.
+    /// Returns the nearest point whose squared distance is below @p maxSquaredDistance [m^2]. The distance
+    /// equals that of a search through all points to the last bit; among equally near points any may be
+    /// found.
     [[nodiscard]] Neighbour nearest(const Eigen::Vector3f& query,
                                     float maxSquaredDistance = Unbounded) const {
         return neighbour(m_nearest(m_storage, query, maxSquaredDistance, 1.0F));
     }
 
-    /// A point below @p maxSquaredDistance [m^2] and at most (1 + @p epsilon) times as far as the nearest
-    /// one; one is found wherever nearest() finds one (Arya & Mount 1993).
+    /// Returns a point whose squared distance is below @p maxSquaredDistance [m^2]. It is at most
+    /// (1 + @p epsilon) times as far as the nearest point. Finds a point wherever nearest() does (Arya &
+    /// Mount 1993).
     [[nodiscard]] Neighbour nearestApproximate(const Eigen::Vector3f& query, double epsilon,
                                                float maxSquaredDistance = Unbounded) const {
         return neighbour(m_nearest(m_storage, query, maxSquaredDistance, shrinkOf(epsilon)));

@@ -8,8 +8,9 @@
 
 namespace leitstand::detail {
 
-/// Builds the tree over the finite ones of @p points, or of @p chosen (indices of points). Boxes are split at
-/// the centroid across their longest side. Throws std::length_error beyond 2^31 - 1 points.
+/// Builds the tree over @p points, or over those with the indices @p chosen; points that are not finite are
+/// left out. Boxes are split at the centroid across their longest side. Throws std::length_error beyond
+/// 2^31 - 1 points.
 [[nodiscard]] KdStorage buildKdTree(std::span<const Eigen::Vector3f> points);
 [[nodiscard]] KdStorage buildKdTree(std::span<const Eigen::Vector3f> points,
                                     std::span<const std::int32_t> chosen);

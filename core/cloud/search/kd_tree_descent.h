@@ -12,11 +12,11 @@ namespace leitstand::detail {
 /// A subtree that waits to be searched.
 struct KdWaiting {
     KdRef ref;
-    float squaredDistance;  ///< of its box [m^2]
+    float squaredDistance;  ///< of its box from the query [m^2]
 };
 
-/// Squared distance of @p query from @p box, never above those of the points inside [m^2]. low - q <= p - q
-/// also holds after rounding, and for squares and sums taken in squaredDistance()'s order.
+/// Squared distance of @p query from @p box, never above that of any point inside [m^2]. This also holds
+/// after rounding: low - q <= p - q does, and squares are summed in squaredDistance()'s order.
 inline float boxDistance(const KdBox& box, const Eigen::Vector3f& query) {
     float result = 0.0F;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -37,9 +37,9 @@ inline std::array<float, BlockSize> blockDistances(const KdBlock& block, const E
     return result;
 }
 
-/// Calls @p leaf(ref) for the leaf of @p query and for all that are nearer than @p bound [m^2], nearer ones
-/// first. The bound is read again after each call. The search for AVX2 visits the same leaves in the same
-/// order.
+/// Calls @p leaf(ref) for the leaf of @p query, and for all leaves whose squared distance is below @p bound
+/// [m^2]. Of two children, the one on the query's side of the split comes first. Reads @p bound again after
+/// each call. The search for AVX2 visits the same leaves in the same order.
 template <class Leaf>
 void descend(const KdStorage& tree, const Eigen::Vector3f& query, const float& bound, Leaf leaf) {
     if (tree.empty()) return;

@@ -21,8 +21,8 @@ struct alignas(32) KdBlock {
 /// blocks for a node.
 class KdRef {
 public:
-    static constexpr std::uint32_t MostBlocks = 15;         ///< of a leaf
-    static constexpr std::uint32_t MostIndices = 1U << 28;  ///< nodes, or blocks, of a tree
+    static constexpr std::uint32_t MostBlocks = 15;         ///< most blocks of a leaf
+    static constexpr std::uint32_t MostIndices = 1U << 28;  ///< most nodes, or blocks, of a tree
 
     KdRef() = default;
     KdRef(std::uint32_t first, std::uint32_t blocks) : packed(first << 4 | blocks) {}
@@ -36,13 +36,13 @@ public:
     std::uint32_t packed;  // left unset by default: searches hold arrays of these
 };
 
-/// The tight box around the points of a child [m].
+/// The tight box around the points of a child [m]. The upper corner is stored negated.
 struct KdBox {
     std::array<float, 3> low, negativeHigh;
 };
 
 /// An inner node with the tight boxes of both its children: one cache line holds all that a step of the
-/// descent needs. A point belongs to child 1 if its coordinate is not below the split.
+/// descent needs. The descent visits child 1 first if the query's coordinate is not below the split.
 struct alignas(64) KdNode {
     std::array<KdBox, 2> boxes;
     std::array<KdRef, 2> children;
@@ -54,22 +54,22 @@ struct alignas(64) KdNode {
 struct KdStorage {
     std::vector<KdNode> nodes;
     std::vector<KdBlock> blocks;
-    std::vector<std::int32_t> indices;  ///< model point at each place of the blocks; -1: unused
-    KdRef root{};                       ///< without nodes and blocks: an empty tree
+    std::vector<std::int32_t> indices;  ///< index of the point at each place of the blocks; -1: unused place
+    KdRef root{};                       ///< not used in an empty tree
     std::size_t size = 0;               ///< points in the tree
 
     [[nodiscard]] bool empty() const { return size == 0; }
 };
 
-/// Result of a search: a place in the blocks. Without one, squaredDistance is the bound that the search began
-/// with.
+/// Result of a search: a place in the blocks. When nothing was found, place is None and squaredDistance is
+/// the bound that the search began with [m^2].
 struct KdFound {
     static constexpr std::uint32_t None = 0xffffffff;
     std::uint32_t place = None;
     float squaredDistance = 0.0F;
 };
 
-inline constexpr int MaxMeanDepth = 40;  ///< below it, nodes are halved: at most 32 levels more
+inline constexpr int MaxMeanDepth = 40;  ///< deeper nodes are split in halves: at most 32 levels more
 inline constexpr int MaxDepth = MaxMeanDepth + 34;
 
 /// Squared distance as every search computes it, so that equal points are equally far in all of them [m^2].

@@ -6,8 +6,9 @@
 
 namespace leitstand::detail {
 
-/// Finds a point of @p tree that is nearer to @p query than @p maxSquaredDistance [m^2]. None is nearer than
-/// sqrt(@p shrink) times its distance; 1: the nearest (Arya and Mount 1993: shrink = 1 / (1 + epsilon)^2).
+/// Finds a point of @p tree whose squared distance from @p query is below @p maxSquaredDistance [m^2]. No
+/// other point is nearer than sqrt(@p shrink) times the distance of the found one. A shrink of 1 finds the
+/// nearest, one of 1 / (1 + epsilon)^2 is the approximate search of Arya and Mount 1993.
 using KdNearest = KdFound (*)(const KdStorage& tree, const Eigen::Vector3f& query, float maxSquaredDistance,
                               float shrink);
 

@@ -27,11 +27,11 @@ public:
     virtual ~Search() = default;
 
     /// Returns the model point nearest to @p query whose squared distance is below @p maxSquaredDistance
-    /// [m^2]. A forest searches only the points of kind @p label: an Unlabelled query finds unlabelled points
-    /// only. All points of a model without labels are unlabelled. The query must be finite.
+    /// [m^2]. Only Forest uses @p label: it searches the points with this label alone, also for Unlabelled.
+    /// All points of a model without labels are unlabelled. The query must be finite.
     [[nodiscard]] virtual Neighbour nearest(const Eigen::Vector3f& query, Label label,
                                             float maxSquaredDistance) const = 0;
-    /// Memory held beyond the model cloud itself [bytes].
+    /// Memory held in addition to the model cloud [bytes].
     [[nodiscard]] virtual std::size_t memory() const = 0;
 };
 

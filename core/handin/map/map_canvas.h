@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// Paints shapes, given in the map [m], into a picture of it. Never mixes colours.
+/// Paints shapes into a picture of the map. Places and lengths are those of the map [m]. Never mixes colours.
 class MapCanvas {
 public:
     explicit MapCanvas(MapPicture map) : m_map(std::move(map)) {}
@@ -20,9 +20,9 @@ public:
     /// Sets a pixel; does nothing outside the picture.
     void set(int column, int row, Rgb colour);
     void disc(const Eigen::Vector2d& centre, double across, Rgb colour);
-    /// Paints a square on its tip.
+    /// Paints a square that stands on one of its corners.
     void diamond(const Eigen::Vector2d& centre, double side, Rgb colour);
-    /// Paints a bar from its upper left corner: @p along to the right and @p down.
+    /// Paints a bar from its upper left corner, @p along wide and @p down high; at least one pixel each.
     void bar(const Eigen::Vector2d& upperLeft, double along, double down, Rgb colour);
     void polygon(const std::vector<Eigen::Vector2d>& corners, Rgb colour);
     void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double wide, Rgb colour);
@@ -31,7 +31,8 @@ public:
     void text(const Eigen::Vector2d& lowerLeft, const std::string& text, double height, Rgb colour);
     /// Paints @p text with its middle at @p centre.
     void centredText(const Eigen::Vector2d& centre, const std::string& text, double height, Rgb colour);
-    /// Returns the width of @p text [m].
+    /// Returns the width [m] of @p text with capitals of @p height [m], in a picture with pixels of
+    /// @p perPixel [m].
     [[nodiscard]] static double textWidth(const std::string& text, double height, double perPixel);
 
 private:

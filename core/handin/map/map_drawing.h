@@ -41,10 +41,10 @@ inline constexpr Rgb Number{255, 255, 255};
 
 /// The mark of a find in a map.
 struct MapMark {
-    /// The most important first: it is painted over the others.
+    /// In order of importance: a kind is painted over all kinds after it.
     enum class Kind : std::uint8_t { Victim, UnconfirmedVictim, Hazard, Code, Object };
     Kind kind = Kind::Victim;
-    std::uint32_t number = 0;  ///< within Victim and UnconfirmedVictim, or within the kind
+    std::uint32_t number = 0;  ///< counted per kind; both kinds of victims share one count
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< in the map [m]
 };
 /// "V1", "H2", "Q3", "O4".
@@ -53,14 +53,14 @@ struct MapMark {
 /// The place where a robot began, and its heading then.
 struct MapStart {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< in the map [m]
-    double heading = 0.0;                             ///< from x to y [rad]
+    double heading = 0.0;                             ///< counter-clockwise from the x axis of the map [rad]
 };
 
 /// Everything that a picture of the map shows.
 struct MapDrawing {
     std::string title;  ///< the file's name; ASCII
     OccupancyGrid grid;
-    std::vector<std::vector<Eigen::Vector2d>> paths;  ///< of the robots [m]
+    std::vector<std::vector<Eigen::Vector2d>> paths;  ///< of robots in the map [m]; a gap begins another path
     std::vector<MapStart> starts;
     std::vector<MapMark> marks;
 };
@@ -69,8 +69,9 @@ struct MapDrawing {
 struct MapArea {
     Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();
 };
-/// Returns the area of all that @p drawing shows, on whole metres, with a metre around it; 2 m x 2 m when it
-/// shows nothing.
+/// Returns the area of everything in @p drawing, rounded out to whole metres, with 1 m more on each side.
+/// Marks more than 100 m away from the rest are left out. 2 m x 2 m around the origin when @p drawing is
+/// empty.
 [[nodiscard]] MapArea areaOf(const MapDrawing& drawing);
 
 }  // namespace leitstand

@@ -11,11 +11,11 @@ namespace leitstand {
 
 /// How a map is painted.
 struct PaintSettings {
-    std::optional<MapArea> area = {};  ///< empty: all of it, with room for the title above
-    double perPixel = 0.0;             ///< [m]; 0: 0.01, or coarser where that would be more than mostPixels
+    std::optional<MapArea> area = {};  ///< what to paint; empty: everything, with room for the title above
+    double perPixel = 0.0;             ///< [m]; 0: 0.01, or coarser, so that at most mostPixels are needed
     double mostPixels = 36e6;
-    bool title = true;  ///< with name, scale bar and orientation
-    bool names = true;  ///< beside marks that have no number in them
+    bool title = true;  ///< paint title, scale bar and the directions of x and y
+    bool names = true;  ///< paint names beside the marks that have no number in them
 };
 
 /// A picture of a map: x of the map is up, y is left.
@@ -24,7 +24,7 @@ struct MapPicture {
     Eigen::Vector2d topLeft = Eigen::Vector2d::Zero();  ///< corner of the first pixel, in the map [m]
     double perPixel = 0.01;                             ///< edge of a pixel [m]
 
-    /// Returns column and row of a place in the map; may be outside, and between pixels.
+    /// Returns column and row of a place in the map [m], with fractions. They may lie outside of the picture.
     [[nodiscard]] Eigen::Vector2d pixelOf(const Eigen::Vector2d& place) const {
         return {(topLeft.y() - place.y()) / perPixel, (topLeft.x() - place.x()) / perPixel};
     }
@@ -44,7 +44,7 @@ inline constexpr double Arrow = 0.6;     ///< long
 }  // namespace map_size
 
 /// Paints @p drawing in the colours, sizes and layers of the rules: unexplored, explored, grid, cleared,
-/// walls, paths, marks, text. Only those colours are in it: nothing is smoothed.
+/// walls, paths, marks, text. Edges are not smoothed, so that no other colours occur.
 [[nodiscard]] MapPicture paintMap(const MapDrawing& drawing, const PaintSettings& settings = {});
 
 }  // namespace leitstand

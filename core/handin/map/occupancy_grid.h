@@ -17,8 +17,8 @@ struct HeightBand {
     double low = 0.25, high = 0.35;
     std::string name = {};  ///< in words, "0.25 to 0.35 m above the floor"
 };
-/// Returns the two heights of the hand-in. The first shows what stops a driving robot. The second shows what
-/// is left of that a metre up, where steps, boxes and barriers of the arena no longer hide the rooms.
+/// Returns the two height bands of the hand-in. The first shows what stops a driving robot. The second shows
+/// what still stands a metre up, without the steps, boxes and barriers of the arena that hide the rooms.
 [[nodiscard]] const std::vector<HeightBand>& reportBands();
 
 /// A map seen from above.
@@ -40,8 +40,9 @@ struct OccupancyGrid {
     [[nodiscard]] Cell at(double x, double y) const;
 };
 
-/// Returns the map of @p evidence within @p band above @p floor. A cell is occupied when any cube of the band
-/// is. It is free when a ray passed through one or the floor was seen.
+/// Returns the map of @p evidence within @p band above @p floor. A cell is occupied when any of its cubes in
+/// the band is. Otherwise it is free when a ray passed through one of these cubes, or when its floor was
+/// seen.
 [[nodiscard]] OccupancyGrid gridOf(const VoxelEvidence& evidence, const FloorHeights& floor,
                                    const HeightBand& band);
 

@@ -13,7 +13,7 @@ namespace leitstand {
 struct PathPose {
     Time time{};
     Pose baseInMap = Pose::Identity();
-    bool afterGap = false;  ///< the way from the pose before is unknown
+    bool afterGap = false;  ///< the way from the previous pose to this one is unknown
 };
 
 /// A known pose of a robot, which places its odometry in the map.
@@ -31,11 +31,12 @@ struct RobotPath {
     [[nodiscard]] double length() const;
 };
 
-/// Returns the path by odometry between @p anchors. The anchors before and after each pose place it, weighted
-/// by time. Before the first anchor and after the last, that one alone counts. Without odometry the path is
-/// the anchors. Poses nearer than @p apart [m] (and 10 degrees) to the previous one are left out. Anchors
-/// after the end of odometry follow, after a gap. isGap() decides where the way is unknown. Both are sorted
-/// by time; odometry: base_link in odom, robot's clock.
+/// Returns the path of a robot by @p odometry (base_link in odom, robot's clock), placed in the map by
+/// @p anchors. Both are sorted by time. The anchors before and after a pose place it, weighted by time.
+/// Before the first anchor and after the last one, only that anchor counts. Without odometry, the path
+/// consists of the anchors. Anchors more than 1 s after the end of odometry are appended, after a gap.
+/// isGap() decides where else the way is unknown. A pose nearer than @p apart [m] and 10 degrees to the pose
+/// kept before it is left out.
 [[nodiscard]] std::vector<PathPose> joinedPath(std::span<const PathAnchor> anchors,
                                                std::span<const PathPose> odometry, double apart = 0.02);
 

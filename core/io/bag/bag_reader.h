@@ -31,7 +31,7 @@ struct BagSession {
     /// Messages that were counted when written and are no longer in the file.
     std::uint64_t missing = 0;
     bool closed = true;    ///< false: a writer has it, or was killed (what it committed is read)
-    bool damaged = false;  ///< read page by page, as SQLite cannot; problems() lists what is missing
+    bool damaged = false;  ///< SQLite cannot read it, we read its pages; problems() lists what is missing
 };
 
 /// Which events to read, in their order.
@@ -64,8 +64,8 @@ private:
 /// not even to replay a write-ahead log that a killed writer left (docs/mission-log.md). Only one thread at a
 /// time may use a reader and its cursors.
 ///
-/// In our bags, the sequence of an event is the id of its row, and events are ordered by sequence. Other bags
-/// are ordered by receive time, and their sequences continue from file to file.
+/// In our bags, the sequence of an event is the id of its row, and events come by rising sequence. Events of
+/// other bags come by receive time, and their sequences continue from file to file.
 class BagReader {
 public:
     /// Opens @p bag: the folder of a mission, or one file of it. Error when nothing in it can be read, or

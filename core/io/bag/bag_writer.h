@@ -82,8 +82,8 @@ public:
 
     /// Announces a topic. A topic that is not announced is stored without its definition.
     void addTopic(const TopicInfo& topic);
-    /// Queues @p event, whose sequence must rise (0: the writer numbers it). Drops and counts it when the
-    /// queue is too long.
+    /// Queues @p event. Its sequence must be higher than all before; 0: the writer numbers it. The event is
+    /// dropped and counted when its sequence is not higher, or when the queue is too long.
     void write(RawEvent event);
 
     [[nodiscard]] BagWriterStatistics statistics() const;
@@ -92,7 +92,8 @@ public:
     /// Last sequence of earlier sessions; the events of this session begin after it.
     [[nodiscard]] std::uint64_t earlierSequence() const;
 
-    /// Waits until everything queued before the call is on the disk. Error when it is not by @p deadline.
+    /// Waits until everything queued before the call is on the disk. Error when that takes longer than
+    /// @p deadline.
     [[nodiscard]] Result<void> flush(std::chrono::milliseconds deadline = std::chrono::seconds(10));
     /// Writes what is queued, makes the file self-contained and metadata.yaml final. Events that a full disk
     /// cannot take are lost; the error reports how many. Later calls do nothing.

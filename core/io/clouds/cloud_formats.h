@@ -25,7 +25,8 @@ struct CloudFormat {
 
 /// Which formats to list.
 enum class CloudEndings : std::uint8_t { All, Written };
-/// Lists the endings of the formats for people: ".pcd, .ply or .xyz" with ", " and " or ".
+/// Lists the endings of the formats for people. With @p between ", " and @p last " or ": ".pcd, .ply or
+/// .xyz".
 [[nodiscard]] std::string listOf(CloudEndings which, std::string_view between = " ",
                                  std::string_view last = " ");
 

@@ -22,11 +22,11 @@ struct CloudRange {
     double max = std::numeric_limits<double>::infinity();  ///< distance from the sensor [m]
 };
 
-/// Writes a map in the format that the ending of @p out names. With the ending of a CloudFormat, it writes
-/// one cloud in map coordinates of all points in @p range with an echo. That cloud has labels, and
+/// Writes a map as one cloud, or as scans in a folder. If @p out has the ending of a CloudFormat, it becomes
+/// one cloud in map coordinates, of all points in @p range with an echo. That cloud has labels, and
 /// intensities when all scans have them. A folder (ends in "/", or is one) gets uos scans scan000.3d, ...
-/// with all their points. Their poses in the map are written as .pose and as .frames. Error when the folder
-/// holds further scans.
+/// with all their points. Their poses in the map are written as .pose and as .frames. Scans of an earlier map
+/// with the same numbers are replaced; any other scan in the folder is an error.
 [[nodiscard]] Result<void> writeMapCloud(const std::filesystem::path& out,
                                          const std::vector<PlacedScan>& scans, const CloudRange& range = {});
 

@@ -16,7 +16,7 @@ struct TimedPose {
 };
 
 /// Reads a trajectory of lines "t x y z qx qy qz qw" [s, m]; skips blank lines and comments ('#'). Error when
-/// the length of a quaternion differs from 1 by more than 1 %; smaller differences are removed.
+/// the length of a quaternion differs from 1 by more than 1 %; other quaternions are normalised.
 [[nodiscard]] Result<std::vector<TimedPose>> readTum(const std::filesystem::path& file);
 
 /// Writes @p poses so that readTum() returns the same poses and the same times, to the nanosecond.

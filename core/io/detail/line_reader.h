@@ -47,7 +47,8 @@ private:
     std::optional<Error> m_failure;
 };
 
-/// Returns the number of line ends in a file plus one, for a last line without: an upper bound of the lines.
+/// Returns an upper bound of the number of lines in a file: its line ends plus one, for a last line without
+/// an end.
 [[nodiscard]] Result<std::size_t> countLines(const std::filesystem::path& path);
 
 /// Returns @p text for use in a message: cut to 40 characters, unprintable bytes as "\xNN".

@@ -7,7 +7,7 @@
 namespace leitstand::detail {
 
 /// What separates the fields of a line.
-enum class Separators : bool { Blanks, BlanksAndCommas };  ///< commas and semicolons
+enum class Separators : bool { Blanks, BlanksAndCommas };  ///< BlanksAndCommas: semicolons, too
 
 /// Removes the next field from the front of @p line; empty: there is none. Runs of separators count as one.
 [[nodiscard]] std::string_view takeField(std::string_view& line, Separators separators = Separators::Blanks);

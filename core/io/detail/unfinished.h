@@ -5,11 +5,11 @@
 
 namespace leitstand::detail {
 
-/// Files and folders that are made step by step and are useless until all are done. Removes those that did
-/// not exist before, unless done() is called, so that a full disk is left as it was found.
+/// Cleans up after an unfinished task that makes files and folders step by step. Unless done() is called, the
+/// destructor removes those that did not exist before, so that a full disk is left as it was found.
 class Unfinished {
 public:
-    /// Watches @p folder and those above it, which need not exist yet.
+    /// Watches @p folder and the folders above it; none of them need exist yet.
     explicit Unfinished(const std::filesystem::path& folder);
     ~Unfinished();
     Unfinished(const Unfinished&) = delete;

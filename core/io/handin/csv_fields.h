@@ -15,7 +15,7 @@ namespace leitstand {
 /// line. A text that spreadsheets would calculate ("=HYPERLINK(...)" in a QR code) gets an apostrophe in
 /// front. CsvReader removes it again; numbers stay numbers.
 [[nodiscard]] std::string quotedField(std::string_view text);
-/// Returns @p text as a field as quotedField() does, with quotes only when needed.
+/// Returns the same as quotedField(), but with quotes only when needed.
 [[nodiscard]] std::string csvField(std::string_view text);
 
 /// Reads records of comma-separated fields. Accepts quotes, CRLF, a byte order mark and blanks around fields.

@@ -37,7 +37,8 @@ struct FindList {
 /// Returns the file name ending of a list: "_victims.csv", "_qr.csv", "_pois.csv".
 [[nodiscard]] std::string endingOf(FindList::Kind kind);
 
-/// Returns @p list as text: victims 1.0, qr codes 1.1, pois 1.2. LF ends lines; coordinates have millimetres.
+/// Returns @p list as text in the versions of the rules: victims 1.0, qr codes 1.1, pois 1.2. Lines end in
+/// LF; coordinates have three decimals.
 [[nodiscard]] std::string textOf(const FindList& list);
 [[nodiscard]] Result<void> writeFindList(const std::filesystem::path& file, const FindList& list);
 

@@ -19,11 +19,12 @@ struct ListedSearch {
     std::optional<int> storey = {};  ///< number of the storey; empty: all
 };
 
-/// Writes a table "sensor,what,m2,percent,x,y" with a line for each row; places of missed pieces have
-/// centimetres. A column "storey" follows when any row has one.
+/// Writes a table "sensor,what,m2,percent,x,y" with a line for each of @p rows. Only missed pieces have
+/// coordinates, with two decimals. A column "storey" follows when any row has a storey.
 [[nodiscard]] Result<void> writeSearchList(const std::filesystem::path& file,
                                            const std::vector<ListedSearch>& rows);
-/// Reads such a table. Errors name file, line and expectation.
+/// Reads a table of writeSearchList(), with or without the column "storey". Errors name file, line and
+/// expectation.
 [[nodiscard]] Result<std::vector<ListedSearch>> readSearchList(const std::filesystem::path& file);
 
 }  // namespace leitstand

@@ -16,8 +16,8 @@ inline constexpr std::string_view SensorKeys[] = {"frame",  "position", "rotatio
                                                   "motion", "pan_tilt", "correction"};
 inline constexpr std::string_view CorrectionKeys[] = {"range", "roll", "pitch", "x", "y", "yaw", "clock"};
 inline constexpr std::string_view PanTiltKeys[] = {"unit", "pan", "up", "down"};
-inline constexpr std::string_view StreamKeys[] = {"role",  "sensor",  "topic",       "type",  "qos",
-                                                  "stamp", "thermal", "hardware_id", "record"};
+inline constexpr std::string_view StreamKeys[] = {"role",  "sensor",  "topic",       "type",   "qos",
+                                                  "stamp", "thermal", "hardware_id", "record", "maps"};
 inline constexpr std::string_view QosKeys[] = {"reliability", "durability", "depth", "lifespan", "deadline"};
 inline constexpr std::string_view ThermalKeys[] = {"scale", "offset", "measured"};
 

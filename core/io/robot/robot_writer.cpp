@@ -93,6 +93,7 @@ void writeStream(YAML::Emitter& out, const StreamDescription& stream, const std:
     }
     if (stream.hardwareId != usual.hardwareId) entry(out, "hardware_id", stream.hardwareId);
     if (!stream.record) entry(out, "record", "false");
+    if (stream.maps) entry(out, "maps", "true");
     out << YAML::EndMap;
 }
 

@@ -18,8 +18,8 @@ namespace leitstand {
     const std::vector<std::filesystem::path>& folders = robotFolders());
 
 /// Returns the file that @p nameOrPath means. It is a path when something exists there, or when it looks like
-/// one (a slash, or .yaml at its end). Otherwise it is NAME.yaml in the first of @p folders that has it.
-/// Error when there is none; it lists the known names.
+/// one (with a slash, or .yaml or .yml at its end). Otherwise it is a name: the file is NAME.yaml in the
+/// first of @p folders that has it. Error when none has it; the error lists the known names.
 [[nodiscard]] Result<std::filesystem::path> findRobotFile(
     const std::string& nameOrPath, const std::vector<std::filesystem::path>& folders = robotFolders());
 

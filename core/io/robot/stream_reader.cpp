@@ -168,6 +168,15 @@ private:
                  translatable("leitstand::Error",
                               "expected it only for diagnostics, found it for {} of type {}")))
             fields.text("hardware_id", stream.hardwareId, true);
+        if (only("maps", stream.role == StreamRole::Points,
+                 translatable("leitstand::Error",
+                              "expected it only for points, found it for {} of type {}"))) {
+            fields.flag("maps", stream.maps);
+            if (stream.maps)
+                once(fields, m_maps, "true", "maps",
+                     translatable("leitstand::Error",
+                                  "expected one stream that makes the map, found {} of line {} again"));
+        }
         if (!only(
                 "thermal", stream.role == StreamRole::Thermal,
                 translatable("leitstand::Error", "expected it only for thermal, found it for {} of type {}")))
@@ -181,7 +190,7 @@ private:
     RobotDescription& m_robot;
     YamlErrors& m_errors;
     std::vector<std::string> m_sensors;
-    Lines m_topics, m_roles;
+    Lines m_topics, m_roles, m_maps;
 };
 
 }  // namespace

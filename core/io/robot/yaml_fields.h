@@ -18,15 +18,15 @@ namespace leitstand::detail {
 struct YamlPlace {
     YAML::Node value;
     std::string path;  ///< "streams[3].qos"
-    int line = 1;      ///< of its key, if it has one
+    int line = 1;      ///< of its key, or of the value when it has no key
 };
 
 /// A map of a YAML file, read key by key with checks. A missing key leaves the value as it was. Every reading
 /// function returns false when it reported an error, and true otherwise.
 class YamlFields {
 public:
-    /// Reports an error when @p place is no map, has keys other than @p keys (with the likeliest of them), or
-    /// has a key twice.
+    /// Reports an error when @p place is no map, has a key twice, or has a key that is not among @p keys. For
+    /// an unknown key, the error suggests the likeliest of @p keys.
     YamlFields(const YamlPlace& place, std::span<const std::string_view> keys, YamlErrors& errors);
     /// Reads a map with keys of the user's choice, such as names of sensors: 1 to 64 letters, digits and _.
     YamlFields(const YamlPlace& place, YamlErrors& errors);

@@ -5,9 +5,9 @@
 namespace leitstand {
 
 /// Returns the folder of the user's files of a @p kind ("robots"): `$XDG_CONFIG_HOME/leitstand/KIND`, else
-/// `~/.config/leitstand/KIND`; empty when there is neither.
+/// `~/.config/leitstand/KIND`. Empty when neither XDG_CONFIG_HOME nor HOME is set.
 [[nodiscard]] std::filesystem::path userFolder(const char* kind);
-/// Returns the folder of such files that come with the program: `$LEITSTAND_RESOURCES/KIND`, else
+/// Returns the folder of the files of a @p kind that come with the program: `$LEITSTAND_RESOURCES/KIND`, else
 /// ../share/leitstand/KIND beside the binary.
 [[nodiscard]] std::filesystem::path shippedFolder(const char* kind);
 

@@ -39,6 +39,8 @@ std::optional<LastStation> readLastStation(const std::filesystem::path& file) {
         station.robots = wordsOf((*root)["robots"]);
         station.domain = (*root)["domain"].as<int>();
         station.interfaces = wordsOf((*root)["interfaces"]);
+        station.initialPeers = wordsOf((*root)["peers"]);  // not in files of before 0.9
+        station.discoveryServer = (*root)["discovery_server"].as<std::string>("");
         station.keys = (*root)["keys"].as<std::string>();
         const bool sound = !station.robots.empty() && station.domain >= 0 && station.domain <= LastDomain;
         return sound ? std::optional(station) : std::nullopt;
@@ -54,6 +56,8 @@ Result<void> writeLastStation(const std::filesystem::path& file, const LastStati
     write(out, "robots", station.robots);
     out << YAML::Key << "domain" << YAML::Value << station.domain;
     write(out, "interfaces", station.interfaces);
+    write(out, "peers", station.initialPeers);
+    out << YAML::Key << "discovery_server" << YAML::Value << YAML::DoubleQuoted << station.discoveryServer;
     out << YAML::Key << "keys" << YAML::Value << YAML::DoubleQuoted << station.keys;
     out << YAML::EndMap << YAML::Newline;
     std::error_code problem;

@@ -10,7 +10,8 @@
 
 namespace leitstand {
 
-/// Reads the rules of a score (docs/score.md): JSON. Errors name @p name, line, key and what was expected.
+/// Parses the rules of a score from JSON @p text (docs/score.md). Errors name @p name, line, key and what was
+/// expected.
 [[nodiscard]] Result<ScoreProfile> parseScoreProfile(std::string_view text, const std::string& name);
 
 /// Reads the rules of a score from @p file.
@@ -25,7 +26,8 @@ struct ScoreProfiles {
     [[nodiscard]] const ScoreProfile* find(const std::string& name) const;
 };
 
-/// Returns the profiles that come with the program and the user's own, which replace shipped namesakes.
+/// Returns the profiles that come with the program, and the user's own. A user's profile replaces a shipped
+/// one with the same name.
 [[nodiscard]] ScoreProfiles scoreProfiles();
 /// Returns the profiles in @p folders. Later folders override earlier ones; missing folders hold none.
 [[nodiscard]] ScoreProfiles scoreProfilesIn(const std::vector<std::filesystem::path>& folders);

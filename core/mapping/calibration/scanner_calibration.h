@@ -12,33 +12,34 @@
 
 namespace leitstand {
 
-/// The fault that an advice corrects. The operator is asked about each one separately.
+/// The kind of fault that an advised correction removes. The operator is asked about each kind separately.
 enum class ScannerFault : std::uint8_t { Range, Lean, Clock, Mount };
-/// Returns the first fault that @p more corrects.
+/// Returns the kind of fault that @p more corrects; of several, the first in the order of ScannerFault.
 [[nodiscard]] ScannerFault faultOf(const ScannerCorrection& more);
-/// Returns whether both ask the operator the same.
+/// Returns whether the operator would see no difference between advice @p a and advice @p b: the same fault
+/// and nearly the same values.
 [[nodiscard]] bool asksAlike(const ScannerCorrection& a, const ScannerCorrection& b);
 
-/// What the map finds about a scanner whose measurements have the correction @p present.
+/// What the map shows of a scanner whose measurements have the correction `present`.
 struct ScannerFinding {
     ScannerCorrection present;
-    std::optional<ScannerCorrection> more = {};  ///< advised in addition; empty: none, or none any more
+    std::optional<ScannerCorrection> more = {};  ///< advised on top of `present`; empty: none, or no longer
 };
 
 /// What the map shows of a scanner, compared with its configuration.
 struct ScannerCalibration {
-    std::optional<Estimated> range;  ///< its ranges are too long by [m]
-    /// Roll and pitch in the base beyond the configured ones [rad].
+    std::optional<Estimated> range;  ///< by how much its ranges are too long [m]; empty: unknown
+    /// Roll and pitch in the base, less the configured ones [rad].
     Eigen::Vector2d lean = Eigen::Vector2d::Zero();
-    Eigen::Vector2d leanDeviation = Eigen::Vector2d::Zero();  ///< one deviation of each [rad]
+    Eigen::Vector2d leanDeviation = Eigen::Vector2d::Zero();  ///< standard deviations of `lean` [rad]
 
     std::optional<MountError> mount = {};
 
-    /// Returns the correction that is large and certain enough to be advised; empty: none. Ranges come first:
-    /// ranges that are too long bend the floor, which looks like a lean. The lean, the clock and the mount
-    /// follow.
-    /// @p standing: the advice before, kept while the error is not much smaller. @p left: faults not to be
-    /// corrected.
+    /// Returns the correction to advise, for one fault only: the first one that is large and certain enough.
+    /// Empty: none. Ranges come first: ranges that are too long bend the floor, which looks like a lean. The
+    /// lean, the clock and the mount follow.
+    /// @p standing: the present advice, kept while the error is not much smaller. @p left: faults that are
+    /// not to be corrected.
     [[nodiscard]] std::optional<ScannerCorrection> advised(
         const std::optional<ScannerCorrection>& standing = {}, const std::set<ScannerFault>& left = {}) const;
 };

@@ -10,12 +10,12 @@
 
 namespace leitstand {
 
-/// The motion of a scan by odometry and by the map.
+/// Where a scan was taken by odometry and by the map, and how the robot moved meanwhile.
 struct ScanMotion {
     Pose sensorInMap = Pose::Identity();   ///< as registered
     Pose sensorInOdom = Pose::Identity();  ///< by odometry and the configured mount
     Pose sensorInBase = Pose::Identity();  ///< as configured
-    /// Velocity of the base by odometry, in the base, mean over the scan [m/s, rad/s].
+    /// Velocity and yaw rate of the base by odometry, in the base, mean over the scan [m/s, rad/s].
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
     double yawRate = 0.0;
 };
@@ -24,7 +24,7 @@ struct ScanMotion {
 struct MountError {
     /// x and y in the base [m], yaw [rad], by how much its stamps are too late [s].
     Eigen::Vector4d value = Eigen::Vector4d::Zero();
-    Eigen::Vector4d deviation = Eigen::Vector4d::Zero();  ///< one deviation of each
+    Eigen::Vector4d deviation = Eigen::Vector4d::Zero();  ///< standard deviations of `value`
 };
 
 /// Estimates position, heading and clock of a scanner from the difference between odometry's motion and that
@@ -34,7 +34,7 @@ struct MountError {
 /// Parameters, 2013; the clock as in Rehder et al., 2016.
 class ScannerMount {
 public:
-    /// Adds the scan @p now, which the robot reached from the scan before; both fit.
+    /// Adds the scan @p now. The robot drove to it from the scan added before, and both fit the map.
     void add(const ScanMotion& now);
     /// Notes that the motion to the next scan is not known, or that scans were moved under the robot.
     void breakOff() { m_from.reset(); }
@@ -45,7 +45,8 @@ public:
 
 private:
     static constexpr int Unknowns = 6;  ///< MountError::value, scale of odometry's distances and of its turns
-    /// What a pair of scans contributes: rows * unknowns = seen, in expected deviations.
+    /// The equations of a pair of scans: rows * unknowns = seen, each divided by its expected standard
+    /// deviation.
     struct Pair {
         Eigen::Matrix<double, 3, Unknowns> rows;
         Eigen::Vector3d seen;

@@ -8,15 +8,15 @@
 
 namespace leitstand {
 
-/// A find farther from every true victim matches none: a person's length plus a map's error [m].
+/// Largest distance between a find and a true victim that match: a person's length plus a map's error [m].
 inline constexpr double FoundReach = 1.0;
 
-/// How filed victims compare with the true ones, each find with a victim of its own.
+/// How the filed victims (finds) compare with the true ones. Each true victim matches one find at most.
 struct FindsError {
     int finds = 0;                   ///< filed victims
     double mean = 0.0, worst = 0.0;  ///< distance of matched finds to their victims, in the plane [m]
     int missed = 0;                  ///< true victims without a find
-    int wrong = 0;                   ///< finds without a victim, or with one that another find has
+    int wrong = 0;  ///< finds that match no true victim, or only one that another find matches
     [[nodiscard]] int found() const { return finds - wrong; }
 };
 

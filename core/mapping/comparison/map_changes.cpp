@@ -9,7 +9,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "core/mapping/live/loops/free_spaces.h"
+#include "core/mapping/live/loops/places/free_spaces.h"
 #include "core/mapping/live/map/local_map.h"
 
 namespace leitstand {

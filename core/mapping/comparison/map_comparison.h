@@ -16,10 +16,10 @@
 
 namespace leitstand {
 
-/// How well a scan meets the one before it.
+/// How well a scan fits onto the scan before it.
 struct ScanFit {
-    double rms = 0.0;      ///< of pairs within IcpResult::OverlapDistance [m]
-    double overlap = 0.0;  ///< share of its points that have such a partner
+    double rms = 0.0;      ///< root mean square distance of pairs within IcpResult::OverlapDistance [m]
+    double overlap = 0.0;  ///< share of its points that have a partner within that distance
 };
 
 /// A key scan of a mission, with its recorded pose and its pose when registered again.
@@ -28,7 +28,7 @@ struct ComparedScan {
     std::string robot;
     Time end{};                            ///< of the sweep, robot's clock
     ScanPtr scan;                          ///< never null
-    Pose sensorInBase = Pose::Identity();  ///< at that time
+    Pose sensorInBase = Pose::Identity();  ///< at `end`
     Pose recorded = Pose::Identity();      ///< scan in map, as recorded
     Pose again = Pose::Identity();         ///< scan in map, registered again
     bool uncertainRecorded = false, uncertainAgain = false;
@@ -37,8 +37,8 @@ struct ComparedScan {
 
 /// A map in figures.
 struct MapFigures {
-    int uncertain = 0;                       ///< number of scans
-    double rms = 0.0, overlap = 0.0;         ///< means over scans
+    int uncertain = 0;                       ///< number of uncertain scans
+    double rms = 0.0, overlap = 0.0;         ///< means of ScanFit over the scans
     double path = 0.0;                       ///< of the robots, from scan to scan [m]
     std::optional<double> seconds{};         ///< duration of the registration; empty: unknown
     std::optional<TrajectoryError> truth{};  ///< empty: the mission holds none
@@ -49,15 +49,15 @@ struct MapFigures {
 struct MapComparison {
     RegistrationSettings settings;
     std::vector<ComparedScan> scans;  ///< by id
-    int rejected = 0;                 ///< scans that were set aside, which take no part
+    int rejected = 0;  ///< number of scans that were set aside in the mission; they take no part
     MapFigures recorded, again;
     double meanMoved = 0.0, mostMoved = 0.0;    ///< of scans, from recorded to again [m]
     double meanTurned = 0.0, mostTurned = 0.0;  ///< of scans, from recorded to again [rad]
 };
 using MapComparisonPtr = std::shared_ptr<const MapComparison>;
 
-/// Registers @p scans again, each robot's separately with its first one as recorded, and measures both maps
-/// in the same way. Returns nothing when cancelled.
+/// Registers @p scans again and measures both maps in the same way. Each robot's scans are registered on
+/// their own, beginning at the recorded pose of its first scan. Empty: cancelled.
 [[nodiscard]] std::optional<MapComparison> registeredAgain(std::vector<ComparedScan> scans,
                                                            const RegistrationSettings& settings,
                                                            const Progress& progress = {});

@@ -28,14 +28,15 @@ struct TrajectoryError {
     Pose mapInWorld = Pose::Identity();  ///< where the map fits the truth best: turned about z and shifted
 };
 
-/// Returns those of @p estimated whose moment @p truth covers, with the interpolated true pose. It covers a
-/// moment with a pose within a quarter of a second before, and one after. Both are sorted by time.
+/// Pairs poses of @p estimated with the true poses at their moments, interpolated from @p truth. A moment is
+/// left out if @p truth has no pose at it, and lacks one within a quarter of a second before or after. Both
+/// arguments are sorted by time.
 [[nodiscard]] std::vector<PosePair> pairsOf(std::span<const StampedPose> estimated,
                                             std::span<const StampedPose> truth);
 
-/// Returns the error of @p pairs after the map, level like the world, was turned about z and shifted to fit
-/// best. The fit is least squares over positions and points half a metre ahead of them. So a robot that stood
-/// or drove straight ahead also has a heading. Empty without pairs.
+/// Returns the error of @p pairs once the map is turned about z and shifted to fit the truth best; both are
+/// level. The fit is least squares over the positions and over points half a metre ahead of them. These
+/// points give a heading even to a robot that stood or drove straight ahead. Empty: no pairs.
 [[nodiscard]] std::optional<TrajectoryError> trajectoryError(std::span<const PosePair> pairs);
 
 }  // namespace leitstand

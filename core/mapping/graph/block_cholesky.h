@@ -11,28 +11,29 @@
 namespace leitstand {
 
 /// A symmetric positive definite matrix of 6 x 6 blocks, most of them zero. It is factored as L L^T and
-/// solved (Davis 2006, chapter 4, block by block). What depends on the places of the blocks is computed once.
-/// One thread; sums are taken in the same order each time.
+/// solved (Davis 2006, chapter 4, block by block). The constructor computes once what depends only on which
+/// blocks are not zero. One thread; sums are taken in the same order each time.
 class BlockCholesky {
 public:
     using Block = Eigen::Matrix<double, 6, 6>;
     using Vector = Eigen::Matrix<double, 6, 1>;
 
-    /// @p size: number of blocks on the diagonal. @p pairs: the blocks below or above it that are not zero,
-    /// each once.
+    /// @p size: number of blocks on the diagonal. @p pairs: row and column of each other block that is not
+    /// zero, below or above the diagonal, each once.
     BlockCholesky(std::size_t size, std::span<const std::pair<std::size_t, std::size_t>> pairs);
 
     /// Sets all blocks to zero.
     void clear();
-    /// Adds to a block on the diagonal.
+    /// Adds @p block to the block @p at on the diagonal.
     void addDiagonal(std::size_t at, const Block& block);
-    /// Adds to the block in row @p pairs[index].first and column .second, and its mirror.
+    /// Adds @p block to the block of the constructor's pair @p index (row first, column second), and its
+    /// transpose to the mirrored block.
     void addPair(std::size_t index, const Block& block);
 
     /// Factors the matrix with each diagonal entry times 1 + @p damping. Returns whether it is positive
     /// definite; then solve() may follow.
     [[nodiscard]] bool factor(double damping);
-    /// Returns the solution x of the damped matrix times x = @p right.
+    /// Returns x, for which the damped matrix times x is @p right.
     [[nodiscard]] std::vector<Vector> solve(std::span<const Vector> right) const;
     /// Returns the diagonal of the diagonal block @p at, undamped.
     [[nodiscard]] Vector diagonal(std::size_t at) const;
@@ -40,7 +41,7 @@ public:
     /// Number of blocks in the factor.
     [[nodiscard]] std::size_t blocks() const { return m_rows.size(); }
 
-    /// Six columns of eight numbers, the last two always zero: whole vectors of eight.
+    /// A block as six columns of eight numbers, the last two always zero, so that vector registers are full.
     struct alignas(64) Padded {
         std::array<double, 48> at{};
     };
@@ -58,10 +59,11 @@ public:
 
 private:
     void analyse(std::span<const std::pair<std::size_t, std::size_t>> pairs);
-    /// Returns whether @p column has the rows of the one before, without that one.
+    /// Returns whether @p column has the same rows as the column before it, except that column's diagonal.
     [[nodiscard]] bool continuesPanel(std::size_t column) const;
     [[nodiscard]] bool factorPanel(const Panel& panel, std::size_t first);
-    /// Adds panel @p number to the list of the panel that has its @p row as a column.
+    /// Adds panel @p number to the list of the panel that has the row at @p row of @p panel among its
+    /// columns.
     void wait(std::size_t number, std::size_t row, const Panel& panel);
     static void add(Padded& to, const Block& block, bool turned);
 

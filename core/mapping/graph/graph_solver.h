@@ -10,7 +10,7 @@ namespace leitstand {
 /// Settings of the solver: Levenberg-Marquardt (Madsen, Nielsen & Tingleff 2004).
 struct GraphSettings {
     int maxIterations = 100;
-    double costChange = 1e-6;  ///< it has converged when a step lowers the cost by a smaller share
+    double costChange = 1e-6;  ///< the solver has converged when a step lowers the cost by a smaller share
     double initialDamping = 1e-4;
     /// Weighs loop links: those that contradict the others count less and less, in the end not at all
     /// (graduated non-convexity with truncated least squares: Yang, Antonante, Tzoumas & Carlone 2020).
@@ -21,11 +21,12 @@ struct GraphSettings {
 
 /// The result of a solver.
 struct GraphResult {
-    /// 1/2 sum of e^T Omega e over active links; after, each times its weight.
+    /// 1/2 sum of e^T Omega e over active links, before and after solving; in `cost`, each term times its
+    /// weight.
     double costBefore = 0.0, cost = 0.0;
     int iterations = 0;
     bool converged = false;
-    std::vector<double> weights;  ///< 0 to 1, of each link of the graph; 1 if it is not weighed
+    std::vector<double> weights;  ///< 0 to 1, of each link of the graph; 1 for links that are not weighed
 };
 
 /// Returns 1/2 sum of e^T Omega e over @p graph's active links; links to missing nodes do not count.

@@ -8,18 +8,18 @@ namespace leitstand {
 
 using LinkVector = Eigen::Matrix<double, 6, 1>;
 
-/// Returns how far two poses are from what @p link holds: e = (t, 2 vec q) of link^-1 * from^-1 * to [m,
-/// rad]. The sign of q is the one whose scalar part is not negative.
+/// Returns how far the relative pose of @p from and @p to is from @p link. With link^-1 * from^-1 * to = (t,
+/// q), it is e = (t, 2 vec q) [m, rad]; q is the unit quaternion whose scalar part is not negative.
 [[nodiscard]] LinkVector linkError(const Pose& from, const Pose& to, const Pose& link);
 
-/// linkError() and its derivatives by the poses, each moved by (t, r) to pose * (t, exp r).
+/// linkError(), and its Jacobians for a step (t, r) of `from` and of `to`, each as in movedBy().
 struct LinearLink {
     LinkVector error;
     Eigen::Matrix<double, 6, 6> byFrom, byTo;
 };
 [[nodiscard]] LinearLink linearLink(const Pose& from, const Pose& to, const Pose& link);
 
-/// Returns @p pose moved by (t, r) in its own frame: pose * (t, exp r).
+/// Returns @p pose moved by @p step = (t, r) [m, rad] in its own frame: pose * (t, exp r).
 [[nodiscard]] Pose movedBy(const Pose& pose, const LinkVector& step);
 
 }  // namespace leitstand

@@ -12,8 +12,8 @@ namespace leitstand {
 
 struct Link;
 
-/// Finds which key scans of a map are connected by links. Scans that no active link leads to are a part of
-/// their own. Its pose relative to the others is unknown.
+/// Finds which key scans of a map are connected by active links. Connected scans are one part of the map; a
+/// scan to which no active link leads is a part of its own. The relative pose of two parts is unknown.
 class MapParts {
 public:
     explicit MapParts(std::span<const Link> links);
@@ -21,11 +21,12 @@ public:
     [[nodiscard]] std::uint64_t lowest(std::uint64_t scan) const;
 
 private:
-    std::map<std::uint64_t, std::uint64_t> m_towards;  ///< from scan to a lower one of its part
+    std::map<std::uint64_t, std::uint64_t> m_towards;  ///< from a scan's id to a lower one of the same part
 };
 
-/// Returns whether a key scan begins a part of a map: nothing before led to it. @p matched: scan it was
-/// registered against (0: none). @p doubts: set of ScanDoubt.
+/// Returns whether a key scan begins a part of a map: it was registered against no scan, and no doubt
+/// explains why. @p matched: id of the scan that it was registered against; 0: none. @p doubts: bits of
+/// ScanDoubt; Guessed does not count.
 [[nodiscard]] bool beginsPart(std::uint64_t matched, std::uint8_t doubts);
 
 /// A key scan, and the part of the map that it belongs to.
@@ -34,19 +35,20 @@ struct ScanInPart {
     std::uint64_t matched = 0;  ///< id of the nearest scan that it was registered against; 0: none
     bool begins = false;        ///< beginsPart()
     Pose enteredAt = Pose::Identity();
-    /// The scan with which the part begins, if it has not met the map's first part, which begins at the map's
-    /// origin; 0: it is of the first part.
+    /// Id of the scan with which the part begins; the pose of this part relative to the map's first part is
+    /// unknown. 0: the scan is of the first part, which begins at the map's origin.
     std::uint64_t part = 0;
 };
 
-/// Returns ids of active loops of @p links whose scans nothing else connects. The scans are of different
-/// parts, by where these begin among @p scans, which are by rising id. The link that had joined the parts was
-/// taken back.
+/// Returns the ids of active loop links (LinkKind::Loop) whose scans are connected by nothing but such links,
+/// and belong to different parts. The link that had joined these parts was taken back. @p scans, by rising
+/// id, show where parts begin.
 [[nodiscard]] std::set<std::uint64_t> unheldLoops(std::span<const Link> links,
                                                   std::span<const ScanInPart> scans);
 
-/// Sets the part of each of @p scans, which are by rising id, from @p parts, or else from the scan it was
-/// matched with. Without either it stays as it is.
+/// Sets ScanInPart::part of @p scans, which are by rising id. It is the part that begins with the lowest
+/// connected scan in @p parts. If no part begins there, a scan has the part of the scan that it was matched
+/// with. Without that one, its part stays as it is.
 void findParts(std::vector<ScanInPart>& scans, const MapParts& parts);
 
 }  // namespace leitstand

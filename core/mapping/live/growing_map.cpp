@@ -55,8 +55,8 @@ void GrowingMap::findParts() {
     std::vector<ScanInPart> scans = scansInParts();
     std::set<std::uint64_t> before, joined;  // parts that were there, and those that belong to others now
     for (const ScanInPart& scan : scans) before.insert(scan.part);
-    std::vector<Link> links = loops.graph().links();
-    loops.setUnheld(leaveUnheld(links, scans));
+    std::vector<Link> links = graph.links();
+    graph.setUnheld(leaveUnheld(links, scans));
     leitstand::findParts(scans, MapParts(links));
     bool changed = false;
     for (std::size_t i = 0; i < scans.size(); ++i) {

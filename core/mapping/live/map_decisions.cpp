@@ -28,7 +28,7 @@ void MapDecisions::linkAgain(std::uint64_t id, std::span<const std::uint64_t> ag
     for (const std::uint64_t other : against) {
         if (const LiveKeyScan* const scan = m_map.find(other)) others.push_back(*scan);
     }
-    std::vector<Link> links = m_map.loops.replace({*m_map.find(id), nullptr, others, match});
+    std::vector<Link> links = m_map.graph.replace({*m_map.find(id), nullptr, others, match});
     if (!links.empty()) m_made = ScanLinksSample{now, m_map.station, std::move(links)};
     m_map.findParts();
 }
@@ -130,6 +130,7 @@ void MapDecisions::adopt(const KeyScanSample& sample) {
     if (known != nullptr) {
         std::erase_if(m_map.map.scans, [&](const LiveKeyScan& scan) { return scan.id == sample.id; });
         m_map.cropped.forget(sample.id);
+        m_map.graph.forget(sample.id);
         m_map.loops.forget(sample.id);
     }
     restore(sample);
@@ -140,7 +141,7 @@ void MapDecisions::beginBlock() {
     if (m_map.map.scans.empty()) return;
     const std::uint64_t newest = m_map.map.scans.back().id;
     m_map.nextId = std::max(m_map.nextId, (newest / IdBlock + 1) * IdBlock + 1);
-    m_map.loops.beginBlock();
+    m_map.graph.beginBlock();
 }
 
 void MapDecisions::follow(std::span<const ScanPose> poses) {

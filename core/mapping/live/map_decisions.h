@@ -14,7 +14,7 @@
 
 namespace leitstand {
 
-/// Decisions on the key scans of a map, the operator's and those of the log; each as in LiveMapper.
+/// Decisions of the operator and of the log on the key scans of a map. For each function see LiveMapper.
 class MapDecisions {
 public:
     explicit MapDecisions(GrowingMap& map) : m_map(map) {}
@@ -31,11 +31,11 @@ public:
 
 private:
     [[nodiscard]] ScanPosesSample decided(std::vector<ScanPose> poses, Time now);
-    /// Replaces the links of the scan @p id, which was registered again, against @p against.
+    /// Replaces the links of the scan @p id, which was registered again against the scans @p against.
     void linkAgain(std::uint64_t id, std::span<const std::uint64_t> against, const Match& match, Time now);
 
     GrowingMap& m_map;
-    std::optional<ScanLinksSample> m_made;  ///< by the newest decision
+    std::optional<ScanLinksSample> m_made;  ///< links that the newest decision changed
 };
 
 }  // namespace leitstand

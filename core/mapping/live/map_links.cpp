@@ -11,19 +11,19 @@ namespace leitstand {
 
 std::set<std::uint64_t> MapLinks::together(std::uint64_t id) const {
     std::set<std::uint64_t> ids;
-    for (const auto& [scan, way] : m_map.loops.sameAge(id)) ids.insert(scan);
+    for (const auto& [scan, way] : m_map.graph.sameAge(id)) ids.insert(scan);
     return ids;
 }
 
 void MapLinks::restore(const ScanLinksSample& sample) {
-    m_map.loops.restore(sample.links);
+    m_map.graph.restore(sample.links);
     ++m_map.revision;
     m_map.unsolved = m_map.unsolved || std::any_of(sample.links.begin(), sample.links.end(),
                                                    [](const Link& link) { return closesLoop(link.kind); });
 }
 
 void MapLinks::followLoops(std::span<const Link> loops) {
-    if (!m_map.loops.follow(loops)) return;
+    if (!m_map.graph.follow(loops)) return;
     m_map.linksChanged();
 }
 
@@ -35,7 +35,7 @@ std::optional<SoughtPlace> MapLinks::sought() {
     const bool elsewhere =
         inParts(m_map.map) && !(m_soughtElsewhere && m_map.loops.mayErrFar(*scan, m_map.map));
     m_soughtElsewhere = elsewhere;
-    return SoughtPlace{id, std::make_shared<const LiveMap>(m_map.map), m_map.loops.sameAge(id), elsewhere};
+    return SoughtPlace{id, std::make_shared<const LiveMap>(m_map.map), m_map.graph.sameAge(id), elsewhere};
 }
 
 std::optional<ScanLinksSample> MapLinks::recognised(const SoughtPlace& sought, const Pose& scanInMap,
@@ -59,14 +59,15 @@ Result<ScanLinksSample> MapLinks::propose(std::uint64_t id, const Pose& scanInMa
     if (scan == nullptr || !scan->counts())
         return Error{leitstand::fill(
             translate("leitstand::Station", "scan {}: expected one that counts: accept it first"), id)};
-    auto link = m_map.loops.propose(*scan, scanInMap, m_map.map);
+    auto link = m_map.byHand.propose(*scan, scanInMap, m_map.map);
     if (!link) return link.error();
     return ScanLinksSample{now, m_map.station, {*link}};
 }
 
 std::optional<ScanLinksSample> MapLinks::join(const std::map<std::uint64_t, Pose>& scansInMap, Time now) {
-    std::vector<Link> links = m_map.loops.join(scansInMap, m_map.map);
+    std::vector<Link> links = m_map.byHand.join(scansInMap, m_map.map);
     if (links.empty()) return std::nullopt;
+    m_map.loops.moved();
     m_map.linksChanged();
     return ScanLinksSample{now, m_map.station, std::move(links)};
 }
@@ -98,11 +99,12 @@ Result<ScanLinksSample> MapLinks::moveTo(std::uint64_t scan, SubmapKind kind, co
     for (const LiveKeyScan& one : m_map.map.scans) {
         if (submap.contains(one.id)) scansInMap.emplace(one.id, moved * one.pose.scanInMap);
     }
-    std::vector<Link> links = m_map.loops.moveTo(scansInMap, leftBehind(m_map.map, scan, kind), m_map.map);
+    std::vector<Link> links = m_map.byHand.moveTo(scansInMap, leftBehind(m_map.map, scan, kind), m_map.map);
     if (links.empty())
         return Error{translate("leitstand::Station",
                                "it does not fit the rest of the map there: move it nearer to where it "
                                "belongs, or snap it first")};
+    m_map.loops.moved();
     m_map.linksChanged();
     return ScanLinksSample{now, m_map.station, std::move(links)};
 }
@@ -119,7 +121,7 @@ MapProblem MapLinks::problemWith(std::span<const Link> instead) const {
         if (scan.counts()) counting.insert(scan.id);
     }
     std::vector<Link>& links = problem.graph.links;
-    links = m_map.loops.graph().links();
+    links = m_map.graph.links();
     for (const Link& link : instead) {
         const auto known =
             std::find_if(links.begin(), links.end(), [&](const Link& one) { return one.id == link.id; });
@@ -149,7 +151,7 @@ Settled MapLinks::settle(const MapSolution& solution, Time now) {
         m_map.unsolved = true;
         return settled;
     }
-    const std::vector<Link> contradicted = m_map.loops.contradict(solution.contradicted);
+    const std::vector<Link> contradicted = m_map.graph.contradict(solution.contradicted);
     if (!contradicted.empty()) settled.links = ScanLinksSample{now, m_map.station, contradicted};
     std::map<std::uint64_t, Pose> solved;
     for (const GraphNode& node : solution.nodes) solved.emplace(node.id, node.pose);

@@ -10,13 +10,13 @@
 #include "core/event/scan_links.h"
 #include "core/mapping/live/growing_map.h"
 #include "core/mapping/live/loops/map_problem.h"
-#include "core/mapping/live/loops/sought_place.h"
+#include "core/mapping/live/loops/places/sought_place.h"
 #include "core/mapping/live/loops/submap.h"
 #include "core/mapping/live/map/map_update.h"
 
 namespace leitstand {
 
-/// Links between the scans of a map: where it meets itself, and its solution; each as in LiveMapper.
+/// Finds links where a map meets itself, and applies its solution. For each function see LiveMapper.
 class MapLinks {
 public:
     explicit MapLinks(GrowingMap& map) : m_map(map) {}
@@ -43,7 +43,7 @@ public:
 
 private:
     GrowingMap& m_map;
-    bool m_soughtElsewhere = false;  ///< whether the last one was sought in other parts
+    bool m_soughtElsewhere = false;  ///< whether the last scan of sought() was looked for in other parts
 };
 
 }  // namespace leitstand

@@ -29,10 +29,10 @@ struct MapFix {
     std::string how;  ///< in words
 };
 
-/// A robot's own scan in the map, which anchors the stretch of its path that follows.
+/// A robot's scan in the map, and the odometry's frame by it. It anchors the part of the trail that follows.
 struct TrailAnchor {
     Time since{};                       ///< robot's clock
-    int frame = 0;                      ///< of its odometry
+    int frame = 0;                      ///< number of its odometry: MotionBuffer::frameAt()
     Pose odomInMap = Pose::Identity();  ///< by the scan
 };
 
@@ -44,11 +44,11 @@ public:
     /// Samples without a stamp count as taken @p now.
     void add(const OdometrySample& odometry, Time now);
     void add(const ImuSample& imu, const Pose& unitInBase, Time now);
-    /// Sets where the robot was at a moment. If the odometry does not cover that moment, the robot stands
-    /// there until it moves.
+    /// Sets where the robot was at a moment. If odometry does not cover that moment, the robot is taken to be
+    /// there when the next odometry arrives.
     void correct(const MapFix& fix);
-    /// Moves the trail after scans moved in the map: each place moves with the newest of @p anchors before
-    /// it. A place without one stays.
+    /// Moves the trail after scans moved in the map. Each place moves with the newest of @p anchors that is
+    /// of the same odometry and not later. A place without such an anchor stays.
     void layTrail(std::span<const TrailAnchor> anchors);
     /// Moves the robot and its trail with the places of the map.
     void move(const MovedPlaces& places);
@@ -79,7 +79,7 @@ private:
 
     MotionBuffer m_motion;
     std::optional<Time> m_newest;   ///< stamp of the odometry
-    std::optional<Pose> m_waiting;  ///< base_link in the map: the fix came before the odometry
+    std::optional<Pose> m_waiting;  ///< base_link in the map, by a fix for which odometry has not come yet
     int m_frame = 0;                ///< of the odometry of odomInMap
     std::vector<Footstep> m_trail;
     double m_spacing;                          ///< of the trail [m]

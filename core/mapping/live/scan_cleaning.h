@@ -25,12 +25,12 @@ struct PlacedBody {
 
     RobotBody body;
     Pose baseInMap = Pose::Identity();
-    double margin = Certain;  ///< it may be so far from there [m]; more than Certain: its pose is doubted
+    double margin = Certain;  ///< it may be so far from `baseInMap` [m]; above Certain: its pose is doubted
 };
 
-/// Returns where the robots of @p bodies are in the map while the scan is at @p scanInMap.
+/// Returns the bodies of a scan in the map, for the scan at @p scanInMap.
 [[nodiscard]] std::vector<PlacedBody> placed(std::span<const BodyInScan> bodies, const Pose& scanInMap);
-/// Returns @p bodies of @p robot relative to a scan at @p scanInMap.
+/// Returns @p bodies, all of @p robot, relative to a scan at @p scanInMap.
 [[nodiscard]] std::vector<BodyInScan> inScan(const std::string& robot, std::span<const PlacedBody> bodies,
                                              const Pose& scanInMap);
 
@@ -46,17 +46,17 @@ struct MapCrop {
 /// Returns whether @p place (base frame, seen from above) is on or within @p body's footprint, grown by @p
 /// margin [m].
 [[nodiscard]] bool onFootprint(const RobotBody& body, const Eigen::Vector2d& place, double margin);
-/// Turns points of @p scan on or within @p body, grown by @p margin [m], into no echo, except those of the
-/// ground that it stands on.
+/// Turns points of @p scan on or within @p body, grown by @p margin [m], into no echo. Points of the ground
+/// below the robot stay.
 void leaveOutBody(Scan& scan, const RobotBody& body, const Pose& sensorInBase, double margin = 0.05);
-/// Returns which of @p points, seen from @p scanInMap, are on or within one of @p others. A thing that
-/// continues above a robot's height, a wall or a post, is left, except on the footprint of a robot whose pose
-/// is certain.
+/// Returns for each of @p points, in a scan at @p scanInMap, whether it is on or within one of @p others.
+/// Points of a thing that continues above the robot's height, as a wall or a post, do not count. On the
+/// footprint of a robot whose pose is certain, they do.
 [[nodiscard]] std::vector<bool> onOthers(std::span<const Eigen::Vector3f> points,
                                          std::span<const PlacedBody> others, const Pose& scanInMap);
-/// Turns points of @p scan, taken at @p scanInMap, on or within other robots into no echo.
+/// Turns points of @p scan at @p scanInMap that are onOthers() into no echo.
 void leaveOutBodies(Scan& scan, std::span<const PlacedBody> others, const Pose& scanInMap);
-/// Turns points of @p scan outside @p crop into no echo.
+/// Turns points of @p scan, at @p scanInMap, outside @p crop into no echo.
 void leaveOutCropped(Scan& scan, const MapCrop& crop, const Pose& scanInMap);
 
 }  // namespace leitstand

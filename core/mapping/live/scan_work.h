@@ -21,26 +21,30 @@ struct ReadyScan {
     PointCloud reduced;  ///< for matching, with normals
 };
 
-/// Returns @p live's scan, as the scanner gave it, without @p body, @p others and what @p settings crop, seen
-/// from @p scanInMap.
+/// Returns the scan of @p live with points on @p body and @p others, and those outside the area of
+/// @p settings, turned into no echo. The scan is at @p scanInMap; its grid stays.
 [[nodiscard]] Scan cleaned(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
                            const LiveSettings& settings, std::span<const PlacedBody> others = {});
 
-/// Cleans @p live of @p body, @p others, mixed pixels and what @p settings crop, seen from @p scanInMap.
-/// Labels and reduces it.
+/// Returns the scan of @p live, made ready: it is cleaned(), mixed pixels are removed, and it is labelled and
+/// reduced. The arguments are those of cleaned().
 [[nodiscard]] ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
                                   const LiveSettings& settings, std::span<const PlacedBody> others = {});
 
-/// Returns the points @p kept of @p scan, unorganised, with all other values of it and them.
+/// Returns @p scan with only the points at the indices @p kept, unorganised. Intensities, labels and shades
+/// of these points are kept, and so are name, times and pose of the scan.
 [[nodiscard]] Scan selected(const Scan& scan, const std::vector<std::size_t>& kept);
 
-/// Returns @p scan as the live map keeps it: without intensities, which the log has.
+/// Returns @p scan as the live map keeps it: with shades for display instead of the intensities, which the
+/// log has.
 [[nodiscard]] ScanPtr keptOf(const ScanPtr& scan);
 
-/// Returns the bytes that a key scan takes in the live map: its points, and its cloud for matching.
+/// Returns the bytes of memory that a key scan takes now: its points, and its cloud for matching if that is
+/// in memory.
 [[nodiscard]] std::size_t memoryOf(const LiveKeyScan& scan);
 
-/// Returns the cloud that readyScan() made of a key scan, from its points in the log.
+/// Returns the cloud for matching of a key scan whose ReadyScan::reduced is gone. It is made again of
+/// @p scan, the points that the log has.
 [[nodiscard]] PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings);
 
 /// The result of matching a scan.
@@ -48,25 +52,26 @@ struct Match {
     Pose scanInMap = Pose::Identity();  ///< the guess where there are doubts
     IcpResult icp;
     std::uint8_t doubts = 0;  ///< bits of ScanDoubt
-    bool spun = false;        ///< the wheels spun: it fits far behind odometry's pose, beyond doubt
+    bool spun = false;        ///< the wheels spun: the scan fits far behind odometry's pose, beyond doubt
 };
 
 /// Returns whether a map may begin with @p live, whose cloud for matching is @p reduced: it is a whole turn
 /// or sweep, or nearly so, and has enough points.
 [[nodiscard]] bool canBegin(const LiveScan& live, const PointCloud& reduced, const FitSettings& fit);
 
-/// The motion of a robot from the scan before to this one.
+/// The motion of a robot to its present scan.
 struct Step {
-    bool measured = false;         ///< by odometry: the match must not jump against it
-    bool trusted = false;          ///< so much that the match is looked for nearby
-    double way = 0.0, turn = 0.0;  ///< since a scan was certain [m, rad]
+    bool measured = false;         ///< whether odometry measured it: the match must not jump against it
+    bool trusted = false;          ///< whether odometry is sure enough to look for the match nearby
+    double way = 0.0, turn = 0.0;  ///< since the last certain scan [m, rad]
     double openWay = 0.0;          ///< since the surfaces around the robot held all directions [m]
-    /// By odometry, since a scan was certain; in the map [m].
+    /// By odometry since the last certain scan, along the map's axes [m].
     Eigen::Vector3d moved = Eigen::Vector3d::Zero();
 };
 
-/// Matches @p cloud with @p local, starting at @p guess. Uses the schedule that @p step asks for, and the
-/// others if that leaves doubts. @p up: against gravity, in the scan's frame; empty: unknown.
+/// Matches @p cloud with @p local, starting at @p guess. Tries the schedule of pair distances that suits
+/// @p step, then the others while there are doubts. @p up: against gravity, in the scan's frame; empty:
+/// unknown.
 [[nodiscard]] Match match(const PointCloud& cloud, const LocalMap& local, const Pose& guess, const Step& step,
                           const std::optional<Eigen::Vector3d>& up, const MatchSettings& settings,
                           const FitSettings& fit);
@@ -80,11 +85,12 @@ struct Step {
 [[nodiscard]] double newGround(const PointCloud& cloud, const LocalMap& local, const Pose& scanInMap,
                                double distance);
 
-/// Returns @p scanInMap turned so that a @p share of its disagreement with gravity (@p up in its frame) is
-/// gone.
+/// Returns @p scanInMap turned towards level: @p share (0 to 1) of its disagreement with gravity is removed.
+/// @p up: against gravity, in the scan's frame.
 [[nodiscard]] Pose levelled(const Pose& scanInMap, const Eigen::Vector3d& up, double share);
 
-/// Returns the direction against gravity in the frame of @p scan: as measured, else as it stands in the map.
+/// Returns the direction against gravity in the frame of @p scan: as measured, or else by its pose in the
+/// map.
 [[nodiscard]] Eigen::Vector3d upOf(const LiveKeyScan& scan);
 
 }  // namespace leitstand

@@ -20,9 +20,9 @@ struct TrailPlace {
 using Trail = std::vector<TrailPlace>;
 using TrailPtr = std::shared_ptr<const Trail>;
 
-/// Returns whether the path between two places of a robot is unknown; they are @p away from each other [m].
-/// Either nothing was received from it for @p notReceived, 3 s and more, and it is half a metre away then. Or
-/// it jumped by a metre. @p apart: distance between places of a known path [m].
+/// Returns whether the path of a robot between two places, @p away [m] from each other, is unknown. On a
+/// known path, places are up to @p apart [m] from each other. It is unknown if the robot went a metre farther
+/// than that. Half a metre suffices if nothing was received from it for @p notReceived, more than 3 s.
 [[nodiscard]] bool isGap(double away, std::chrono::nanoseconds notReceived, double apart = 0.0);
 
 }  // namespace leitstand

@@ -16,8 +16,9 @@ namespace leitstand {
 class LevelFilter {
 public:
     /// Adds a unit's measurement at @p stamp, in the robot's frame: the up direction, and the angular
-    /// velocity [rad/s]. Stamps rise; others are left out, unless the clock was set: when the next one agrees
-    /// with it, the filter restarts. Without @p turning the robot counts as at rest.
+    /// velocity @p turning [rad/s]. Stamps must rise; other measurements are left out. If the next one agrees
+    /// with a stamp that does not fit, the clock was set, and the filter restarts. Without @p turning the
+    /// robot counts as at rest.
     void add(Time stamp, const std::optional<Eigen::Vector3d>& up,
              const std::optional<Eigen::Vector3d>& turning);
     /// Returns the up direction at @p stamp, unit length; empty without a measurement within @p gap.
@@ -39,7 +40,7 @@ private:
     void begin(const Entry& entry);
 
     std::deque<Entry> m_entries;
-    std::optional<Entry> m_stray;          ///< its stamp does not fit: a clock jump, if the next one fits it
+    std::optional<Entry> m_stray;  ///< its stamp does not fit; if the next one agrees, the clock was set
     std::chrono::nanoseconds m_settled{};  ///< run time of the filter
 };
 

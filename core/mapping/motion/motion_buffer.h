@@ -18,12 +18,13 @@ struct OdometrySample;
 /// The source of a pose of MotionBuffer.
 enum class MotionSource : std::uint8_t {
     Measured,      ///< between two poses of the odometry
-    Bridged,       ///< between two that are far apart: at most the turn in between is known
-    Extrapolated,  ///< beyond the newest, with its last velocity, and turned by its gyros
+    Bridged,       ///< between two poses that are far apart in time: at most the turn in between is known
+    Extrapolated,  ///< beyond the newest pose: by its last velocity and the gyros; also the nearest pose,
+                   ///< before the oldest one or where odometry restarted
 };
 
-/// Returns whether no robot moves from @p a to @p b, in its odometry's frame, in @p time [s]: the odometry
-/// restarted.
+/// Returns whether @p a and @p b, in the odometry's frame, are so far apart that no robot moves so far in
+/// @p time [s]. Then the odometry restarted.
 [[nodiscard]] bool leaps(const Pose& a, const Pose& b, double time);
 
 /// The pose of a robot at a moment.
@@ -32,7 +33,7 @@ struct Motion {
     MotionSource source = MotionSource::Measured;
 };
 
-/// How far a robot went, forward and back.
+/// How far a robot drove and turned; forward and back both count.
 struct Travel {
     double way = 0.0;   ///< [m]
     double turn = 0.0;  ///< of its heading [rad]
@@ -60,12 +61,13 @@ public:
     [[nodiscard]] Travel travelled(Time from, Time to) const;
     /// Returns the up direction in base_link, by the inertial unit; empty without one.
     [[nodiscard]] std::optional<Eigen::Vector3d> up(Time stamp) const { return m_level.at(stamp); }
-    /// Whether a unit ever measured it. Then the odometry's level is no substitute: it may know no slopes.
+    /// Returns whether an inertial unit ever measured the up direction. Then the odometry's level is no
+    /// substitute, since odometry may know no slopes.
     [[nodiscard]] bool hasUnit() const { return m_hasUnit; }
-    /// Rises when the robot's clock jumps back: earlier samples are of another time.
+    /// Returns a number that rises when the robot's clock jumps back: earlier samples are of another time.
     [[nodiscard]] int clockJumps() const { return m_clockJumps; }
-    /// Returns the number of the odometry at @p stamp. It rises when the odometry restarts, since its frame
-    /// is another one then.
+    /// Returns the number of the odometry at @p stamp. The number rises when the odometry restarts, since its
+    /// frame is another one then.
     [[nodiscard]] int frameAt(Time stamp) const;
 
 private:
@@ -78,12 +80,12 @@ private:
     [[nodiscard]] Pose levelled(Pose baseInOdom, Time stamp) const;
     [[nodiscard]] std::deque<Entry>::const_iterator after(Time stamp) const;
     [[nodiscard]] std::optional<Motion> beyond(Time stamp) const;
-    /// Returns @p pose, which lies between the two on a straight path, with the heading by the gyros.
+    /// Returns @p pose, interpolated from @p before to @p after at @p stamp, with its heading by the gyros.
     [[nodiscard]] Pose turnedByGyro(const Pose& pose, const Entry& before, const Entry& after,
                                     Time stamp) const;
 
     std::deque<Entry> m_entries;   ///< by stamp
-    std::optional<Entry> m_stray;  ///< its stamp does not fit: a clock jump, if the next one fits it
+    std::optional<Entry> m_stray;  ///< its stamp does not fit; if the next one agrees, the clock was set
     LevelFilter m_level;
     TurnGyro m_gyro;
     bool m_hasUnit = false;

@@ -20,17 +20,17 @@ struct OdometrySample;
 
 /// Settings of ScanCutter: when a scan is cut, and how long a slice waits.
 struct ScanCutterSettings {
-    std::chrono::nanoseconds longestWait = std::chrono::milliseconds(150);  ///< of a slice for odometry
-    double longestWay = 1.5;           ///< of the scanner within a scan [m]
-    double mostTurned = degrees(270);  ///< of the robot within a scan [rad]
+    std::chrono::nanoseconds longestWait = std::chrono::milliseconds(150);  ///< of a slice, for odometry
+    double longestWay = 1.5;           ///< longest way of the scanner within a scan [m]
+    double mostTurned = degrees(270);  ///< largest turn of the robot within a scan [rad]
 };
 
-/// Cuts scans from what one 3D scanner of one robot sends, as it comes. Each point is moved by the robot's
-/// motion since its own shot. A scan is a turn, or less where the robot moved too far; whole sweeps are scans
-/// of their own. A slice waits for odometry that covers its end, at most as long as the settings allow. Then
-/// the motion is extrapolated from the last speed. Every slice enters one scan, also slices that come late
-/// after a radio gap, in any order. Without clock and thread: the caller passes the time of the station's
-/// clock.
+/// Cuts scans from the slices of one 3D scanner of one robot, as they arrive. Each point is moved by the
+/// robot's motion since its own shot. A scan is a turn, or less where the robot moved too far; whole sweeps
+/// are scans of their own. A slice waits for odometry that covers its end, at most as long as the settings
+/// allow. Then the motion is extrapolated from the last speed. Every slice enters one scan. Slices may come
+/// late after a radio gap, and in any order. Without clock and thread: the caller passes the time of the
+/// station's clock.
 class ScanCutter {
 public:
     explicit ScanCutter(std::string robot, const ScanCutterSettings& settings = {});
@@ -41,13 +41,14 @@ public:
     /// frame) are left out.
     void add(CloudSample slice, const Pose& sensorInBase, Time now);
 
-    /// Returns the scans that are complete @p now, by their ends' stamps unless they came late.
+    /// Returns the scans that are complete @p now, in the order of their ends; scans of late slices may come
+    /// out of order.
     [[nodiscard]] std::vector<LiveScan> take(Time now);
     /// Returns when take() has something to do at the latest, without another sample; empty: nothing waits.
     [[nodiscard]] std::optional<Time> due() const;
-    /// Ends the current turn: the stamps of later slices are of another clock.
+    /// Ends the current turn, since the stamps of later slices are of another clock.
     void restart();
-    /// Returns all that is gathered as scans, whole turns or not: the scanner was switched off, or the
+    /// Returns scans of all slices gathered so far, whole turns or not: the scanner was switched off, or the
     /// mission ends.
     [[nodiscard]] std::vector<LiveScan> finish();
 

@@ -2,8 +2,8 @@
 
 namespace leitstand {
 
-/// How far the wheels of a robot have turned while it stands in the map. It pushes against something that it
-/// does not see, or its wheels have lost their grip.
+/// How far the wheels of a robot have turned while the robot stands in the map. Then it pushes against
+/// something that it does not see, or its wheels have lost their grip.
 class SpinningWheels {
 public:
     /// Adds the distance between two scans: @p byOdometry [m] by odometry, @p found [m] by the map.
@@ -15,7 +15,8 @@ public:
     }
     /// Forgets the distance: how far the robot came is unknown.
     void forget() { m_way = 0.0; }
-    /// Returns how far they turned since the robot last moved, or tried to [m].
+    /// Returns how far the wheels turned in vain since the robot last moved, or its wheels last stood still
+    /// [m].
     [[nodiscard]] double way() const { return m_way; }
 
 private:

@@ -16,12 +16,12 @@ namespace leitstand {
 
 /// When a turn ends that the scanner does not finish.
 struct TurnSettings {
-    double leastTurn = degrees(180);  ///< an interrupted turn covers so much, or is left out; 0: never [rad]
+    double leastTurn = degrees(180);  ///< shorter interrupted turns are left out; 0: none is [rad]
     double longestWay = std::numeric_limits<double>::infinity();  ///< of the sensor within a turn [m] ...
     double mostTurned = std::numeric_limits<double>::infinity();  ///< ... and its largest turn [rad]; beyond,
                                                                   ///< the turn ends there
-    /// Beyond, a turn breaks off that is slower than slowestTurn: the drive is stuck, or the window is
-    /// covered.
+    /// A turn that lasts longer breaks off if it is also slower than slowestTurn for 360 degrees: the drive
+    /// is stuck, or the window is covered.
     std::chrono::nanoseconds longestTime = std::chrono::seconds(10);
     std::chrono::nanoseconds slowestTurn = std::chrono::seconds(30);
 };
@@ -53,8 +53,8 @@ public:
     [[nodiscard]] std::optional<Scan> finish();
     /// Returns why the last returned scan ended.
     [[nodiscard]] TurnEnd ended() const { return m_ended; }
-    /// Returns where the sensor was at the end of that scan's first slice, in the scan's frame [m]; zero:
-    /// unknown.
+    /// Returns where the sensor was at the end of the first slice of the last returned scan, in that scan's
+    /// frame [m]; zero: unknown.
     [[nodiscard]] const Eigen::Vector3d& began() const { return m_began; }
     [[nodiscard]] bool gathers() const { return !m_slices.empty(); }
 
@@ -65,7 +65,8 @@ private:
     };
     [[nodiscard]] std::optional<Scan> take(TurnEnd end);
     [[nodiscard]] bool continues(const CloudSample& cloud) const;
-    [[nodiscard]] bool takesTooLong(const CloudSample& cloud) const;  ///< the turn, with @p cloud
+    /// Returns whether the turn would take too long with @p cloud.
+    [[nodiscard]] bool takesTooLong(const CloudSample& cloud) const;
     [[nodiscard]] bool movedTooFar() const;
     void gather(CloudSample cloud, const std::optional<Pose>& sensorInOdom);
     void forget();

@@ -12,13 +12,13 @@ namespace leitstand {
 /// robot's clock. One thread at a time.
 class TurnGyro {
 public:
-    static constexpr std::chrono::milliseconds LongestStep{100};  ///< between rates of one run
+    static constexpr std::chrono::milliseconds LongestStep{100};  ///< longest gap between rates of one run
 
     /// Adds @p rate about the vertical, counter-clockwise [rad/s]. NaN and rates out of order are left out.
-    /// When the clock jumps back, it begins again.
+    /// When the clock jumps back, the rates so far are dropped.
     void add(Time stamp, double rate);
-    /// Returns the turn from @p from to @p to, which is later [rad]; empty if there is a gap between rates.
-    /// Beyond the newest rate, that one counts for LongestStep.
+    /// Returns the turn from @p from to @p to, which must be later [rad]; empty if there is a gap between
+    /// rates. The newest rate is used up to LongestStep beyond its stamp.
     [[nodiscard]] std::optional<double> turned(Time from, Time to) const;
     void forgetBefore(Time stamp);
     void clear() { m_rates.clear(); }

@@ -15,13 +15,13 @@ namespace leitstand {
 struct TurnRefinementSettings {
     /// Refines all turns. Odometry with gyros mostly measures the motion within a turn well enough.
     bool on = false;
-    double from = 0.015;              ///< a turn that fits so far from odometry's pose is refined [m] ...
-    double fromAngle = degrees(0.5);  ///< ... or turned by so much [rad]
-    int points = 1'500;               ///< of the turn that are used, at most
-    int leastPairs = 200;             ///< least of them that meet the map
-    double spacing = 0.15;            ///< one point in each cube of this edge [m]
-    double minRange = 0.4, maxRange = 15.0;                    ///< nearer and farther ones are left out [m]
-    std::vector<double> maxDistances = {0.5, 0.3, 0.2, 0.15};  ///< of pairs, one an iteration [m]
+    double from = 0.015;  ///< a turn is also refined if it fits so far from odometry's pose [m] ...
+    double fromAngle = degrees(0.5);         ///< ... or turned by so much [rad]
+    int points = 1'500;                      ///< largest number of points of the turn that are used
+    int leastPairs = 200;                    ///< least number of these points that meet the map
+    double spacing = 0.15;                   ///< one point in each cube of this edge [m]
+    double minRange = 0.4, maxRange = 15.0;  ///< nearer and farther points are left out [m]
+    std::vector<double> maxDistances = {0.5, 0.3, 0.2, 0.15};  ///< largest of pairs, one per iteration [m]
     double outlier = 0.05;            ///< pairs farther apart count half, or less (Cauchy) [m]
     double hold = 2e-4;               ///< how strongly the drift is held at zero, per pair
     double leastCertainty = 0.003;    ///< least information on the weakest direction, per pair; else no drift
@@ -45,8 +45,9 @@ struct TurnDrift {
 /// Estimates the drift of the organised @p scan, which was registered to @p scanInMap, against @p local:
 /// point to plane, with a constant velocity within the turn. LOAM assumes this within a sweep (Zhang & Singh
 /// 2014), and CT-ICP has a pose at either end of it (Dellenbach et al. 2022). The drift is held at zero where
-/// surfaces do not constrain it. Rows follow each other evenly in time. Empty if the turn is better left as
-/// it is: it is no grid, too few points meet the map, a direction is open, or it fits no better.
+/// surfaces do not constrain it. The rows of @p scan must follow each other evenly in time. Empty if the turn
+/// is better left as it is: it is no grid, too few points meet the map, a direction is open, or it fits no
+/// better.
 [[nodiscard]] std::optional<TurnDrift> turnDrift(const Scan& scan, const LocalMap& local,
                                                  const Pose& scanInMap,
                                                  const TurnRefinementSettings& settings = {});

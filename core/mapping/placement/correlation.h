@@ -16,7 +16,8 @@ struct SearchWindow {
 struct Correlation {
     FlatPose pose;
     double score = 0.0;   ///< 0 to 1: mean likelihood of its points
-    double second = 0.0;  ///< the best score more than Apart away; at least ClearBelow of the score
+    double second = 0.0;  ///< best score of another place (farther away than Apart or TurnedApart); at least
+                          ///< ClearBelow times `score`
     static constexpr double Apart = 0.35;               ///< [m] ...
     static constexpr double TurnedApart = degrees(20);  ///< ... or [rad]
     static constexpr double ClearBelow = 0.6;

@@ -18,7 +18,7 @@
 
 namespace leitstand {
 
-/// A robot that does not make the map itself: its laser places it in the map and keeps it localised. Results
+/// A robot that does not make the map itself: its laser finds its pose in the map and keeps it there. Results
 /// are samples for the log. Without thread and clock: the caller passes the time of the station's clock. One
 /// thread at a time.
 class LaserRobot {
@@ -26,58 +26,59 @@ public:
     /// @p tracker is corrected; it must outlive this.
     LaserRobot(RobotTracker& tracker, std::string station, const LocaliserSettings& settings = {});
 
-    /// Takes the current view of the laser: a placed robot is localised by it, else it is kept for placing
-    /// the robot. The map may be null.
-    /// @p others: robots in the map, which the laser sees and the map does not have.
+    /// Takes the newest view of the laser. If the robot is placed, the view corrects its pose; else it is
+    /// kept for placing the robot. Returns the result for the log; empty: none. @p map may be null.
+    /// @p others: places of robots, which the laser sees and the map does not have.
     [[nodiscard]] std::optional<RobotPlaceSample> see(LaserView view, const LiveMapPtr& map, Time now,
                                                       std::span<const Disc> others = {});
-    /// Looks for it beside the robot that makes the map, which began at @p otherInMap. What it drove since it
-    /// was first heard counts. Empty while there is nothing to report: it was not found, or it is not yet
-    /// time for another try.
+    /// Searches for the robot beside the one that makes the map, which began at @p otherInMap. What the robot
+    /// drove since it was first heard is added. Empty: it was not found yet, or it is not yet time for
+    /// another try. After MostTries the failure is returned.
     [[nodiscard]] std::optional<RobotPlaceSample> placeBeside(const Pose& otherInMap, const LiveMapPtr& map,
                                                               Time now, std::span<const Disc> others = {});
-    /// Looks for it, with @p body, where the robot @p by sees something of its size: after it was not found
-    /// beside it, or when it is lost. Empty while there is nothing to report.
+    /// Searches for the robot, with @p body, at @p seen: where the robot @p by sees something of its size.
+    /// That is of use after placeBeside() failed, or when the robot is lost. Empty: nothing to report.
     [[nodiscard]] std::optional<RobotPlaceSample> placeSeen(std::span<const SeenBody> seen,
                                                             const RobotBody& body, const std::string& by,
                                                             const LiveMapPtr& map, Time now,
                                                             std::span<const Disc> others = {});
-    /// Places it at @p baseInMap for the operator and looks for it around there. If it is not found, it
-    /// stands there, uncertain.
+    /// Places the robot at @p baseInMap for the operator, and searches around there. If the search fails, the
+    /// robot stands at @p baseInMap, uncertain.
     [[nodiscard]] RobotPlaceSample place(const Pose& baseInMap, const LiveMapPtr& map, Time now);
-    /// The same for the log only: the operator put it there, and its own next 3D scan decides where it
-    /// stands. @p measured: the newest scan's moment, its clock.
+    /// Returns a sample for the log only: the operator put the robot at @p baseInMap, and its next 3D scan
+    /// decides where it stands. @p measured: end of its newest scan, robot's clock.
     [[nodiscard]] RobotPlaceSample putUntilScan(const Pose& baseInMap, Time measured, Time now) const;
-    /// The same after it was looked for in the whole map: its 3D scan of @p measured fits there and nowhere
-    /// else.
+    /// The same for a robot that was looked for in the whole map: its 3D scan of @p measured fits at
+    /// @p baseInMap and nowhere else. @p overlap: share of that scan that meets the map.
     [[nodiscard]] RobotPlaceSample foundByScan(const Pose& baseInMap, Time measured, double overlap,
                                                Time now) const;
     /// Sets the area of the map. Once the robot is placed, what its laser sees outside does not count.
     void setCrop(MapCrop crop) { m_crop = std::move(crop); }
     /// Notes that scans of the map moved, and the robot with them.
     void mapMoved() { m_localiser.mapMoved(); }
-    /// Takes its pose from the log, when the station restarts. It is uncertain until its laser fits there, or
-    /// where its odometry went on to.
+    /// Takes the robot's pose from the log, when the station restarts. The pose is uncertain until the laser
+    /// fits there, or where odometry has led since.
     void restore(const RobotPlaceSample& place);
-    /// Takes its pose from another station, which makes the map.
+    /// Takes the robot's pose from another station, which makes the map.
     void follow(const RobotPlaceSample& place);
 
-    /// Whether its pose is the log's, and not checked since.
+    /// Returns whether the robot's pose is from the log, or from another station, and not checked since.
     [[nodiscard]] bool resumes() const { return m_resumed.has_value(); }
     [[nodiscard]] bool seesAnything() const { return m_view.has_value(); }
     [[nodiscard]] bool wantsSlot() const { return !m_tracker.placed() && !m_resumed && !m_put; }
-    /// Whether placeSeen() is useful.
+    /// Returns whether placeSeen() is of use.
     [[nodiscard]] bool wantsSeen() const;
-    /// Stops using the laser: it sees by 3D scans that are in the map.
+    /// Stops using the laser: the robot's own 3D scans are in the map now.
     void rest() { m_view.reset(); }
 
-    /// Tries beside the other robot, with a new map or some seconds later, before a failure is reported.
+    /// Largest number of tries of placeBeside() before it reports a failure. Each has a new map, or is some
+    /// seconds later.
     static constexpr int MostTries = 6;
 
 private:
-    /// Records where it was by its odometry at @p stamp.
+    /// Records where the robot was by its odometry at @p stamp.
     void wasAt(Time stamp);
-    /// Returns whether what it sees contradicts @p baseInMap, in the local map.
+    /// Returns whether the newest view contradicts @p baseInMap in the local map.
     [[nodiscard]] bool contradicted(const Pose& baseInMap, std::span<const Disc> others) const;
     [[nodiscard]] const LocalMap& localAt(const LiveMapPtr& map, const Pose& place);
     [[nodiscard]] RobotPlaceSample taken(const MapFix& fix, RobotPlaceSample::Cause cause, double overlap,

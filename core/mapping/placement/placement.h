@@ -12,14 +12,14 @@ namespace leitstand {
 
 /// Settings for placing a robot in another robot's map.
 struct PlacementSettings {
-    /// Its start relative to the robot that makes the map: beside it, with the same heading.
+    /// Start of the robot relative to that of the robot that makes the map: beside it, with the same heading.
     Pose slotInOther = poseFrom({0.0, -0.8, 0.0}, 0.0, 0.0, 0.0);
     SearchWindow slot;                          ///< around the slot ...
     SearchWindow dragged = {0.6, degrees(25)};  ///< ... and around where the operator put it
     double leastOverlap = 0.5;                  ///< least share of what the laser sees that is in the map ...
-    double plentyOverlap = 0.8;                 ///< ... and share beyond which it is no surer
-    double plentyContrast = 0.25;   ///< share that the second best lacks, beyond which it is no surer
-    double plentyDirection = 0.12;  ///< WallFit::direction beyond which it is no surer
+    double plentyOverlap = 0.8;                 ///< ... and share beyond which the certainty does not rise
+    double plentyContrast = 0.25;   ///< share that the second best lacks; beyond, the certainty does not rise
+    double plentyDirection = 0.12;  ///< WallFit::direction beyond which the certainty does not rise
     double leastCertainty = 0.3;    ///< below, the robot is not placed
     int leastPoints = 40;
 };
@@ -29,7 +29,7 @@ struct Placement {
     Pose baseInMap = Pose::Identity();  ///< the guess where it is not certain
     bool certain = false;
     double certainty = 0.0;  ///< 0 to 1
-    double overlap = 0.0;    ///< share of what it sees that the map has
+    double overlap = 0.0;    ///< share of the view that the map has
     std::string how;         ///< in words, with figures: why it is certain or not
 };
 

@@ -81,14 +81,14 @@ inline constexpr LogPhrase NewestKeyScan = {"newest_key_scan",
 inline constexpr LogPhrase OdometryRestarted = {
     "odometry_restarted", translatable("leitstand::Station", "its odometry began anew")};
 
-/// The most specific first.
+/// All these phrases, the most specific first.
 inline constexpr auto All = std::to_array<LogPhrase>(
     {FoundByScan,   FoundAgain,   PutBut,    WhereLeftBut,      SeenBy,        TooFewPoints, FromGuess,
      TooLittle,     LittleInMap,  OnlyInMap, FarFromTracks,     DirectionOpen, Elsewhere,    AgainstMap,
      PutBlindly,    PutUntilScan, WhereLeft, OdometryRestarted, FitsMap,       OwnPart,      DoesNotFit,
      NewestKeyScan, Because,      InMap,     LaserInMap});
 
-/// Whether @p how is @p phrase, with whatever values.
+/// Returns whether @p how is @p phrase, with any values.
 [[nodiscard]] bool isPhrase(const std::string& how, const LogPhrase& phrase);
 /// Returns @p how in the window's language; an unknown reason stays as it is.
 [[nodiscard]] std::string inWindowsLanguage(const std::string& how);

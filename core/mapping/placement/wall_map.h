@@ -16,8 +16,8 @@ struct WallMap {
     double ground = 0.0;             ///< height of the floor around the place [m]
 };
 
-/// Returns the walls of @p local around @p place (base_link in the map), between @p low and @p high over the
-/// floor there [m]. If the map does not show the floor, base_link stands on it.
+/// Returns the walls of @p local around @p place (base_link in the map), from @p low to @p high over the
+/// floor there [m]. If the map does not show the floor, base_link is taken to stand on it.
 [[nodiscard]] WallMap wallMap(const LocalMap& local, const Pose& place, double low, double high);
 
 }  // namespace leitstand

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/event/scan_pose.h"
-#include "core/mapping/live/loops/found_links.h"
+#include "core/mapping/live/loops/links/found_links.h"
 
 namespace leitstand {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/event/scan_pose.h"
 #include "core/mapping/graph/graph_solver.h"
 #include "core/mapping/graph/scan_graph.h"
-#include "core/mapping/live/loops/found_links.h"
+#include "core/mapping/live/loops/links/found_links.h"
 #include "core/mapping/live/map/local_map.h"
 #include "core/mapping/live/scan_work.h"
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/loops/places/free_space.h"
 #include "core/mapping/live/map/local_map.h"
 
 namespace leitstand {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/loops/places/free_space.h"
 #include "core/mapping/live/map/local_map.h"
 
 namespace leitstand {

@@ -7,9 +7,9 @@
 
 namespace leitstand {
 
-/// Returns the share of @p view's points that contradict a laser at @p pose. It would see them through the
-/// walls of @p map, which are of @p local, or where @p local has open floor. The share is about zero at the
-/// robot's true pose, whatever the map lacks so far. It is large where the place only looks alike.
+/// Returns the share of @p view's points that contradict a laser at @p pose. These points lie behind the
+/// walls of @p map, or where @p local has open floor. @p map: wallMap() of @p local. The share is about zero
+/// at the robot's true pose, whatever the map lacks so far. It is large where the place only looks alike.
 [[nodiscard]] double contradiction(const LaserView& view, const LocalMap& local, const WallMap& map,
                                    const FlatPose& pose);
 

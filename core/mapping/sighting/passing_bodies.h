@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "core/event/scan_bodies.h"
-#include "core/mapping/live/loops/free_spaces.h"
+#include "core/mapping/live/loops/places/free_spaces.h"
 #include "core/mapping/live/map/live_map.h"
 
 namespace leitstand {
@@ -18,17 +18,17 @@ namespace leitstand {
 struct PassingSettings {
     FreeSpaceSettings looking = {
         .margin = 0.2F, .marginOfRange = 0.03F, .nearest = 0.5F, .beside = false, .rays = 2};
-    double reach = 6.0;             ///< scans so near each other vote on each other [m]
-    std::size_t scans = 16;         ///< of those that vote, the nearest
-    double low = 0.15, high = 2.2;  ///< over the floor, of the points that are voted on [m]
-    double edge = 0.1;              ///< of their grid: one point of each cell is voted on [m]
-    int looksThrough = 3;           ///< least scans that looked through where a point is ...
-    int oftener = 3;                ///< ... and least multiple of those that saw something there
-    int unseen = 2;                 ///< ... or so many where none saw anything, as beside a robot
-    /// Width, seen from above, of a person who walks; else it is an edge, or a door [m].
+    double reach = 6.0;             ///< largest distance between scans that vote on each other [m]
+    std::size_t scans = 16;         ///< largest number of scans that vote; the nearest are taken
+    double low = 0.15, high = 2.2;  ///< heights over the floor of the points that are voted on [m]
+    double edge = 0.1;              ///< edge of a grid cell; one point of each cell is voted on [m]
+    int looksThrough = 3;  ///< least number of scans that looked through where a passing point is ...
+    int oftener = 3;       ///< ... and how many times as many as saw something there, at least ...
+    int unseen = 2;        ///< ... or least number where no scan saw anything, as beside a robot
+    /// Least and largest width of a person who walks, seen from above; others are edges, or doors [m].
     double narrowest = 0.2, largest = 1.2;
-    double tallest = 0.3;  ///< least height of it that was seen [m]
-    /// Least points of the grid that passed beyond doubt. Those connected with them passed as well.
+    double tallest = 0.3;  ///< least height of the visible part of a body [m]
+    /// Least number of a body's points that passed beyond doubt. Points connected with these passed as well.
     int leastPoints = 6;
 };
 
@@ -45,9 +45,9 @@ public:
     explicit PassingBodies(const PassingSettings& settings = {})
         : m_settings(settings), m_voters(settings.looking, MostVoters) {}
 
-    /// Lets the key scan @p id, which has entered @p map, and those near it vote on each other. Of these only
-    /// scans of @p together vote, whose relative poses are nearly certain, and which this run of the station
-    /// received itself. Returns all bodies of each scan whose bodies changed noticeably.
+    /// Lets the key scan @p id, which has entered @p map, and scans near it vote on each other. Of the scans
+    /// nearby, only those of @p together (with nearly certain relative poses) vote, and only those that this
+    /// run of the station received itself. Returns all bodies of each scan whose bodies changed noticeably.
     [[nodiscard]] std::map<std::uint64_t, std::vector<BodyInScan>> add(
         const LiveMap& map, std::uint64_t id, const std::set<std::uint64_t>& together);
 

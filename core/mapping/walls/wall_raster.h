@@ -21,18 +21,19 @@ struct RasterPlace {
 /// The result of a search.
 struct RasterPlaces {
     std::vector<RasterPlace> places;  ///< best first
-    /// No other place, except beside those found, has a better score.
+    /// Upper bound of the score of all places that are not in `places`, nor beside one of these. Places below
+    /// the least scores of RasterSearch are not considered.
     double others = 0.0;
 };
 
 /// Settings of a search for places.
 struct RasterSearch {
-    int most = 12;                     ///< number of places
-    double leastScore = 0.35;          ///< of a place ...
-    double likeBest = 0.75;            ///< ... and least share of the best place's
+    int most = 12;                     ///< largest number of places
+    double leastScore = 0.35;          ///< least score of a place ...
+    double likeBest = 0.75;            ///< ... and least share of the best score
     double apart = 1.0;                ///< least distance between places [m] ...
     double turnedApart = degrees(15);  ///< ... or least turn [rad]
-    double angleStep = degrees(1.5);   ///< between the headings that are tried [rad]
+    double angleStep = degrees(1.5);   ///< step between the headings that are tried [rad]
 };
 
 /// The upright surfaces of a map, seen from above, as likelihoods on a raster of cells. Each block of cells
@@ -43,18 +44,18 @@ public:
     /// of more than @ref MostCells is not searched: nothing is found in it.
     explicit WallRaster(std::span<const Eigen::Vector2f> walls);
 
-    /// Returns the places from which walls are seen at @p view (their own frame, level). Searches the whole
-    /// raster and all headings by branch and bound (Olson 2009; Hess, Kohler, Rapp & Andor 2016). The same
-    /// arguments give the same result. Cancelled: what was found so far.
+    /// Returns the poses from which the walls of the map look like @p view: points on walls, in a level frame
+    /// of their own [m]. Searches the whole raster and all headings by branch and bound (Olson 2009; Hess,
+    /// Kohler, Rapp & Andor 2016). The same arguments give the same result. Cancelled: what was found so far.
     [[nodiscard]] RasterPlaces find(std::span<const Eigen::Vector2f> view, const RasterSearch& search = {},
                                     const Progress& progress = {}) const;
 
-    /// Returns RasterPlace::score at any @p pose.
+    /// Returns RasterPlace::score of @p view at any @p pose.
     [[nodiscard]] double scoreAt(std::span<const Eigen::Vector2f> view, const FlatPose& pose) const;
 
-    /// Returns other places at most @p within [m] from @p about, best first. At the heading of @p best, their
-    /// score is at least @p alike times that of @p best, and clearly lower between the two. So places along a
-    /// corridor's axis are left out.
+    /// Returns other places than @p best, at most @p within [m] from @p about and at the same heading, best
+    /// first. Their score is at least @p alike times that of @p best. Somewhere between the two it is clearly
+    /// lower; so places along a corridor's axis are left out.
     [[nodiscard]] std::vector<RasterPlace> beside(std::span<const Eigen::Vector2f> view, const FlatPose& best,
                                                   const Eigen::Vector2d& about, double within,
                                                   double alike) const;

@@ -25,11 +25,11 @@ public:
     [[nodiscard]] const SearchGround& ground() const { return m_ground; }
     [[nodiscard]] const CoverageSettings& settings() const { return m_settings; }
     [[nodiscard]] bool seen(SearchSensor sensor, std::size_t cell) const { return of(sensor)[cell] != 0; }
-    /// Returns how well a cell was seen: 0 where a body just spans enough, 1 where it spans
-    /// CoverageSettings::sure times as much. Below 0: not seen.
+    /// Returns how well a cell was seen: 0 when a lying body would show just enough points or pixels, 1 when
+    /// it would show CoverageSettings::sure times as many. Below 0: not seen.
     [[nodiscard]] float quality(SearchSensor sensor, std::size_t cell) const;
-    /// Returns how surely a camera would have shown a victim at @p place [m], 0 to 1; below 0 where none
-    /// looked.
+    /// Returns how surely a camera (also infrared) would have shown a victim at @p place [m], 0 to 1. Below
+    /// 0: no camera looked there.
     [[nodiscard]] float cleared(const Eigen::Vector2d& place) const;
     [[nodiscard]] double seenArea(SearchSensor sensor) const;  ///< of the reachable floor [m2]
 

@@ -8,13 +8,13 @@ namespace leitstand {
 
 /// When a place counts as searched: a body that lies there would be seen.
 struct CoverageSettings {
-    double cell = 0.1;           ///< edge of a grid cell, at least [m]
+    double cell = 0.1;           ///< smallest edge of a grid cell; large maps have larger cells [m]
     double bodyMiddle = 0.15;    ///< height of a lying body's middle above the floor [m]
-    double bodyArea = 0.15;      ///< area of it that a scanner sees, 0.5 m x 0.3 m [m2]
-    double bodySide = 0.4;       ///< side of it that cameras see [m]
-    double scannerPoints = 20;   ///< points of a key scan that must lie on it
-    double cameraPixels = 24;    ///< pixels that it must span in a camera picture
-    double infraredPixels = 8;   ///< pixels that it must span in an infrared picture
+    double bodyArea = 0.15;      ///< area of the body that a scanner sees, 0.5 m x 0.3 m [m2]
+    double bodySide = 0.4;       ///< side of the body that cameras see [m]
+    double scannerPoints = 20;   ///< points of a key scan that must lie on the body
+    double cameraPixels = 24;    ///< pixels that the body must span in a camera picture
+    double infraredPixels = 8;   ///< pixels that the body must span in an infrared picture
     double scannerReach = 8.0;   ///< range beyond which a scan does not count [m]
     double cameraReach = 5.0;    ///< range beyond which nobody looks for motion, codes and placards [m]
     double infraredReach = 6.0;  ///< range beyond which nobody looks for warmth [m]
@@ -25,10 +25,10 @@ struct CoverageSettings {
     double robotRadius = 0.2;   ///< of the narrowest robot [m]
     double leastMissed = 0.25;  ///< smaller regions are not reported [m2]
 
-    double viewApart = 0.10;            ///< views nearer than this count as one [m] ...
-    double viewTurned = degrees(5);     ///< ... when they are also turned by less than this [rad]
-    double coarsest = 4.0;              ///< largest factor on both of these when there are too many views
-    std::size_t mostViewsOfScan = 600;  ///< of one scan
+    double viewApart = 0.10;         ///< views nearer than this count as one [m] ...
+    double viewTurned = degrees(5);  ///< ... when they are also turned by less than this [rad]
+    double coarsest = 4.0;  ///< largest factor on both of these thresholds when there are too many views
+    std::size_t mostViewsOfScan = 600;  ///< views that hang on one scan, at most
     std::size_t mostViews = 20'000;
     double scanCell = 0.08;  ///< one point of a scan is kept per cube of this edge [m]
     double scanReach = 20;   ///< points farther from the scanner are dropped [m]

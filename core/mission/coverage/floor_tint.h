@@ -23,7 +23,8 @@ struct FloorTint {
 };
 using FloorTintPtr = std::shared_ptr<const FloorTint>;
 
-/// Returns the reachable floor of @p coverage as few patches. Heights within 5 cm count as level.
+/// Returns the reachable floor of @p coverage, joined into few patches. Heights that differ by less than 5 cm
+/// count as level.
 [[nodiscard]] FloorTint floorTintOf(const CoverageMap& coverage, SearchSensor sensor);
 
 }  // namespace leitstand

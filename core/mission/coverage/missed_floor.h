@@ -12,9 +12,9 @@ namespace leitstand {
 /// A connected piece of floor that robots can reach and one kind of sensor did not see.
 struct MissedRegion {
     double area = 0.0;                                ///< [m2]
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< in it, nearest to its middle [m]
-    double height = 0.0;                              ///< of the floor there [m]
-    int storey = 0;                                   ///< its number
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< point of the region nearest to its middle [m]
+    double height = 0.0;                              ///< of the floor at place [m]
+    int storey = 0;                                   ///< number of its storey
     Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();  ///< its bounds [m]
 };
 

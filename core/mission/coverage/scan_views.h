@@ -14,16 +14,16 @@ struct ViewGrain {
 };
 
 /// The views that hang on one scan, without near duplicates. The grain can only become coarser. A dropped
-/// view loses only the edge of what the others see.
+/// duplicate loses only the edge of the floor that the kept views see.
 class ScanViews {
 public:
     explicit ScanViews(const ViewGrain& grain) : m_grain(grain) {}
 
-    /// Whether @p view counts as one with a known view.
+    /// Whether a held view counts as one with @p view.
     [[nodiscard]] bool holds(const SearchView& view) const { return holds(m_views, view); }
     void add(const SearchView& view) { m_views.push_back(view); }
-    /// Keeps the first of views that count as one by @p grain. Does nothing when the grain is already as
-    /// coarse.
+    /// Coarsens the grain to @p grain and keeps only the first of all views that now count as one. Does
+    /// nothing when the grain is already as coarse.
     void thin(const ViewGrain& grain);
 
     [[nodiscard]] const ViewGrain& grain() const { return m_grain; }

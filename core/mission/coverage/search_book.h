@@ -12,8 +12,8 @@
 
 namespace leitstand {
 
-/// Holds what shows which floor was searched: the thinned scans of the map and the views of cameras. All of
-/// it hangs on scans and moves with them. One thread.
+/// Holds what shows which floor was searched: the thinned scans of the map, and the views of cameras. Each
+/// view hangs on a scan and moves with it. One thread.
 class SearchBook {
 public:
     explicit SearchBook(const CoverageSettings& settings = {}) : m_settings(settings) {}
@@ -21,14 +21,14 @@ public:
     void add(const ReportScan& scan);
     /// Sets the pose of @p scan and whether it counts. Ignores an unknown scan.
     void place(std::uint64_t scan, const Pose& scanInMap, bool counts);
-    /// Sets the poses of the scans; those that are not named do not count.
+    /// Sets the poses of the scans in @p poses. Only scans that @p poses holds as certain count from now on.
     void follow(std::span<const ScanPose> poses);
-    /// Adds @p view; false when nearly the same view of that scan is known. With many views, views that
-    /// differ more also count as one, up to CoverageSettings::coarsest. Beyond that new ones are left out:
-    /// false.
+    /// Adds @p view; false: it was left out, because nearly the same view of its scan is known. When there
+    /// are too many views, views that differ more count as the same, up to CoverageSettings::coarsest. Beyond
+    /// that, all further views are left out.
     bool add(const SearchView& view);
     [[nodiscard]] std::size_t views() const { return m_views; }
-    /// Returns how often a new view was left out.
+    /// Returns how many views were left out because there were too many.
     [[nodiscard]] std::size_t leftOut() const { return m_leftOut; }
     [[nodiscard]] std::size_t scans() const { return m_scans.size(); }
     /// Returns all views, by scan.
@@ -38,7 +38,7 @@ public:
     /// from that storey count. @p trail: base_link where robots were, in the map [m].
     [[nodiscard]] CoverageMapPtr coverage(std::span<const Eigen::Vector3d> trail, Time until = Time::max(),
                                           const StoreyHeights& heights = {}) const;
-    /// Computes the same for each storey of the map, from the lowest on; at least one.
+    /// Computes coverage() for each storey of the map, from the lowest on; at least one.
     [[nodiscard]] std::vector<StoreyCoverage> byStorey(std::span<const Eigen::Vector3d> trail,
                                                        Time until = Time::max()) const;
 

@@ -15,8 +15,8 @@ namespace leitstand {
 
 class FloorHeights;
 
-/// The floor to search: its height from the scans, what stands on it, and what of it robots can reach. A grid
-/// in the map frame.
+/// The floor to search, as a grid in the map frame. Holds the height of the floor by the scans, what stands
+/// on it, and which of it robots can reach.
 class SearchGround {
 public:
     /// Computes the ground of the storey with @p heights. @p trail: base_link where robots were, in the map
@@ -35,12 +35,13 @@ public:
     [[nodiscard]] std::ptrdiff_t cellAt(const Eigen::Vector2d& place) const;       ///< -1: outside
     [[nodiscard]] Eigen::Vector2d middleOf(std::size_t cell) const;                ///< [m]
     [[nodiscard]] float height(std::size_t cell) const { return m_height[cell]; }  ///< of the floor [m]
-    /// Whether floor was seen there, with no obstacle for robots on it.
+    /// Whether the floor of @p cell was seen and carries no obstacle for robots.
     [[nodiscard]] bool isFloor(std::size_t cell) const { return m_floor[cell] != 0; }
-    /// Whether a robot can reach this floor from where robots drove.
+    /// Whether a robot can reach the floor of @p cell from where robots drove.
     [[nodiscard]] bool isReachable(std::size_t cell) const { return m_reachable[cell] != 0; }
     [[nodiscard]] double reachableArea() const;  ///< [m2]
-    /// Whether something stands between @p from and @p to (map frame [m]). The cells of the two do not count.
+    /// Whether something stands between @p from and @p to (map frame [m]). What stands in the cell of @p from
+    /// or of @p to does not count.
     [[nodiscard]] bool hides(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
 private:

@@ -23,12 +23,12 @@ inline constexpr std::array SearchSensors = {SearchSensor::Scanner, SearchSensor
 /// What a camera can see: a pyramid ahead, or a ring about its axis (cameras below mirrors). Optical frame.
 struct SearchField {
     double left = 0.0, right = 0.0, up = 0.0, down = 0.0;  ///< slopes of the pyramid's sides: x/z, y/z
-    double inner = 0.0, outer = 0.0;  ///< the ring's edges, from the axis [rad]; outer 0: no ring
+    double inner = 0.0, outer = 0.0;  ///< angles of the ring's edges from the axis [rad]; outer 0: no ring
     double pixelsPerRadian = 0.0;
 
-    /// Whether @p point (optical frame) is within.
+    /// Whether @p point (optical frame) lies in the field.
     [[nodiscard]] bool holds(const Eigen::Vector3d& point) const;
-    /// Returns the largest angle between its axis and a point in it [rad].
+    /// Returns the largest angle between the optical axis and a point in the field [rad].
     [[nodiscard]] double halfAngle() const;
 };
 
@@ -43,7 +43,8 @@ struct SearchView {
     SearchField field;
     Time seen{};  ///< station's clock
 
-    /// Returns the distance up to which a body spans enough pixels [m].
+    /// Returns the distance up to which the camera searches: a lying body spans enough pixels, and the reach
+    /// of @p settings is not exceeded [m].
     [[nodiscard]] double range(const CoverageSettings& settings) const;
 };
 

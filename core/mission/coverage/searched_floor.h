@@ -16,7 +16,7 @@ struct SearchedStorey {
     std::array<double, SearchSensors.size()> seen{};  ///< seen part of it, by SearchSensor [m2]
 };
 
-/// What each kind of sensor searched: all that a window shows of it, prepared where it is computed. Immutable
+/// What each kind of sensor searched: everything that a window shows of the search, ready to paint. Immutable
 /// once shared.
 struct SearchedFloor {
     /// What one kind of sensor saw and missed.
@@ -36,7 +36,8 @@ struct SearchedFloor {
 using SearchedFloorPtr = std::shared_ptr<const SearchedFloor>;
 
 [[nodiscard]] SearchedFloorPtr searchedFloorOf(const std::vector<StoreyCoverage>& storeys);
-/// Returns what to paint of @p searched, without a copy; null when @p searched is null.
+/// Returns the patches of @p sensor to paint. They are not copied and keep @p searched alive; null when
+/// @p searched is null.
 [[nodiscard]] FloorTintPtr tintOf(const SearchedFloorPtr& searched, SearchSensor sensor);
 
 }  // namespace leitstand

@@ -16,7 +16,7 @@ namespace leitstand {
 
 using ScanPlaces = std::map<std::uint64_t, Pose>;  ///< key scans in the map
 
-/// The cues of one kind that one robot saw of a thing from one key scan, as one.
+/// Sums up the cues of one kind that one robot saw of one thing from one key scan.
 struct CandidateLook {
     Eigen::Vector3d inScan = Eigen::Vector3d::Zero();  ///< weighted mean, in the key scan's frame [m]
     Eigen::Vector3d fromInScan =
@@ -26,8 +26,8 @@ struct CandidateLook {
     double evidence = 0.0;                                     ///< sum of the cues' confidences
     double strongest = 0.0;                                    ///< highest confidence of a cue
     int cues = 0;
-    int moments = 0;  ///< in which the cues came; cues of one half second are one moment
-    Time moment{};    ///< newest
+    int moments = 0;  ///< moments in which the cues came; cues within half a second are one moment
+    Time moment{};    ///< newest of these moments
     Cue best;         ///< the surest cue, with its own stamp and sequence
 };
 
@@ -40,9 +40,9 @@ struct CandidateThing {
     FindSample::Kind what = FindSample::Kind::Victim;
     std::map<Key, CandidateLook> looks;
     std::uint32_t victim = 0;
-    bool dismissed = false;  ///< by any person; it stays so
-    bool withdrawn = false;  ///< published, and no longer believed
-    bool discarded = false;  ///< filed, and the find was discarded
+    bool dismissed = false;  ///< a person dismissed it; new cues do not change that
+    bool withdrawn = false;  ///< it was published, and is no longer believed
+    bool discarded = false;  ///< it was filed, and its find was discarded
     std::uint64_t order = 0;
     // as last published
     Time published{};
@@ -56,9 +56,10 @@ struct CandidateThing {
     void add(const PlacedCue& cue, const ScanPlaces& scans);
     /// Computes position, covariance and confidence again from all looks.
     void settle(const ScanPlaces& scans, const CandidateSettings& settings);
-    /// Returns the text with the most evidence among its cues; empty for victims without a tag.
+    /// Returns the text with the most evidence among the cues, except those of robots' own sightings; empty:
+    /// no cue has a text.
     [[nodiscard]] std::string text() const;
-    /// Returns the text of the victim's tag with the most evidence; empty: none was read.
+    /// Returns the text of the tag with the most evidence; empty: no tag was read.
     [[nodiscard]] std::string tag() const;
     /// Whether a person dismissed it or discarded its find.
     [[nodiscard]] bool isRuledOut() const { return dismissed || discarded; }
@@ -66,8 +67,8 @@ struct CandidateThing {
     [[nodiscard]] double deviation() const;
 };
 
-/// Returns the squared length of @p off [m] in deviations of @p covariance, seen from above; infinite when
-/// that is degenerate.
+/// Returns the squared Mahalanobis distance of @p off [m] by @p covariance, seen from above (x and y).
+/// Infinite when @p covariance is degenerate.
 [[nodiscard]] double squaredDeviations(const Eigen::Vector3d& off, const Eigen::Matrix3d& covariance);
 
 /// Returns the confidence of @p thing from its kinds of cues.

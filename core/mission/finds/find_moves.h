@@ -33,14 +33,14 @@ struct FindMove {
     [[nodiscard]] double metres() const { return (to - from).norm(); }
 };
 
-/// Follows how a mission's finds move with its scans, from its decisions alone; this includes old missions.
-/// Small moves add up until they are reported. Moves by hand do not count.
+/// Follows how a mission's finds move with its scans. Needs only the mission's decisions, so that it works
+/// for old missions, too. Small moves add up until they exceed LeastMove. Moves by hand do not count.
 class FindMoves {
 public:
     static constexpr double LeastMove = 0.05;  ///< [m]
 
-    /// Takes the decisions in @p state since the last call and returns their moves. Starts again with another
-    /// mission or an earlier state.
+    /// Takes the decisions of @p state that are new since the last call, and returns the moves that they
+    /// caused. Starts from the beginning when @p state is of another mission or an earlier one.
     std::vector<FindMove> follow(const MissionState& state);
     [[nodiscard]] const std::vector<FindMove>& all() const { return m_all; }  ///< by rising sequence
     /// Returns the newest move of @p find; null: it stayed where it was filed.

@@ -11,7 +11,7 @@
 
 namespace leitstand {
 
-/// A cue and the estimated place of what it belongs to.
+/// A cue, and the estimated place of the thing that it shows.
 struct PlacedCue {
     Cue cue;
     FindSample::Kind what = FindSample::Kind::Victim;
@@ -19,8 +19,8 @@ struct PlacedCue {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< map frame [m2]
     /// Position of the camera that saw it, in the map [m]; NaN: it came by no ray.
     Eigen::Vector3d from = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    double reach = 0.0;  ///< not 0: radius of a disc around the robot, which only supports what is in it [m]
-    std::uint64_t scan = 0;  ///< key scan from which it was seen: moves with it; 0: none
+    double reach = 0.0;  ///< not 0: the cue came by no ray and supports things within this of the robot [m]
+    std::uint64_t scan = 0;  ///< key scan from which it was seen and with which it moves; 0: none
 };
 
 /// Standard deviations of what makes up a place.
@@ -32,8 +32,8 @@ struct PlacingSettings {
     double surface = 0.2;    ///< of a range: depth of the object behind what the laser sees, such as foil [m]
 };
 
-/// Places @p cue where @p ray (in the map) meets @p hit, with its covariance. @p spread: half angle of what
-/// is seen [rad].
+/// Sets the place and covariance of @p cue to where @p ray (in the map) meets @p hit. @p spread: half the
+/// angle that the seen thing covers [rad]. @p certainPose: the robot's scans fit.
 void placeByRay(PlacedCue& cue, const Ray& ray, const RayHit& hit, double spread, bool certainPose,
                 const PlacingSettings& settings = {});
 

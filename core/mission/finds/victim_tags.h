@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// Patterns of codes that are tags of victims: * stands for anything, ? for a character, # for a digit.
+/// Patterns of codes that are tags of victims: * stands for any text, ? for one character, # for one digit.
 using TagPatterns = std::vector<std::string>;
 
 /// Returns the patterns of the generated arenas, with tags such as V-01.

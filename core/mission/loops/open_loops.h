@@ -13,7 +13,7 @@ namespace leitstand {
 
 struct MissionState;
 
-/// A place where the map may meet itself; the operator decides whether it does.
+/// A place where the map may close a loop; the operator decides whether it does.
 struct OpenLoop {
     std::uint64_t event = 0;                          ///< sequence of the event that reported it
     std::vector<Link> links;                          ///< not active, never empty
@@ -24,12 +24,12 @@ struct OpenLoop {
     [[nodiscard]] double seam() const { return (would - at).norm(); }  ///< [m]
 };
 
-/// Returns the newest loop that waits for an answer; empty: none does. Loops whose places came together since
-/// are not asked about any more.
+/// Returns the newest loop that waits for the operator's answer; empty: none does. A loop no longer waits
+/// once its scans have moved to where its links want them.
 [[nodiscard]] std::optional<OpenLoop> openLoop(const MissionState& state);
 
-/// Returns the operator's answer to @p loop. @p same: its scans are put together; otherwise it is another
-/// place that looks alike. It is not asked about again.
+/// Returns the operator's answer to @p loop, for the log. With @p same, its scans are joined. Without, it is
+/// another place that looks alike, and the operator is not asked about it again.
 [[nodiscard]] ScanLinksSample answerTo(const OpenLoop& loop, bool same, const std::string& station, Time now);
 
 }  // namespace leitstand

@@ -37,7 +37,7 @@ struct ScoredFind {
     std::vector<ScoredItem> items;  ///< of victims only
     double points = 0.0;            ///< unweighted
     double weight = 1.0;            ///< of its area
-    std::string unweighed;          ///< its area, when the profile has no weight for it
+    std::string unweighed;          ///< its area, when the profile has no weight for it; otherwise empty
     Autonomy autonomy = Autonomy::Teleoperated;
     double factor = 1.0;  ///< of its autonomy
     double total = 0.0;   ///< points x weight x factor
@@ -48,7 +48,7 @@ struct ScoreAdvice {
     FindKey find;
     std::string name;               ///< "V1"
     std::optional<ScoreItem> item;  ///< to report; empty: confirm the find
-    double gain = 0.0;              ///< of the score
+    double gain = 0.0;              ///< points that the score gains
 };
 
 /// An estimate of what the judges give.
@@ -60,20 +60,21 @@ struct ScoreResult {
     double divisor = 1.0;
     double sum = 0.0;                 ///< of the finds
     double score = 0.0;               ///< (sum - penalty) / divisor
-    std::set<std::string> unweighed;  ///< areas of finds that the profile has no weight for: they count as 1
+    std::set<std::string> unweighed;  ///< areas of finds without a weight in the profile; they have weight 1
     std::vector<ScoreAdvice> advice;  ///< largest gain first
 };
 
 /// Estimates the score of @p state by @p profile. The map counts as good, because only judges can rate it. A
-/// contact counts as one with a victim when the robot touches() a confirmed one.
+/// contact counts as a bump of a victim when the robot touches() a confirmed victim.
 [[nodiscard]] ScoreResult score(const ScoreProfile& profile, const MissionState& state,
                                 const Footprints& footprints = {});
 
 /// Returns how far the robot found @p find by itself.
 [[nodiscard]] Autonomy autonomyOf(const FindSample& find);
 
-/// Returns the pose of @p robot's odometry frame in the map at @p moment (station's clock); empty: unknown.
-/// It comes from its newest key scan that counts and is not later, otherwise from its newest reported place.
+/// Returns the pose of the odometry frame of @p robot in the map at @p moment (station's clock); empty:
+/// unknown. It comes from the robot's newest key scan up to @p moment that is not set aside. Before the first
+/// such scan, it comes from that one; without any, from the newest reported place.
 [[nodiscard]] std::optional<Pose> odomInMap(const MissionState& state, const std::string& robot, Time moment);
 
 }  // namespace leitstand

@@ -11,7 +11,7 @@ namespace leitstand {
 
 /// An item by which a victim's report is judged.
 enum class ScoreItem : std::uint8_t {
-    Map,       ///< quality of the map around it; only judges rate it, taken as full
+    Map,       ///< quality of the map around the victim; only judges rate it, so full points are assumed
     Location,  ///< it has a place in the map
     Form,      ///< its form is reported
     Motion,    ///< motion or its absence is reported; heat, sound and CO2 work the same way
@@ -44,7 +44,7 @@ struct ScoreProfile {
     double areaBump = 0.0, victimBump = 0.0;        ///< what each costs
     double autonomous = 1.0, semiAutonomous = 1.0;  ///< factors on what a robot found by itself
     OperatorRule operators = OperatorRule::None;
-    TagPatterns victimTags = usualTags();  ///< codes that are tags of victims; none: no code is
+    TagPatterns victimTags = usualTags();  ///< codes that are tags of victims; empty: no code is a tag
     double minutes = 0.0;                  ///< length of a mission [min]; 0: unknown
     std::vector<std::string> unconfirmed;  ///< keys of values for which no readable source was found
 };

@@ -18,13 +18,13 @@ struct RobotDescription;
 using Footprints = std::map<std::string, std::vector<Eigen::Vector2d>>;
 [[nodiscard]] Footprints footprintsOf(std::span<const RobotDescription> robots);
 
-/// Distance from the middle of a lying person to what touches them, at most [m]. It is half the length of the
-/// arenas' dolls, whichever way they lie.
+/// Largest distance from the middle of a lying person at which something still touches the person [m]. It is
+/// half the length of the arenas' dolls, in whatever direction they lie.
 inline constexpr double HalfLying = 0.5;
 
 /// Whether a robot at @p baseInMap touches a victim whose middle is at @p victimInMap [m] with @p bumper. A
-/// bumper named after a side ("front", "rear_left") reaches as far as its part of the edge of @p footprint;
-/// others reach all around. Without a footprint the robot is taken as 0.2 m wide to each side.
+/// bumper named after a side ("front", "rear_left") covers that part of the edge of @p footprint; others
+/// cover the whole edge. A robot without a footprint counts as a disc with a radius of 0.2 m.
 [[nodiscard]] bool touches(const Pose& baseInMap, const std::vector<Eigen::Vector2d>& footprint,
                            const std::string& bumper, const Eigen::Vector3d& victimInMap);
 

@@ -13,8 +13,8 @@
 
 namespace leitstand {
 
-/// An event that undo can take back, and whether it is taken back. All of them are kept in order, also for a
-/// timeline to jump to.
+/// An event that undo can take back, and whether it is undone. All decisions are kept in order, so that a
+/// timeline can jump to each.
 struct Decision {
     std::uint64_t sequence = 0;
     Time received{};      ///< station's clock

@@ -5,12 +5,13 @@
 
 namespace leitstand {
 
-/// Adds @p decision as the newest and applies it; an undo changes the effect of earlier ones. A key that
-/// makes no sense (an undo of what is no decision) becomes a remark.
+/// Adds @p decision as the newest one and applies it. An undo changes the effect of earlier decisions. An
+/// undo of an event that is no decision becomes a remark instead. A pose of an unknown key scan also adds a
+/// remark.
 void decide(MissionState& state, Decision decision);
 
-/// Computes from MissionState::decisions which of them are undone, and all that follows from the others:
-/// victims, key scans, notes and the area of the map.
+/// Computes which of MissionState::decisions are undone, and all that follows from the others. These are
+/// finds, key scans, loops, bodies of robots in scans, notes and the area of the map.
 void reconsider(MissionState& state);
 
 /// Adds a remark about the event of @p sequence.

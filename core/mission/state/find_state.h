@@ -10,15 +10,15 @@
 
 namespace leitstand {
 
-/// A victim as the newest decision that is not undone has it.
+/// A victim or other find, by the newest decision on it that is not undone.
 struct FindState {
     std::uint64_t sequence = 0;  ///< of that decision
-    std::uint64_t filed = 0;     ///< sequence of the first that is not undone
+    std::uint64_t filed = 0;     ///< sequence of the first decision on it that is not undone
     FindSample victim;
 };
 
-/// The first report of a candidate: its robot, and how that robot drove then. A find of it counts this way,
-/// however late it is filed.
+/// The first report of a candidate: its robot, and whether that robot drove itself then. A find made from the
+/// candidate counts accordingly, however late it is filed.
 struct FirstReport {
     Time stamp{};                    ///< station's clock
     std::string robot;               ///< empty: unknown

@@ -13,8 +13,8 @@
 
 namespace leitstand {
 
-/// Returns the state after @p event, from the one before it. Pure; moving @p state in saves copies. Never
-/// fails: what makes no sense becomes one of MissionState::remarks.
+/// Returns the state after @p event; @p state is the one before. Pure. Moving @p state in saves copies. Never
+/// fails: what makes no sense becomes an entry of MissionState::remarks.
 [[nodiscard]] MissionState fold(MissionState state, const Event& event);
 
 /// Keeps the state of a mission as its events arrive. One thread adds; snapshots may go to any thread.
@@ -27,8 +27,8 @@ public:
     /// Returns an immutable copy for others.
     [[nodiscard]] MissionStatePtr snapshot() const { return std::make_shared<const MissionState>(m_state); }
 
-    /// Returns a checkpoint of the state when events arrived since the last one and @p interval has passed.
-    /// The caller logs it as an event.
+    /// Returns a checkpoint of the state when events arrived and @p interval passed since the last
+    /// checkpoint; otherwise empty. The caller logs it as an event.
     [[nodiscard]] std::optional<CheckpointSample> dueCheckpoint(
         Time now, std::chrono::nanoseconds interval = std::chrono::seconds(20));
 
@@ -48,13 +48,13 @@ public:
     virtual ~MissionHistory() = default;
     /// Returns the newest checkpoint event up to and including @p sequence; empty when there is none.
     [[nodiscard]] virtual std::optional<StoredCheckpoint> checkpointUpTo(std::uint64_t sequence) = 0;
-    /// Passes the events after @p after, up to and including @p upTo, to @p take in order.
+    /// Calls @p take in order for each event after @p after, up to and including @p upTo.
     virtual void events(std::uint64_t after, std::uint64_t upTo,
                         const std::function<void(const Event&)>& take) = 0;
 };
 
-/// Returns the state after the event of @p sequence. It folds the events after the nearest readable
-/// checkpoint, which equals folding all from the first.
+/// Returns the state after the event of @p sequence. Starts from the nearest readable checkpoint and folds
+/// the events after it. The result equals folding all events from the first on.
 [[nodiscard]] MissionState stateAt(MissionHistory& history, std::uint64_t sequence);
 
 }  // namespace leitstand

@@ -46,15 +46,15 @@ struct GrantState {
     std::string requestedBy;  ///< station whose request is not answered yet; may be empty
 };
 
-/// Something that the fold met and that makes no sense; the mission goes on.
+/// Something in the events that makes no sense; the mission goes on.
 struct FoldRemark {
     std::uint64_t sequence = 0;
     std::string text;  ///< in English
 };
 
 /// The state of a mission after an event (docs/design.md, "A mission is its log"): a value, cheap to copy.
-/// Copies share what they have in common. Equal logs make equal states, bit for bit. Who reads a part of it
-/// includes that part's header: decision.h, find_state.h, scan_state.h, crop_state.h, session_state.h.
+/// Copies share what they have in common. Equal logs make equal states, bit for bit. Code that reads a part
+/// of it includes that part's header: decision.h, find_state.h, scan_state.h, crop_state.h, session_state.h.
 struct MissionState {
     MissionState();  ///< of a mission without events
 
@@ -72,7 +72,7 @@ struct MissionState {
     SharedValue<std::map<std::uint32_t, CandidateState>> candidates;       ///< by id
     SharedValue<std::map<std::uint64_t, KeyScanState>> keyScans;           ///< by id
     SharedValue<std::map<std::uint64_t, LoopState>> loops;                 ///< by id of the link
-    SharedValue<std::map<std::uint64_t, std::vector<BodyInScan>>> bodies;  ///< robots, by key scan's id
+    SharedValue<std::map<std::uint64_t, std::vector<BodyInScan>>> bodies;  ///< robots seen, by key scan's id
     SharedValue<std::vector<Latest<NoteSample>>> notes;                    ///< that are not undone
     std::shared_ptr<const CropState> crop;                                 ///< null: nobody set one
     SharedValue<std::map<GrantKey, GrantState>> grants;
@@ -86,7 +86,8 @@ struct MissionState {
 };
 using MissionStatePtr = std::shared_ptr<const MissionState>;
 
-/// Returns the position of @p victim in the map now [m]: by the scan it hangs on, otherwise as filed.
+/// Returns where @p victim is in the map now [m]. It moves with the scan it hangs on; without one, it is
+/// where it was filed.
 [[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const FindSample& victim);
 [[nodiscard]] Eigen::Vector3d positionInMap(const MissionState& state, const CandidateSample& candidate);
 /// Returns the corners of the area that belongs to the map, as the map is now [m]; empty: none was drawn.

@@ -45,7 +45,7 @@ struct Latest {
     Time received{};  ///< station's clock
     T sample;
 };
-/// Null: none came. Who reads the sample includes its header.
+/// The newest sample; null: none has come. Code that reads the sample includes the sample's header.
 template <class T>
 using LatestPtr = std::shared_ptr<const Latest<T>>;
 template <class T>
@@ -65,7 +65,7 @@ struct Contact {
 /// Mean current of a battery over the last minute.
 struct BatteryLoad {
     double current = Unknown;  ///< negative: it discharges [A]
-    double seconds = 0.0;      ///< that the mean covers
+    double seconds = 0.0;      ///< time that the mean covers [s]
 
     static constexpr double AtFirst = 5.0, Longest = 60.0;  ///< [s]
 };
@@ -81,7 +81,7 @@ struct RobotState {
     LatestPtr<BumpSample> bumps;
     std::vector<Contact> contacts;  ///< all hits of the mission, oldest first; at most MostContacts
     LatestPtr<SightingSample> sightings;
-    LatestPtr<DiagnosticsSample> diagnostics;  ///< newest of every part, by name; newest part last
+    LatestPtr<DiagnosticsSample> diagnostics;  ///< newest status of each part, the latest updated part last
     LatestPtr<StopStateSample> stop;
     LatestPtr<StopCommandSample> stopCommand;  ///< newest that a station sent to it
     LatestPtr<ClockOffsetSample> clockOffset;

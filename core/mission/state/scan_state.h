@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// A key scan as a decision, without its points, which stay in the log.
+/// The decision that added a key scan, without its points, which stay in the log.
 struct KeyScanEntry {
     std::uint64_t id = 0;
     std::string robot;
@@ -27,7 +27,7 @@ struct KeyScanState {
     std::uint64_t sequence = 0;  ///< of the event that has its points
     KeyScanEntry entry;
     ScanPose pose;                   ///< newest that is not undone
-    std::uint64_t poseSequence = 0;  ///< of the event that set it; the scan's own when nothing moved it
+    std::uint64_t poseSequence = 0;  ///< of the event that set pose; same as sequence if nothing moved it
 };
 
 }  // namespace leitstand

@@ -10,8 +10,8 @@
 
 namespace leitstand {
 
-/// Returns the key scans @p scans of a mission for findParts(), by rising id. Their parts are not determined
-/// yet.
+/// Returns the key scans @p scans of a mission as input of findParts(), by rising id. ScanInPart::part is
+/// still 0 in all of them.
 [[nodiscard]] inline std::vector<ScanInPart> scansInParts(
     const std::map<std::uint64_t, KeyScanState>& scans) {
     std::vector<ScanInPart> inParts;

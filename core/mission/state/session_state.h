@@ -18,7 +18,7 @@ struct AlarmState {
 struct SessionState {
     std::uint64_t started = 0;  ///< sequence
     std::uint64_t ended = 0;    ///< sequence; 0: it runs, or was cut off
-    SessionSample session;      ///< its start
+    SessionSample session;      ///< sample of its start
 };
 
 }  // namespace leitstand

@@ -29,14 +29,14 @@ struct MapDecision {
 /// Returns what an undo of @p decision takes back.
 [[nodiscard]] UndoneThing undoneThing(const MapDecision& decision);
 
-/// Returns the newest of the operator's decisions on the map that @p station made and that is not taken back
-/// yet; empty: there is none.
+/// Returns the newest decision on the map that the operator of @p station made and that is not taken back;
+/// empty: there is none.
 [[nodiscard]] std::optional<MapDecision> undoable(const MissionState& state, const std::string& station);
-/// Returns the decision that was taken back last; empty: none was, or the operator decided something since.
+/// Returns the decision on the map that @p station took back last, with the event of that undo. Empty: none
+/// was taken back, or the operator decided something since.
 [[nodiscard]] std::optional<MapDecision> redoable(const MissionState& state, const std::string& station);
 
-/// Returns the newest loop that closed in the map, by itself or by hand, and is not taken back; empty: none
-/// did.
+/// Returns the newest loop closure, by itself or by hand, that is not taken back; empty: there is none.
 [[nodiscard]] std::optional<MapDecision> lastLoop(const MissionState& state);
 /// Returns the undo of lastLoop(); empty when there is none.
 [[nodiscard]] std::optional<UndoSample> undoLoop(const MissionState& state, const std::string& station,

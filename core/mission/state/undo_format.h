@@ -21,17 +21,17 @@ struct UndoneThing {
         ReviewNote,    ///< a note that was written in a review
     };
     Kind kind = Kind::ReviewNote;
-    bool again = false;       ///< it is done again
+    bool again = false;       ///< a redo, not an undo
     std::uint64_t scans = 0;  ///< how many scans it is about
-    std::uint64_t scan = 0;   ///< id, when it is about one
+    std::uint64_t scan = 0;   ///< id of the scan, when scans is 1
     std::string find = {};    ///< "V1"
     friend bool operator==(const UndoneThing&, const UndoneThing&) = default;
 };
 
 /// Returns @p thing as the log holds it (UndoSample::text): "undo what=set_aside scans=3".
 [[nodiscard]] std::string undoText(const UndoneThing& thing);
-/// Returns the thing from which undoText() made @p text, also of the English sentences of logs from before
-/// there were codes; empty: it is another text.
+/// Returns the thing for which undoText() made @p text; empty: it is another text. Also reads the English
+/// sentences of old logs, written before there were codes.
 [[nodiscard]] std::optional<UndoneThing> undoneThing(const std::string& text);
 
 }  // namespace leitstand

@@ -49,10 +49,10 @@ struct TimelineMark {
     std::string name = {};                           ///< depends on the kind
     std::string text = {};                           ///< depends on the kind
     bool act = false;                                ///< an alarm to act on, or a bump
-    std::uint32_t candidate = 0;                     ///< CandidateSample::id of one; 0: none
+    std::uint32_t candidate = 0;                     ///< CandidateSample::id of a candidate; otherwise 0
     double confidence = Unknown;                     ///< of a candidate when first published, 0 to 1
     Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< where a moved find was, in the map [m]
-    Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< where it is since [m]
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< where a moved find is since then [m]
 };
 
 /// Collects the marks from a mission's events, which arrive in order. Pure.
@@ -80,7 +80,7 @@ private:
     std::map<std::uint32_t, bool> m_candidates;  ///< published ones; whether dismissed
 };
 
-/// Removes from @p marks the notes that @p mission has taken back.
+/// Removes from @p marks the notes that are undone in @p mission.
 void dropUndone(std::vector<TimelineMark>& marks, const MissionState& mission);
 
 /// A stretch of time in which something was recorded.
@@ -89,8 +89,8 @@ struct TimelineStretch {
     friend bool operator==(const TimelineStretch&, const TimelineStretch&) = default;
 };
 
-/// Returns the first mark later than @p at, or the last one earlier than it; null: there is none. @p marks
-/// are sorted by time.
+/// markAfter() returns the first mark later than @p at, markBefore() the last one earlier; null: there is
+/// none. @p marks must be sorted by time.
 [[nodiscard]] const TimelineMark* markAfter(const std::vector<TimelineMark>& marks, Time at);
 [[nodiscard]] const TimelineMark* markBefore(const std::vector<TimelineMark>& marks, Time at);
 

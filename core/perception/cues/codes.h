@@ -14,12 +14,12 @@ namespace leitstand {
 /// A QR code in a picture.
 struct FoundCode {
     std::string text;                        ///< as read; without control characters, at most 512 bytes
-    std::array<Eigen::Vector2d, 4> corners;  ///< around it, in its own order [px]
+    std::array<Eigen::Vector2d, 4> corners;  ///< around it, in the order of ZBar [px]
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< [px]
     double size = 0.0;                                 ///< square root of its area [px]
 };
 
-/// Reads QR codes (ZBar); those that are too small for it are also read in an enlarged picture. One thread.
+/// Reads QR codes (ZBar). Pictures up to 800 pixels wide are also read enlarged, for small codes. One thread.
 class CodeReader {
 public:
     CodeReader();
@@ -27,7 +27,8 @@ public:
     CodeReader(CodeReader&&) noexcept;
     CodeReader& operator=(CodeReader&&) noexcept;
 
-    /// Returns all codes of a picture (colours or grey of 8 bits; none in others), each text once.
+    /// Returns all codes of @p picture, each text once. Reads colours and grey of 8 bits; finds none in other
+    /// pictures.
     [[nodiscard]] std::vector<FoundCode> read(const Picture& picture);
 
 private:

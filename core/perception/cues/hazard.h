@@ -12,9 +12,9 @@ namespace leitstand {
 
 /// Settings of the search for hazard placards.
 struct HazardSettings {
-    double smallest = 20.0;        ///< of a placard's diagonals [px]
-    double lean = 22.0;            ///< greatest angle of its diagonals from upright and level [degrees]
-    double stretch = 2.2;          ///< greatest ratio of its diagonals (seen from the side)
+    double smallest = 20.0;        ///< least length of a placard's diagonals [px]
+    double lean = 22.0;            ///< greatest angle of its diagonals from vertical and horizontal [degrees]
+    double stretch = 2.2;          ///< greatest ratio of its diagonals: it may be seen from the side
     double leastConfidence = 0.5;  ///< least confidence of a result
 };
 
@@ -30,8 +30,8 @@ struct HazardPlacard {
     double confidence = 0.0;                           ///< 0 to 1
 };
 
-/// Returns the hazard placards in @p picture (colours; none in others), the most certain first. It finds them
-/// by their contours (OpenCV) and the colours of their halves (UN Recommendations on the Transport of
+/// Returns the hazard placards in @p picture, the most certain first; none in pictures without colours. Finds
+/// them by their contours (OpenCV) and the colours of their halves (UN Recommendations on the Transport of
 /// Dangerous Goods, 5.2.2.2). Pictograms are not read, so placards of the same colours are not distinguished.
 [[nodiscard]] std::vector<HazardPlacard> findHazards(const Picture& picture,
                                                      const HazardSettings& settings = {});

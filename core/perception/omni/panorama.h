@@ -12,8 +12,9 @@
 
 namespace leitstand {
 
-/// Part of the surroundings that a panorama shows: all around, ahead in the middle, the left on its left.
-/// Columns are equal steps of yaw, rows of elevation. Pixels: the middle of the first is (0.5, 0.5).
+/// Size of a panorama and the part of the surroundings that it shows: all around, ahead in the middle, the
+/// left on its left. Columns are equal steps of yaw, rows of elevation. Pixels: the middle of the first is
+/// (0.5, 0.5).
 struct PanoramaShape {
     int width = 0, height = 0;                            ///< [px]
     double lowest = degrees(-60), highest = degrees(15);  ///< elevations of the lower and upper border [rad]
@@ -21,25 +22,28 @@ struct PanoramaShape {
     [[nodiscard]] double yawAt(double x) const;          ///< to the left of ahead, pi to -pi [rad]
     [[nodiscard]] double elevationAt(double y) const;    ///< [rad]
     [[nodiscard]] double columnOf(double yaw) const;     ///< @p yaw: any angle [rad]
-    [[nodiscard]] double rowOf(double elevation) const;  ///< may be off the picture
+    [[nodiscard]] double rowOf(double elevation) const;  ///< row of @p elevation; may be off the picture
     friend bool operator==(const PanoramaShape&, const PanoramaShape&) = default;
 };
 
-/// Makes panoramas of the pictures of one omnidirectional camera; its table is computed once.
+/// Makes panoramas from the pictures of one omnidirectional camera; the table that maps pixels is computed
+/// once.
 class Panorama {
 public:
-    /// Creates a panorama for a camera at @p cameraInBase (optical frame in base_link; only its attitude
-    /// counts), whose pictures are @p width x @p height. Elevations are those of @p range. Its size is set
-    /// from the picture, so that no detail at the horizon is lost. Empty without a calibration by Mei's
-    /// model.
+    /// Creates a panorama for a camera whose pictures are @p width x @p height. @p cameraInBase: its optical
+    /// frame in base_link; only the attitude counts. @p range gives the lowest and highest elevation; its
+    /// size is ignored. The size follows from the picture, so that no detail at the horizon is lost (240 to
+    /// 2400 pixels wide). Empty without a calibration by Mei's model, and for a range of 5 degrees or less.
     [[nodiscard]] static std::optional<Panorama> of(const CameraInfoSample& info, int width, int height,
                                                     const Pose& cameraInBase,
                                                     const PanoramaShape& range = {});
 
     [[nodiscard]] const PanoramaShape& shape() const { return m_shape; }
-    /// Whether this one was made for such pictures.
+    /// Whether this panorama was made for pictures of this calibration and size. The camera's pose is not
+    /// compared.
     [[nodiscard]] bool fits(const CameraInfoSample& info, int width, int height) const;
-    /// Returns @p picture unwrapped, black where the camera sees nothing; unchanged if its size is another.
+    /// Returns @p picture unwrapped, black where the camera sees nothing. A picture that is not of the size
+    /// given to of() is returned unchanged.
     [[nodiscard]] Picture unwrapped(const Picture& picture) const;
 
 private:
@@ -51,9 +55,10 @@ private:
     std::vector<float> m_x, m_y;  ///< source of each pixel of the panorama, row by row
 };
 
-/// Returns the place of a direction in a picture of @p width x @p height that was not unwrapped, 0 to 1 of
-/// both. The direction is @p yaw (to the left of ahead) at @p elevation above the height of the camera [rad].
-/// Empty where the camera does not see it or is not calibrated.
+/// Returns where a direction is in a picture of @p width x @p height that was not unwrapped: as shares of
+/// width and height. Values beyond 0 to 1 are off the picture. The direction is @p yaw (to the left of ahead)
+/// at @p elevation above the height of the camera [rad]. Empty where the camera cannot see it or is not
+/// calibrated.
 [[nodiscard]] std::optional<Eigen::Vector2d> rawPlaceOf(const CameraInfoSample& info,
                                                         const Pose& cameraInBase, double yaw, int width,
                                                         int height, double elevation = 0.0);

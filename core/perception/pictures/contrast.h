@@ -10,11 +10,11 @@ namespace leitstand {
 enum class ContrastHelp : std::uint8_t {
     Off,
     Gentle,  ///< local contrast
-    Strong,  ///< shadows lifted, and much local contrast: noise rises too
+    Strong,  ///< much local contrast, and shadows are lifted: noise rises too
 };
 
 /// Returns @p picture with more contrast in its brightness (gamma, then CLAHE: Zuiderveld 1994); colours keep
-/// their hue. Pictures of numbers (Grey16, Float32) and empty ones are returned unchanged.
+/// their hue. Grey16, Float32, and pictures smaller than 8 pixels a side are returned unchanged.
 [[nodiscard]] Picture withContrast(const Picture& picture, ContrastHelp help);
 
 }  // namespace leitstand

@@ -10,13 +10,14 @@
 
 namespace leitstand {
 
-/// Age of what a camera shows.
+/// Ages of what a camera shows.
 struct PictureAges {
     double arrival = std::numeric_limits<double>::infinity();  ///< since a picture came [s]; infinite: never
-    double content = std::numeric_limits<double>::infinity();  ///< since one came that differs [s]
+    double content = std::numeric_limits<double>::infinity();  ///< since a picture came that differs from the
+                                                               ///< one before [s]
 
     [[nodiscard]] double seconds() const { return arrival > content ? arrival : content; }
-    /// Whether pictures come, but the same one for @p limit seconds.
+    /// Whether pictures still come, but the same one for more than @p limit seconds.
     [[nodiscard]] bool isFrozen(double limit) const { return content > limit && arrival <= limit; }
 };
 
@@ -24,7 +25,7 @@ struct PictureAges {
 /// detects a driver that hangs and stamps one picture again and again. Stamps are ignored. Pure.
 class PictureWatch {
 public:
-    /// A picture arrived; @p bytes as they were sent, compressed or raw.
+    /// Call when a picture arrived. @p bytes: as they were sent, compressed or raw.
     void arrived(std::span<const std::byte> bytes, SteadyTime now);
     [[nodiscard]] PictureAges at(SteadyTime now) const;
 

@@ -17,21 +17,24 @@ struct Ray {
 };
 
 /// Returns the direction of @p pixel in the camera's optical frame (x right, y down, z forward), of unit
-/// length. The picture has @p width x @p height and may be a reduced one of the calibration. Distortion is
-/// "plumb_bob", "rational_polynomial" (5 or 8 parameters) or none; empty for others and when uncalibrated.
+/// length. The middle of the first pixel is (0.5, 0.5). The picture has @p width x @p height and may be
+/// smaller than that of the calibration. Distortion is "plumb_bob", "rational_polynomial" (5 or 8 parameters)
+/// or none. Empty for other distortions and without calibration.
 [[nodiscard]] std::optional<Eigen::Vector3d> pixelDirection(const CameraInfoSample& camera,
                                                             const Eigen::Vector2d& pixel, int width,
                                                             int height);
 
-/// The inverse: returns the pixel of @p direction (optical frame), which may be off the picture. Empty behind
-/// the camera, and as above.
+/// The inverse of pixelDirection(): returns the pixel of @p direction (optical frame), which may be off the
+/// picture. Empty behind the camera, and where pixelDirection() is.
 [[nodiscard]] std::optional<Eigen::Vector2d> pixelOf(const CameraInfoSample& camera,
                                                      const Eigen::Vector3d& direction, int width, int height);
 
-/// Returns @p direction of a camera's optical frame at @p opticalInBase as a ray in base_link.
+/// Returns the ray in base_link that leaves a camera in @p direction. @p direction: in the camera's optical
+/// frame, which is at @p opticalInBase.
 [[nodiscard]] Ray rayFrom(const Pose& opticalInBase, const Eigen::Vector3d& direction);
 
-/// Returns the optical frame (z forward) of a camera whose frame has x forward (REP 103).
+/// Returns the pose of the optical frame (z forward) in base_link, for a camera frame with x forward (REP
+/// 103).
 [[nodiscard]] Pose opticalFrame(const Pose& cameraInBase);
 
 }  // namespace leitstand

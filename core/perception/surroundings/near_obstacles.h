@@ -9,9 +9,9 @@
 
 namespace leitstand {
 
-/// Obstacles close to a robot, which its scanner no longer sees once they are beside its wheels. They stay
-/// until a raw scan looks through their place, or for half a minute. Of more than a thousand, the newest
-/// stay.
+/// Obstacles close to a robot. Its scanner no longer sees them once they are beside the wheels. They stay
+/// until a raw scan looks through their place, for half a minute, or until the scanner is 2 m away. Of more
+/// than a thousand, the newest stay.
 class NearObstacles {
 public:
     struct One {
@@ -19,15 +19,18 @@ public:
         double top = 0.0;                                 ///< height of its upper end [m]
         Time at{};
         Eigen::Vector3d shot =
-            Eigen::Vector3d::Zero();  ///< from the scanner to it at that time; base_link's axes [m]
-        double bottom = 0.0;          ///< height of its lower end: more for what hangs [m]
-        double z = 0.0;               ///< of the measured point, odometry's frame [m]
-        double rise = 0.0;            ///< ... over the robot's ground at that time [m]
+            Eigen::Vector3d::Zero();  ///< from the scanner to the obstacle at that time, base_link's axes
+                                      ///< [m]; zero: not checked by forgetMixed()
+        double bottom = 0.0;          ///< height of its lower end, above 0 for what hangs [m]
+        double z = 0.0;               ///< height of the measured point in odometry's frame [m]
+        double rise = 0.0;            ///< ... and over the robot's ground at that time [m]
     };
     void add(const One& one);
-    /// A raw scan from @p origin to @p heading [rad] saw free ground from @p from to @p to [m] away.
+    /// Call when a raw scan from @p origin towards @p heading [rad] saw free ground from @p from to @p to [m]
+    /// away. Drops the obstacles there, and those that are too old or too far away.
     void lookThrough(const Eigen::Vector2d& origin, double heading, double from, double to, Time at);
-    /// Forgets points that are mixed with the robot's own edges, which @p mask has learned since.
+    /// Drops points that may be mixed with the robot's own edges, which @p mask has learned since: those
+    /// nearer to the scanner than @p within [m].
     void forgetMixed(const OwnBodyMask& mask, double within);
     template <class Is>
     void forgetWhere(Is is) {

@@ -10,18 +10,18 @@
 
 namespace leitstand {
 
-/// Directions in which a scanner sees its own robot. A shot beside one that met the robot may mix the robot's
-/// edge with what is behind. Its point is in the air before the robot, and moves along with it.
+/// Directions in which a scanner sees its own robot. A shot close beside such a direction may mix the robot's
+/// edge with what is behind. Its point then hangs in the air next to the robot and moves along with it.
 class OwnBodyMask {
 public:
-    /// @p direction: of the shot that met the robot, from the scanner; in base_link.
+    /// Adds a shot that met the robot; @p direction: from the scanner, in base_link.
     void add(const Eigen::Vector3d& direction, Time at);
-    /// Whether the robot was met in that direction or beside it within the last 20 s.
+    /// Whether a shot in @p direction or beside it met the robot within the last 20 s.
     [[nodiscard]] bool isNear(const Eigen::Vector3d& direction, Time at) const;
     void clear() { m_metAt.clear(); }
 
 private:
-    std::vector<std::optional<Time>> m_metAt;  ///< by azimuth and elevation
+    std::vector<std::optional<Time>> m_metAt;  ///< newest hit, by azimuth and elevation
 };
 
 }  // namespace leitstand

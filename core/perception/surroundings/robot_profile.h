@@ -5,11 +5,11 @@
 
 namespace leitstand {
 
-/// Clearance needed above a robot: it bounces, and its height is measured standing [m].
+/// Clearance needed above a robot: it bounces while it drives, and its height is measured at rest [m].
 inline constexpr double HeadClearance = 0.10;
 
-/// Returns what floor and obstacles are to @p robot: up to its height and HeadClearance, by the climb and the
-/// step of its file. Values missing there are those of @p usual.
+/// Returns what floor and obstacles are to @p robot: its height plus HeadClearance, and the climb and step of
+/// its file. Values that the file lacks are those of @p usual.
 [[nodiscard]] ProfileSettings profileOf(const RobotDescription& robot, ProfileSettings usual = {});
 
 }  // namespace leitstand

@@ -13,10 +13,10 @@ namespace leitstand {
 
 /// The four times of a ping (RFC 5905, section 8).
 struct PingTimes {
-    Time sent{};           ///< by the station, station's clock
-    Time robotReceived{};  ///< robot's clock
-    Time robotReplied{};   ///< robot's clock
-    Time received{};       ///< by the station, station's clock
+    Time sent{};           ///< when the station sent the ping, station's clock
+    Time robotReceived{};  ///< when the robot received it, robot's clock
+    Time robotReplied{};   ///< when the robot replied, robot's clock
+    Time received{};       ///< when the reply arrived, station's clock
 };
 
 /// A robot's clock minus the station's, and bounds of it.
@@ -32,29 +32,29 @@ struct ClockBounds {
 };
 
 /// Estimates the offset of a clock from pings. No packet arrives before it was sent, so every ping bounds the
-/// offset from both sides (Marzullo 1984). The bounds of all pings together are as narrow as the quickest way
-/// there and the quickest way back (Cristian 1989), however long the others take. Old bounds widen with the
+/// offset from both sides (Marzullo 1984). All pings together bound it as well as the quickest way there and
+/// the quickest way back would (Cristian 1989), however slow the other pings are. Old bounds widen with the
 /// possible drift of clocks. Pings that contradict the bounds are outliers, until several agree: then the
 /// clock stepped. Constant memory, no allocation.
 class PingClock {
 public:
-    static constexpr double MaxDrift = 100e-6;               ///< of one clock against the other
+    static constexpr double MaxDrift = 100e-6;               ///< drift of one clock against the other [s/s]
     static constexpr std::int64_t ReadingError = 1'000'000;  ///< clocks may be read in milliseconds [ns]
-    static constexpr int Remembered = 8;                     ///< newest pings, for outliers
-    static constexpr int Convinced = 3;  ///< number of them that must agree to be believed
+    static constexpr int Remembered = 8;  ///< number of newest pings that are searched for agreeing outliers
+    static constexpr int Convinced = 3;   ///< number of outliers that must agree to be believed
 
-    /// Takes a ping; false when its times contradict each other. Sets @p stepped to the step of the clock, if
-    /// it stepped.
+    /// Takes a ping; false when its times contradict each other. If the clock stepped by more than 50 ms,
+    /// sets @p stepped to the size of the step.
     bool add(const PingTimes& ping, SteadyTime now,
              std::optional<std::chrono::nanoseconds>* stepped = nullptr);
     [[nodiscard]] std::optional<ClockEstimate> estimate(SteadyTime now) const;
-    [[nodiscard]] SteadyTime newest() const { return m_at; }  ///< the newest accepted ping
+    [[nodiscard]] SteadyTime newest() const { return m_at; }  ///< when the newest ping was accepted
 
 private:
     struct Doubt {
         ClockBounds bounds;
         SteadyTime at;
-        bool open = false;  ///< it contradicted the bounds
+        bool open = false;  ///< whether it contradicted the bounds
     };
     [[nodiscard]] std::optional<ClockBounds> agreement(SteadyTime now) const;
 
@@ -64,18 +64,19 @@ private:
     std::size_t m_count = 0;
 };
 
-/// Estimates the offset of a clock from when samples were written and when they arrived. None arrives before
-/// it was written, and the quickest of the last seconds takes no longer than LeastDelay. For robots that
-/// answer no pings. A step forward is followed within a few samples. A step back is followed within Window:
-/// it looks like a link that became slow, until the last sample from before is forgotten.
+/// Estimates the offset of a clock from the times at which samples were written and received: for robots that
+/// answer no pings. Assumes that no sample arrives before it was written, and that the quickest of the last
+/// seconds took at most LeastDelay. A step forward is followed within a few samples. A step back is followed
+/// within Window: it looks like a link that became slow, until the last sample from before the step is
+/// dropped.
 class StampClock {
 public:
     static constexpr std::int64_t LeastDelay = 50'000'000;  ///< [ns]
-    static constexpr std::int64_t Step = 500'000'000;       ///< less is no step [ns]
+    static constexpr std::int64_t Step = 500'000'000;       ///< smaller changes are no step [ns]
     static constexpr int Window = 10;                       ///< [s]
     static constexpr int Convinced = 3;                     ///< samples that must agree on a step forward
 
-    /// @p stepped: as of PingClock::add.
+    /// Takes a sample. @p stepped: as in PingClock::add(), for steps of more than Step.
     void add(Time written, Time received, SteadyTime now,
              std::optional<std::chrono::nanoseconds>* stepped = nullptr);
     [[nodiscard]] std::optional<ClockEstimate> estimate(SteadyTime now) const;
@@ -92,7 +93,7 @@ private:
     std::optional<std::int64_t> m_reported;  ///< envelope at the last sample
     SteadyTime m_at;
     std::int64_t m_doubted = 0;  ///< a difference far beyond the envelope
-    int m_doubts = 0;            ///< number of them in a row
+    int m_doubts = 0;            ///< number of such differences in a row
 };
 
 /// Estimates the offset of a robot's clock from pings or, without them, from stamps.
@@ -104,7 +105,7 @@ public:
     bool ping(const PingTimes& ping, SteadyTime now);
     /// Takes a sample of the robot, @p written on the robot's clock and @p received on the station's.
     void stamp(Time written, Time received, SteadyTime now);
-    /// Empty while nothing is known.
+    /// Returns the offset; empty while nothing is known.
     [[nodiscard]] std::optional<ClockStatus> status(SteadyTime now) const;
 
 private:

@@ -8,8 +8,8 @@ namespace leitstand {
 /// lifespan may then take every drive command for expired and drop it.
 inline constexpr double FarClock = 1.0;
 
-/// Returns the least possible difference of @p clock from the station's, its uncertainty taken off [s]; below
-/// 0 when the clocks may agree.
+/// Returns how much @p clock surely differs from the station's: the difference minus its uncertainty [s].
+/// Below 0 when the clocks may agree.
 [[nodiscard]] double surelyOff(const ClockStatus& clock);
 
 }  // namespace leitstand

@@ -12,7 +12,7 @@ namespace leitstand {
 enum class DriveKey : std::uint8_t { Forward, Back, Left, Right, Slow, Fast };
 inline constexpr std::size_t DriveKeyCount = 6;
 
-/// Turns held keys into sticks: 60 % of the robot's limits, 25 % with Slow, all with Fast. Opposite keys
+/// Converts held keys to a velocity: 60 % of the robot's limits, 25 % with Slow, all with Fast. Opposite keys
 /// cancel. Pure.
 class DriveKeys {
 public:

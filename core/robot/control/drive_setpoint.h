@@ -24,16 +24,17 @@ struct DriveVelocity {
 struct DriveLimits {
     double speed = 0.0;     ///< of forward and left together [m/s]
     double turnRate = 0.0;  ///< [rad/s]
-    bool sideways = false;  ///< whether it can move to the left
+    bool sideways = false;  ///< whether it can move sideways
 };
 [[nodiscard]] DriveLimits limitsOf(const RobotDescription& robot);
 
-/// Returns @p velocity within @p limits, its direction kept; zero when one of its numbers is not finite.
+/// Returns @p velocity within @p limits: forward and left are scaled together, turn is cut on its own. Zero
+/// when one of the numbers is not finite.
 [[nodiscard]] DriveVelocity limited(const DriveVelocity& velocity, const DriveLimits& limits);
 
 /// Distance between the tracks of @p robot: the width of its footprint [m].
 [[nodiscard]] double trackDistance(const RobotDescription& robot);
-/// Speeds of the left and right track [m/s], and back.
+/// Converts to speeds of the left and right track [m/s], and back. @p distance: trackDistance() [m].
 [[nodiscard]] std::pair<double, double> tracksOf(const DriveVelocity& velocity, double distance);
 [[nodiscard]] DriveVelocity velocityOf(std::pair<double, double> tracks, double distance);
 
@@ -41,16 +42,16 @@ struct DriveLimits {
 /// come every 25 ms, so seven of them in a row may be lost.
 inline constexpr std::chrono::milliseconds DriveWatchdog(200);
 
-/// A setpoint that expired this long ago is forgotten: motion starts again only with neutral sticks. A
-/// shorter gap is a hiccup, which held sticks outlast.
+/// A setpoint that expired this long ago is dropped: motion starts again only after neutral sticks. A shorter
+/// gap is a hiccup: sticks that are still held keep their effect.
 inline constexpr std::chrono::milliseconds SetpointForgotten(500);
 
-/// The operator's setpoint for a robot (docs/design.md, "The wire" and "The window"): the newest counts, for
-/// 200 ms. Pure.
+/// The operator's setpoint for a robot (docs/design.md, "The wire" and "The window"): the newest one counts,
+/// for 200 ms. Pure.
 ///
-/// Without permission (no focus, no grant, stopped) it is zero. With permission again it stays zero until a
-/// zero was set: sticks must be neutral first. The same holds when nothing was set for so long that the last
-/// setpoint is forgotten: a station that hung must not move the robot when it is back.
+/// Without permission (no focus, no grant, stopped) the setpoint is zero. With permission again it stays zero
+/// until a zero was set: sticks must be neutral first. The same holds when the last setpoint expired
+/// SetpointForgotten ago: a station that hung must not move the robot when it is back.
 class DriveSetpoint {
 public:
     explicit DriveSetpoint(const DriveLimits& limits, std::chrono::nanoseconds lifetime = DriveWatchdog);
@@ -59,11 +60,11 @@ public:
     /// holds the override of the speed cap.
     void set(const DriveVelocity& velocity, SteadyTime now, bool withoutEyes = false);
     void permit(bool permitted);
-    void halt() { m_neutral = false; }  ///< zero until the sticks were neutral
+    void halt() { m_neutral = false; }  ///< the setpoint is zero until the sticks were neutral
 
     [[nodiscard]] DriveVelocity at(SteadyTime now) const;
     [[nodiscard]] bool isFresh(SteadyTime now) const;  ///< permitted, and set within its lifetime
-    /// Whether the override is held: it ends with the sticks that it was set with.
+    /// Whether the override of the speed cap is held; it ends together with the sticks that it was set with.
     [[nodiscard]] bool withoutEyes(SteadyTime now) const { return isFresh(now) && m_withoutEyes; }
     [[nodiscard]] const DriveLimits& limits() const { return m_limits; }
     /// When the last setpoint expires.

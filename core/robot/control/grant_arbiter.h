@@ -15,11 +15,11 @@ struct GrantSample;
 /// Decides whom a robot obeys, from the heartbeats that it receives (docs/design.md, "The wire"). Pure: no
 /// clock, no thread.
 ///
-/// Commands carry no identity: they are tied to the holder by their process, which must be the one that sends
-/// its heartbeats. There is at most one holder at any time:
-/// - the first station that claims the grant, when there is none;
-/// - another station, when the holder consents to it or releases, or was silent for 3 s by the robot's steady
-///   clock;
+/// Commands carry no identity of a station: a command counts if it comes from the process that sends the
+/// holder's heartbeats. There is at most one holder at any time:
+/// - the first station that sends a heartbeat for the grant, when there is no holder;
+/// - another station, when the holder consents to it, releases the grant, or was silent for 3 s by the
+///   robot's steady clock;
 /// - the holder's station after a restart (same identity, other process), at once; its earlier process no
 ///   longer counts, even if it still runs.
 /// Terms and stamps play no role here: stations settle conflicts between themselves (GrantBook), and the
@@ -28,14 +28,14 @@ class GrantArbiter {
 public:
     explicit GrantArbiter(GrantId id, const GrantTiming& timing = {});
 
-    /// Takes any message about grants; other grants are ignored.
+    /// Takes any message about grants; those about other grants are ignored.
     void receive(const GrantSample& sample, const Sender& from, SteadyTime now);
 
-    /// Whether commands of @p from count: it is the holder, and was heard within 3 s.
+    /// Whether commands of @p from count: @p from is the holder, and its heartbeat was heard within 3 s.
     [[nodiscard]] bool obeys(const Sender& from, SteadyTime now) const;
-    /// Identity of the station that is obeyed; empty when there is none or it is silent.
+    /// Identity of the station that is obeyed; empty when there is no holder or the holder is silent.
     [[nodiscard]] std::string holder(SteadyTime now) const;
-    /// Rises whenever another process is obeyed.
+    /// Rises whenever the holder changes or gives the grant up.
     [[nodiscard]] std::uint64_t changes() const { return m_changes; }
 
 private:

@@ -14,29 +14,31 @@
 
 namespace leitstand {
 
-/// The grants that a station holds, requests and hears of (docs/design.md, "The wire"). Pure: no clock, no
+/// The grants that a station holds, requests or hears of (docs/design.md, "The wire"). Pure: no clock, no
 /// thread.
 ///
-/// - A grant without a holder goes to whoever requests it, after 3 s of listening (at once when its holder
-///   released it). A held grant is requested once a second, and the holder consents or refuses. When the
-///   holder was silent for 3 s, the requesting station takes over.
+/// - A grant without a holder goes to the station that requests it, after 3 s of listening (at once when its
+///   last holder released it). A held grant is requested once a second, and the holder consents or refuses.
+///   When the holder was silent for 3 s, the requesting station takes over.
 /// - Taking a grant raises its term. Two stations may hold the same grant: both took it at the same moment,
 ///   or could not hear each other for a while. Then the higher term is right and, of equal terms, the smaller
 ///   identity. Both come to the same result, and the wrong one consents to the other.
-/// - A restarted station holds its grants under their former terms: whoever took over meanwhile has a higher
-///   one.
-/// - Terms begin with the seconds of the wall clock, so that a station that lost its memory is not below its
-///   earlier terms. A wrong clock only decides who is right after a conflict; silence is never measured with
+/// - A restarted station holds its grants under their former terms: a station that took over meanwhile has a
+///   higher term.
+/// - Terms begin with the seconds of the wall clock: a station that lost its memory still takes a higher term
+///   than before. A wrong clock only decides who is right after a conflict; silence is never measured with
 ///   it.
 class GrantBook {
 public:
     GrantBook(const StationIdentity& me, const Sender& sender, SteadyTime now,
               const GrantTiming& timing = {});
 
-    /// The station's process has another identity in the domain from now on; it keeps what it holds.
+    /// Call when the station's process has another identity in the domain, @p sender; the station keeps the
+    /// grants that it holds.
     void rejoined(const Sender& sender);
-    void requestGrant(const GrantId& id);             ///< requests it from now on
-    void release(const GrantId& id, SteadyTime now);  ///< gives it up (to who asked first), asks no more
+    void requestGrant(const GrantId& id);  ///< requests the grant from now on
+    /// Gives the grant up, to the first requester if there is one, and requests it no more.
+    void release(const GrantId& id, SteadyTime now);
     /// The operator's answer to the first requester; does nothing without one.
     void answerRequest(const GrantId& id, bool consent, SteadyTime now);
     void leave(SteadyTime now);  ///< gives up everything, at the end of the program
@@ -46,10 +48,10 @@ public:
     [[nodiscard]] std::vector<GrantSample> due(SteadyTime now, Time wall);
 
     [[nodiscard]] GrantView view(const GrantId& id, SteadyTime now) const;
-    /// Whether this station may act on it: it holds it, and sent a heartbeat within 3 s.
+    /// Whether this station may act on the grant: it holds it, and sent a heartbeat within 3 s.
     [[nodiscard]] bool mayAct(const GrantId& id, SteadyTime now) const;
-    [[nodiscard]] std::vector<HeldGrant> held() const;  ///< to remember for the next run
-    [[nodiscard]] std::vector<GrantId> known() const;   ///< all that were requested or heard of
+    [[nodiscard]] std::vector<HeldGrant> held() const;  ///< grants to remember for the next run
+    [[nodiscard]] std::vector<GrantId> known() const;   ///< all grants that were requested or heard of
 
 private:
     struct Request {

@@ -11,9 +11,9 @@
 
 namespace leitstand {
 
-/// A process in the domain, identified by where its samples come from, never by their content. These are the
-/// 12 bytes that the GUIDs of all its endpoints begin with (RTPS 2.2, section 8.2.4). A restarted program has
-/// others.
+/// A process in the domain, identified by where its samples come from, never by their content. The bytes are
+/// the first 12 of the GUIDs of all its endpoints (RTPS 2.2, section 8.2.4). A restarted program has other
+/// bytes.
 struct Sender {
     std::array<std::uint8_t, 12> bytes{};
     friend auto operator<=>(const Sender&, const Sender&) = default;
@@ -41,7 +41,7 @@ struct HeldGrant {
 struct StationIdentity {
     std::string id;               ///< random, made once, never empty
     std::string title;            ///< for people
-    std::vector<HeldGrant> held;  ///< at the end of its last run: it holds them again at once
+    std::vector<HeldGrant> held;  ///< grants held at the end of its last run: it holds them again at once
 };
 
 /// Times of the grants (docs/design.md, "The wire"), measured on the receiver's steady clock.

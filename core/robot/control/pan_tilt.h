@@ -22,33 +22,34 @@ struct PanTiltAngles {
 /// (x ahead, y left, z up).
 [[nodiscard]] PanTiltAngles towards(const Eigen::Vector3d& direction);
 
-/// Returns the angles that keep what was grabbed under the pointer, as in a dragged picture. Directions
-/// @p grabbed and @p pointer are in the camera's optical frame (x right, y down, z ahead). Angles @p start
-/// are those when it was grabbed.
+/// Returns the angles that keep what was grabbed under the pointer, as in a dragged picture. @p start: the
+/// angles when it was grabbed. @p grabbed and @p pointer: directions in the camera's optical frame (x right,
+/// y down, z ahead) at that time and now.
 [[nodiscard]] PanTiltAngles dragged(const PanTiltAngles& start, const Eigen::Vector3d& grabbed,
                                     const Eigen::Vector3d& pointer);
 
-/// Control of one pan-tilt unit by the operator: where it is, where it shall be, what must be sent. Pure: no
-/// clock, no thread.
+/// Control of one pan-tilt unit by the operator: its angles, the requested angles, and what must be sent.
+/// Pure: no clock, no thread.
 class PanTiltControl {
 public:
     explicit PanTiltControl(const PanTiltMount& mount) : m_mount(mount) {}
 
     void reported(const PanTiltAngles& now) { m_now = now; }  ///< as reported by the robot's joint states
     void turnTo(const PanTiltAngles& angles, SteadyTime now);
-    void turnBy(const PanTiltAngles& step, SteadyTime now);  ///< from the current wish
-    /// Turns at this rate [rad/s] until it is set again; zero: it stays at the wish reached so far.
+    /// Turns by @p step from the requested angles, or else from the reported ones.
+    void turnBy(const PanTiltAngles& step, SteadyTime now);
+    /// Turns at @p perSecond [rad/s] until the rate is set again; zero: stays at the angles requested so far.
     void setRate(const PanTiltAngles& perSecond, SteadyTime now);
-    /// Returns what to send now, at most 25 times a second. A wish is repeated until the unit is there. It is
-    /// dropped after 5 s without a change: something blocks the unit.
+    /// Returns what to send now, at most 25 times a second. The requested angles are repeated until the unit
+    /// is there. They are dropped after 5 s without a change: something blocks the unit.
     [[nodiscard]] std::optional<PanTiltAngles> due(SteadyTime now);
 
     [[nodiscard]] const PanTiltMount& mount() const { return m_mount; }
     [[nodiscard]] const std::optional<PanTiltAngles>& now() const { return m_now; }  ///< empty: unknown
     [[nodiscard]] const std::optional<PanTiltAngles>& requested() const {
         return m_requested;
-    }                                                                         ///< empty: none
-    [[nodiscard]] bool turning() const { return m_rate != PanTiltAngles{}; }  ///< at a rate
+    }  ///< angles that the unit shall reach; empty: none
+    [[nodiscard]] bool turning() const { return m_rate != PanTiltAngles{}; }  ///< whether it turns at a rate
 
 private:
     [[nodiscard]] PanTiltAngles base() const { return m_requested.value_or(m_now.value_or(PanTiltAngles{})); }

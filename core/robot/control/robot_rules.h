@@ -18,13 +18,14 @@ struct StopCommandSample;
 /// Settings of how a robot treats commands.
 struct RobotRuleSettings {
     DriveLimits limits = {};
-    std::chrono::nanoseconds watchdog = DriveWatchdog;  ///< it stops after this long without a command
+    std::chrono::nanoseconds watchdog = DriveWatchdog;  ///< the robot stops after this long without a command
     GrantTiming grants = {};
     StandingRules standing = {};
-    std::uint64_t firstStop = 0;                               ///< first count of stops of StopLatch
-    std::chrono::nanoseconds early = std::chrono::seconds(1);  ///< of a zero that overtook its grant
+    std::uint64_t firstStop = 0;  ///< first count of stops, for StopLatch
+    /// A zero may arrive this long before its grant.
+    std::chrono::nanoseconds early = std::chrono::seconds(1);
     /// Behaves like a stock robot without a watchdog: the newest command of any sender counts, for ever. STOP
-    /// holds.
+    /// is still obeyed.
     bool careless = false;
 };
 
@@ -34,26 +35,27 @@ enum class DriveVerdict : std::uint8_t {
     NotHolder,   ///< from a process that does not hold the grant
     Stopped,     ///< the robot is stopped
     NotNeutral,  ///< after a stop, a new holder or a long silence, the first command must be zero
-    NoNumber,    ///< one of its numbers is not finite: it stops the robot
+    NoNumber,    ///< one of its numbers is not finite: the command stops the robot
 };
 
 /// All rules of design section 4 that a robot itself keeps: whose commands count, for how long, and when it
-/// must not move at all. Pure: no clock, no thread. A robot that takes its commands through this is safe from
-/// faulty stations: from two that drive at once, from a silent one, from old releases.
+/// must not move at all. Pure: no clock, no thread. A robot that takes its commands through these rules is
+/// safe from faulty stations: from two that drive at once, from a silent one, from old releases.
 class RobotRules {
 public:
     explicit RobotRules(const std::string& robot, const RobotRuleSettings& settings = {});
 
     void receive(const GrantSample& sample, const Sender& from, SteadyTime now);
     DriveVerdict drive(const DriveVelocity& velocity, const Sender& from, SteadyTime now);
-    /// Returns the answer, to be sent with a header.
+    /// Takes a stop or release and returns the answer, which the caller sends with a header.
     [[nodiscard]] StopStateSample receive(const StopCommandSample& command, const Sender& from,
                                           SteadyTime now);
     void press();  ///< the robot's own stop button
     /// Takes the robot's odometry: speed [m/s], turn rate [rad/s].
     void moved(double speed, double turnRate, SteadyTime now);
 
-    /// Returns how it must move at @p now. A pure function of what was received; call it in the control loop.
+    /// Returns how the robot must move at @p now. A pure function of what was received; call it in the
+    /// control loop.
     [[nodiscard]] DriveVelocity commanded(SteadyTime now) const;
     [[nodiscard]] bool isStopped() const { return m_latch.isStopped(); }
     [[nodiscard]] StopStateSample stopState(SteadyTime now) const;

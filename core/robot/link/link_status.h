@@ -17,10 +17,10 @@ struct ClockOffsetSample;
 
 /// State of the link to a robot.
 enum class LinkState : std::uint8_t {
-    NeverSeen,  ///< nothing came since the station began to listen
+    NeverSeen,  ///< nothing was received since the station began to listen
     Connected,
-    Degraded,  ///< it is heard, but LinkStatus::reasons name its faults
-    Lost,      ///< it was heard, and is silent now
+    Degraded,  ///< samples are received, but LinkStatus::reasons name faults
+    Lost,      ///< samples were received before, but none are now
 };
 /// "never seen", "connected", "degraded", "lost".
 [[nodiscard]] std::string toString(LinkState state);
@@ -33,7 +33,7 @@ struct LinkReason {
         Late,      ///< a steady stream comes, but this late [s]
         Loss,      ///< share of a stream's samples that never arrived, 0 to 1
         Slow,      ///< round trip of the pings [s]
-        NoAnswer,  ///< it is heard, but has answered no ping for this long [s]
+        NoAnswer,  ///< the robot is heard, but has answered no ping for this long [s]
     };
     Kind kind = Kind::Silent;
     double value = 0.0;       ///< meaning by kind
@@ -44,29 +44,29 @@ struct LinkReason {
 /// Text for logs and tables (widgets translate by kind): "odometry 1.4 s old", "12 % of points lost",
 /// "round trip 380 ms", "no answer to pings for 3.1 s".
 [[nodiscard]] std::string toString(const LinkReason& reason);
-/// All of them: "odometry 1.4 s old, round trip 380 ms"; empty without reasons.
+/// All @p reasons: "odometry 1.4 s old, round trip 380 ms"; empty without reasons.
 [[nodiscard]] std::string toString(const std::vector<LinkReason>& reasons);
 
 /// State of one stream of a robot.
 struct StreamStatus {
     StreamRole role{};
-    std::string sensor;                                       ///< StreamDescription::sensor
-    std::string topic;                                        ///< ROS name
-    std::uint64_t samples = 0;                                ///< since the station began to listen
-    std::uint64_t lost = 0;                                   ///< never arrived, by the writers' numbers
-    double rate = 0.0;                                        ///< over the last seconds [Hz]
-    double expectedRate = 0.0;                                ///< as learned from its writer [Hz]; 0: unknown
-    double age = std::numeric_limits<double>::infinity();     ///< of the newest, by its arrival [s]
+    std::string sensor;         ///< StreamDescription::sensor
+    std::string topic;          ///< ROS name
+    std::uint64_t samples = 0;  ///< since the station began to listen
+    std::uint64_t lost = 0;     ///< number that never arrived, by the writers' numbers
+    double rate = 0.0;          ///< over the last seconds [Hz]
+    double expectedRate = 0.0;  ///< learned from the times of its samples [Hz]; 0: unknown
+    double age = std::numeric_limits<double>::infinity();     ///< since the newest sample arrived [s]
     double delay = std::numeric_limits<double>::quiet_NaN();  ///< from writing to arrival [s]; NaN: unknown
     double lossRatio = 0.0;                                   ///< over the last 10 s, 0 to 1; missing samples
                                                               ///< of a stale stream count; NaN: unknown
     double megabitsPerSecond = 0.0;                           ///< without headers and repeats; NaN: unknown
-    bool steady = false;  ///< comes at a rate of its own; others come on change and are never stale
-    bool stale = false;   ///< steady, and nothing came for longer than it should
+    bool steady = false;  ///< comes periodically; others come on change and are never stale
+    bool stale = false;   ///< steady, and no sample came for longer than expected
     bool paused = false;  ///< switched off by the station: never stale
 };
 
-/// Round trips of the last seconds' pings, without the time that the robot held them.
+/// Round trips of the pings of the last 10 s, without the time that the robot held them.
 struct RoundTripStatus {
     double last = 0.0;        ///< [s]
     double median = 0.0;      ///< [s]
@@ -76,8 +76,8 @@ struct RoundTripStatus {
 
 /// Source of an estimate of a robot's clock.
 enum class ClockSource : std::uint8_t {
-    Pings,   ///< both ways: good to half a round trip
-    Stamps,  ///< one way: when samples were written; assumes that the quickest take no longer than 50 ms
+    Pings,   ///< both ways: accurate to half a round trip
+    Stamps,  ///< one way, from the stamps of samples; assumes that the quickest take at most 50 ms
 };
 
 /// A robot's clock relative to the station's.
@@ -94,16 +94,17 @@ struct ClockStatus {
 struct LinkStatus {
     std::string robot;  ///< "kurt3d"
     LinkState state = LinkState::NeverSeen;
-    double stateAge = 0.0;                                     ///< [s]
-    std::vector<LinkReason> reasons;                           ///< why it is not Connected, worst first
-    double silence = std::numeric_limits<double>::infinity();  ///< since anything of it was heard [s]
+    double stateAge = 0.0;            ///< time in this state [s]
+    std::vector<LinkReason> reasons;  ///< why it is not Connected: faults of streams, then of pings
+    double silence = std::numeric_limits<double>::infinity();  ///< since anything of the robot was received
+                                                               ///< [s]; infinite: never
     std::optional<RoundTripStatus> roundTrip;                  ///< of robots that answer pings
     std::optional<ClockStatus> clock;
     int reconnects = 0;                 ///< how often it came back from Lost
     double megabitsPerSecond = 0.0;     ///< of all streams
     std::vector<StreamStatus> streams;  ///< in the order of the robot's description
 
-    [[nodiscard]] const StreamStatus* stream(std::string_view topic) const;  ///< null: it has none
+    [[nodiscard]] const StreamStatus* stream(std::string_view topic) const;  ///< null: no such stream
 };
 
 /// Returns what the log keeps of @p status at @p stamp, station's clock; empty while the clock is unknown.

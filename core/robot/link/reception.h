@@ -15,9 +15,9 @@ namespace leitstand {
 /// A writer that the domain announces on a topic to which the station listens.
 struct AnnouncedWriter {
     std::string topic;      ///< ROS name
-    std::string process;    ///< its process: any text that identifies it
+    std::string process;    ///< text that identifies its process
     double seconds = 0.0;   ///< since it was discovered [s]
-    bool received = false;  ///< a sample of it was received
+    bool received = false;  ///< whether a sample of this writer was received
 };
 
 /// A process that is announced in the domain, without any of its topics.
@@ -26,38 +26,40 @@ struct MuteProcess {
     double seconds = 0.0;  ///< since it was discovered [s]
 };
 
-/// What is announced in a domain, and what of it is heard.
+/// What is announced in a domain, and which of its writers are received.
 struct Announced {
     std::vector<AnnouncedWriter> writers;
     std::vector<MuteProcess> mute;
 };
 
-/// A robot is announced, and the station does not receive from it what it should.
+/// A robot is announced, but the station does not receive what it should from it.
 struct ReceptionFault {
     enum class Kind : std::uint8_t {
-        Mute,     ///< processes are announced, topics of the robot are not; names: the processes'
-        Silent,   ///< topics are announced, no periodic sample of any comes; names: the topics'
-        Partial,  ///< periodic samples come, but never odometry or IMU; names: those topics'
+        Mute,     ///< processes are announced, topics of the robot are not; names: those processes
+        Silent,   ///< topics are announced, but no periodic sample comes; names: those topics
+        Partial,  ///< periodic samples come, but never odometry or IMU; names: those topics
     };
     Kind kind = Kind::Silent;
     std::vector<std::string> names;
-    double seconds = 0.0;  ///< since the newest of them was discovered [s]
+    double seconds = 0.0;  ///< Partial: since the newest of the topics was discovered [s]
 };
 
 /// Time within which an announced robot must be heard [s].
 inline constexpr double ReceivedWithin = 2.0;
-/// ... and its odometry and IMU, while other streams are heard [s]: a sensor may start slowly.
+/// Time within which its odometry and IMU must be heard, while other streams are [s]: a sensor may start
+/// slowly.
 inline constexpr double TopicReceivedWithin = 5.0;
 
-/// Returns what is not heard of @p robot although it is announced; empty while nothing is announced, as it is
-/// then absent. Judged by the robot's own streams that come several times a second. Streams on events and
-/// answers to pings do not count, nor do gas, battery and diagnostics, which may be slow. A link (@p link)
-/// that was heard and is lost is no such fault.
+/// Returns what is not received of @p robot although it is announced; empty while nothing is announced, as
+/// the robot is then absent. Only the robot's own streams that come several times a second count. Events,
+/// answers to pings, gas, battery and diagnostics do not, as these may be rare. Processes that were heard
+/// before the link (@p link) was lost are no such fault.
 [[nodiscard]] std::optional<ReceptionFault> receptionFaultOf(const RobotDescription& robot, LinkState link,
                                                              const Announced& announced);
 /// Whether a sample was received of any stream that receptionFaultOf() judges by.
 [[nodiscard]] bool isReceived(const RobotDescription& robot, const Announced& announced);
-/// Whether @p fault is over, by what was received since it was found.
+/// Whether @p fault is over. Mute: @p link is up. Others: a sample was received on a topic that @p fault
+/// names.
 [[nodiscard]] bool isOver(const ReceptionFault& fault, LinkState link, const Announced& announced);
 
 /// For logs: `announced_silent names="/kurt3d/odom, /kurt3d/points"`.
@@ -68,18 +70,17 @@ inline constexpr double TopicReceivedWithin = 5.0;
 /// Returns a text of toString() in the window's language; any other text stays as it is.
 [[nodiscard]] std::string receptionText(const std::string& reported);
 
-/// Decides when a station joins its domain again because of a robot that is announced and not heard. For a
-/// silent robot: at once, after 5 s and after 15 s more. Then the fault is the robot's, until it is heard
-/// once. For single topics: once each, and only soon after they were discovered, since the sensor may be off.
-/// Pure.
+/// Decides when a station joins its domain again because a robot is announced but not heard. For a silent
+/// robot: at once, after 5 s and after 15 s more; then the fault is the robot's, until it is heard. For
+/// single topics: once each, and only soon after they were discovered, since the sensor may be off. Pure.
 class RejoinPlan {
 public:
-    /// @p may: this station moves nothing and is stopping nothing.
+    /// Whether to join again now. @p may: this station moves nothing and is stopping nothing.
     [[nodiscard]] bool isDue(const std::optional<ReceptionFault>& fault, bool may, SteadyTime now);
-    /// Whether @p fault stays although all was tried. True once for each robot until it is heard, and once
-    /// for each topic.
+    /// Whether @p fault stays although everything was tried. True once for each robot until it is heard, and
+    /// once for each topic.
     [[nodiscard]] bool hasFailed(const std::optional<ReceptionFault>& fault, SteadyTime now);
-    /// A periodic sample of the robot was received.
+    /// Call when a periodic sample of the robot was received.
     void received();
 
 private:

@@ -18,15 +18,15 @@ public:
     static constexpr std::chrono::seconds Window{10};           ///< older answers do not count
     static constexpr std::chrono::milliseconds Patience{1000};  ///< then a ping counts as unanswered
 
-    /// Takes ping @p number, which is being sent.
+    /// Takes ping @p number, which is being sent with @p stamp.
     void sent(std::uint64_t number, Time stamp, SteadyTime now);
-    /// Takes its answer at @p now; the robot held it for @p held. False when it answers no remembered ping,
-    /// or one for the second time.
+    /// Takes the answer to ping @p number at @p now; the robot held the ping for @p held. False when that
+    /// ping is not remembered or was answered before.
     bool answered(std::uint64_t number, Time stamp, std::chrono::nanoseconds held, SteadyTime now);
 
     [[nodiscard]] std::optional<RoundTripStatus> status(SteadyTime now) const;  ///< empty: never answered
-    /// Returns for how long pings have gone out without an answer [s]; 0 while they are answered, or none is
-    /// sent.
+    /// Returns for how long pings have been sent without an answer [s]. 0 while they are answered, none is
+    /// sent, or none was ever answered.
     [[nodiscard]] double waiting(SteadyTime now) const;
 
 private:

@@ -11,16 +11,16 @@ namespace leitstand {
 /// Packets of one sender that never reached the DDS library, and why.
 struct ScreenDrop {
     enum class Kind : std::uint8_t {
-        NoRtps,    ///< broken, cut off or made to break what reads it
+        NoRtps,    ///< not RTPS: broken, cut off, or made to break its reader
         Numbers,   ///< numbers or counts that no writer or reader can have reached
-        Impostor,  ///< in the name of a participant at another address
-        TooMany,   ///< of participants beyond what a host may have, or with more endpoints
-        Flood,     ///< more than a sender that is no participant may send
+        Impostor,  ///< claims to be a participant that has another address
+        TooMany,   ///< more participants than a host may have, or more endpoints in one
+        Flood,     ///< more than may come from a sender that is no participant
         Plain,     ///< not encrypted, in a domain with keys
     };
     Kind kind = Kind::NoRtps;
     std::string from;           ///< address; empty: of many senders
-    std::uint64_t packets = 0;  ///< so far
+    std::uint64_t packets = 0;  ///< number so far
     friend bool operator==(const ScreenDrop&, const ScreenDrop&) = default;
 };
 
@@ -31,14 +31,14 @@ struct ScreenDrop {
 
 /// Transports of a profile file that bypass the screen.
 enum class Unscreened : std::uint8_t { SharedMemory, Tcp };
-/// Why that matters, in the window's language.
+/// Returns why a transport that bypasses the screen is a risk, in the window's language.
 [[nodiscard]] std::string worded(Unscreened what);
 
-/// Selects the drops to report to an operator: each when it is first seen, and again at ten times as many.
-/// Not thread-safe.
+/// Selects the drops to report to an operator: each when it is first seen, and again when its packets are ten
+/// times as many. Not thread-safe.
 class ScreenMessages {
 public:
-    /// Returns those of @p drops, all so far, that are due; they then count as reported.
+    /// Returns those of @p drops that are due; they then count as reported. @p drops: all so far.
     [[nodiscard]] std::vector<ScreenDrop> due(const std::vector<ScreenDrop>& drops);
 
 private:

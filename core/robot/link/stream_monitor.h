@@ -16,20 +16,20 @@ namespace leitstand {
 struct StreamArrival {
     std::size_t bytes = 0;
     std::array<std::uint8_t, 16> writer{};  ///< identity of the writer: a restarted robot has another
-    std::uint64_t sequence = 0;             ///< number at its writer, from 1: gaps are losses; 0: unknown
-    Time written{};                         ///< writer's clock; epoch when unknown
-    Time received{};                        ///< station's clock
+    std::uint64_t sequence = 0;  ///< the writer's number of the sample, from 1: gaps are losses; 0: unknown
+    Time written{};              ///< writer's clock; epoch when unknown
+    Time received{};             ///< station's clock
 };
 
 /// Figures of a stream, as StreamMonitor computes them.
 struct StreamFigures {
     double rate = 0.0;            ///< [Hz]
     double lossRatio = 0.0;       ///< 0 to 1
-    std::uint64_t lossBasis = 0;  ///< samples, arrived or lost, that the ratio is taken over
+    std::uint64_t lossBasis = 0;  ///< number of samples, arrived or lost, that the ratio is taken over
     double megabitsPerSecond = 0.0;
     double age = std::numeric_limits<double>::infinity();  ///< [s]
-    /// Arrival on the station's clock minus writing on the robot's: the least of the last second, or of the
-    /// newest sample; empty when unknown.
+    /// Arrival on the station's clock minus writing on the robot's clock: the least of the last second, else
+    /// that of the newest sample. Empty when unknown.
     std::optional<std::chrono::nanoseconds> transit;
 };
 
@@ -39,13 +39,16 @@ public:
     static constexpr std::chrono::milliseconds Slot{500};
     static constexpr int Slots = 20;      ///< loss is taken over the last 10 s
     static constexpr int RateSlots = 10;  ///< rate and Mbit/s over the last 5 s
-    static constexpr int Writers = 4;     ///< kept separate; of more, the longest silent is forgotten
-    static constexpr int Learned = 5;     ///< intervals after which a rate is known
-    static constexpr int Convinced = 3;   ///< long intervals after which a stream is slower now, not broken
+    /// Number of writers that are kept apart; one more replaces the longest silent one.
+    static constexpr int Writers = 4;
+    static constexpr int Learned = 5;  ///< number of intervals after which the rate is known
+    /// Number of long intervals in a row that mean a slower stream, not losses.
+    static constexpr int Convinced = 3;
 
     void add(const StreamArrival& arrival, SteadyTime now);
     [[nodiscard]] StreamFigures figures(SteadyTime now) const;
-    /// Interval at which the writer makes samples, whatever the link does to them [s]; empty until learned.
+    /// Interval at which the writer makes samples, whatever the link loses or delays [s]; empty until
+    /// learned.
     [[nodiscard]] std::optional<double> interval() const;
     [[nodiscard]] std::uint64_t samples() const { return m_samples; }
     [[nodiscard]] std::uint64_t lost() const { return m_lost; }
@@ -72,10 +75,10 @@ private:
     std::array<Count, Slots> m_counts;
     std::uint64_t m_samples = 0, m_lost = 0;
     SteadyTime m_newest;
-    std::optional<std::chrono::nanoseconds> m_transit;  ///< of the newest
+    std::optional<std::chrono::nanoseconds> m_transit;  ///< of the newest sample
     double m_interval = 0.0;
-    int m_intervals = 0;  ///< number of intervals that it is learned from, at most Learned
-    int m_long = 0;       ///< number of much longer ones in a row
+    int m_intervals = 0;  ///< number of intervals that m_interval is learned from, at most Learned
+    int m_long = 0;       ///< number of much longer intervals in a row
 };
 
 }  // namespace leitstand

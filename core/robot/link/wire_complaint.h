@@ -11,16 +11,16 @@ namespace leitstand {
 struct WireProblem {
     enum class Kind : std::uint8_t {
         OffersLess,       ///< theirs, ours: what is offered and requested, "best effort", "reliable"
-        AsksMore,         ///< the same where the robot reads
-        SendsOther,       ///< theirs, ours: types
-        ExpectsOther,     ///< the same where the robot reads
+        AsksMore,         ///< the same, but the robot reads
+        SendsOther,       ///< theirs, ours: the message types
+        ExpectsOther,     ///< the same, but the robot reads
         Keyed,            ///< the robot's topic has keys, ours has none as in ROS 2
         OffersExclusive,  ///< ownership; we share as ROS 2 does
         AsksExclusive,
-        Partition,    ///< theirs: other than the default one
-        WritesXcdr2,  ///< not XCDR1, which we read
+        Partition,    ///< theirs: the robot's partition, which is not the default one
+        WritesXcdr2,  ///< the robot writes no XCDR1, which we read
         ReadsXcdr2,
-        Liveliness,  ///< the robot requests one that we do not offer
+        Liveliness,  ///< the robot requests a liveliness that we do not offer
         Security,    ///< permissions or governance of one side do not let them talk
     };
     Kind kind = Kind::OffersLess;

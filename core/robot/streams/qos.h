@@ -13,7 +13,7 @@ struct Qos {
     Durability durability = Durability::Volatile;
     int depth = 1;          ///< keep_last; 0: keep_all
     double lifespan = 0.0;  ///< [s]; 0: for ever
-    double deadline = 0.0;  ///< [s]; 0: none; requested only where the robot's file offers one
+    double deadline = 0.0;  ///< [s]; 0: none; requested only where the robot's file has one
     friend bool operator==(const Qos&, const Qos&) = default;
 };
 

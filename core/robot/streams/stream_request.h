@@ -10,19 +10,19 @@ namespace leitstand {
 /// How the station wants one stream of a robot to be; the robot chooses what is left open.
 struct StreamRequest {
     bool enabled = true;
-    double rate = 0.0;  ///< at most [Hz]; 0: the robot chooses
-    int quality = 0;    ///< of JPEG, 1 to 100; 0: the robot chooses
-    int maxWidth = 0;   ///< of pictures [px]; 0: the robot chooses
+    double rate = 0.0;  ///< highest rate [Hz]; 0: the robot chooses
+    int quality = 0;    ///< quality of JPEG, 1 to 100; 0: the robot chooses
+    int maxWidth = 0;   ///< widest picture [px]; 0: the robot chooses
 
     [[nodiscard]] bool isPlain() const { return *this == StreamRequest{}; }
     friend bool operator==(const StreamRequest&, const StreamRequest&) = default;
 };
 
-/// Returns the wish that satisfies both: the slower, coarser, smaller of each; off when one of them is off.
+/// Returns the request that satisfies both: the lower rate, quality and width; off when one of them is off.
 [[nodiscard]] StreamRequest stricter(const StreamRequest& one, const StreamRequest& other);
 
-/// Whether @p stream follows @p request, as far as the figures show: it is off, or not much faster than
-/// requested. They do not show quality and width.
+/// Whether @p stream follows @p request, as far as its figures show: it is off, or not much faster than
+/// requested. Quality and width do not show.
 [[nodiscard]] bool isFollowed(const StreamRequest& request, const StreamStatus& stream);
 
 /// Returns @p request for @p topic as it goes over the wire; stamp and station are left to the sender.

@@ -60,7 +60,7 @@ constexpr StreamFacts Table[] = {
      .quick = true,
      .needed = true,
      .several = true,
-     .obstacles = true,
+     .sight = Sight::Scanner,
      .stampRank = 4,
      .thinRank = ThinRank::Scans,
      .usualRate = 10.0,
@@ -74,7 +74,7 @@ constexpr StreamFacts Table[] = {
      .steady = true,
      .quick = true,
      .needed = true,
-     .obstacles = true,
+     .sight = Sight::Scanner,
      .stampRank = 3,
      .thinRank = ThinRank::Scans,
      .usualRate = 10.0,
@@ -322,6 +322,10 @@ std::span<const StreamFacts> streamTable() {
 
 const StreamFacts& streamFacts(StreamRole role) {
     return Table[static_cast<std::size_t>(role)];
+}
+
+bool isScanner(StreamRole role) {
+    return streamFacts(role).sight == Sight::Scanner;
 }
 
 std::span<const std::string_view> typesOf(StreamRole role) {

@@ -9,34 +9,35 @@
 
 namespace leitstand {
 
-/// Cost of a stream without any wish.
+/// Cost of a stream without any request.
 struct StreamCost {
     StreamRole role{};
     std::string topic;  ///< ROS name
     double rate = 0.0;  ///< [Hz]; 0: unknown
-    /// [Mbit/s] of onTheWire(); negative: unknown, the usual cost of the role counts.
+    /// Load as of onTheWire() [Mbit/s]; negative: unknown, then the usual cost of the role counts.
     double megabits = -1.0;
 };
 
-/// A robot on a link that shrinks.
+/// A robot on a link whose capacity may be too small.
 struct ThinRobot {
     std::string name;
-    bool thin = true;                 ///< whether its streams may be reduced; others only take up capacity
-    bool selected = false;            ///< the operator looks at it: one camera of it survives
+    bool thin = true;       ///< whether its streams may be reduced; otherwise they only take up capacity
+    bool selected = false;  ///< whether the operator has selected it: one of its cameras stays on
     std::vector<StreamCost> streams;  ///< in the order of its file
-    std::string camera = {};          ///< topic of that camera; empty, or no picture of it: its first picture
+    std::string camera = {};  ///< topic of the camera that stays on; empty or unknown: the first picture
 };
 
 /// The capacity to share, and how far streams are reduced.
 struct ThinSettings {
-    double budget = 2.0;         ///< of all robots together [Mbit/s]
-    double reserve = 0.2;        ///< for commands and the overhead of the wire [Mbit/s]
-    double slowTelemetry = 5.0;  ///< of inertial units, joints and transforms, when nothing else helps [Hz]
+    double budget = 2.0;   ///< capacity for all robots together [Mbit/s]
+    double reserve = 0.2;  ///< for commands and the overhead of the wire [Mbit/s]
+    /// Reduced rate of inertial units, joints and transforms [Hz]: the last resort.
+    double slowTelemetry = 5.0;
 };
 
-/// Returns the requests, by topic, that make the streams of @p robots fit the budget (plain ones are left
+/// Returns the requests, by topic, that make the streams of @p robots fit the budget (plain requests are left
 /// out). Streams are kept in this order (docs/design.md, "The wire"): commands and stop, telemetry, scans,
-/// one camera, the rest. So, until all fits:
+/// one camera, the rest. So these steps are taken in turn until all fits:
 /// 1. the rest (other cameras, infrared): once a second where there is room, else off;
 /// 2. the camera of the selected robot that its driver looks through: slower, coarser, smaller (infrared:
 ///    slower only), but never off;

@@ -21,7 +21,7 @@ enum class AlarmSeverity : std::uint8_t {
     Act,        ///< do something: sounds until it is acknowledged
 };
 
-/// Identifies an alarm: at most one of an id stands.
+/// Identifies an alarm. At most one alarm with the same id stands at a time.
 struct AlarmId {
     std::string robot;   ///< "kurt3d"; empty: of the station
     std::string key;     ///< what alarms of one kind have in common: "link_lost"
@@ -90,7 +90,7 @@ struct Alarm {
     AlarmCause cause;           ///< newest, or the last before it ended
     std::uint64_t number = 0;   ///< rises with each raising: the newest has the highest
     Time since{};               ///< when it was raised, station's clock
-    std::optional<Time> ended;  ///< the cause is gone
+    std::optional<Time> ended;  ///< when it ended, after its cause was gone; empty: it stands
     bool acknowledged = false;
 
     [[nodiscard]] bool isLoud() const {

@@ -12,8 +12,8 @@ namespace leitstand {
 
 /// When alarms begin and end.
 struct AlarmTiming {
-    std::chrono::nanoseconds raiseAfter = std::chrono::milliseconds(300);  ///< cause holds without a break
-    std::chrono::nanoseconds endAfter = std::chrono::seconds(2);  ///< the cause is gone, against flapping
+    std::chrono::nanoseconds raiseAfter = std::chrono::milliseconds(300);  ///< a cause must persist this long
+    std::chrono::nanoseconds endAfter = std::chrono::seconds(2);  ///< must be gone this long (no flapping)
     std::chrono::nanoseconds shown = std::chrono::seconds(10);  ///< after its end; longer for an "act" alarm
 };
 
@@ -38,7 +38,7 @@ public:
     /// Acknowledges an alarm. Does nothing when it is unknown or already acknowledged.
     std::vector<AlarmChange> acknowledge(const AlarmId& id, Time now);
     std::vector<AlarmChange> acknowledgeNewest(Time now);  ///< the newest unacknowledged one
-    /// Mutes the tones until @p until; an earlier moment ends that.
+    /// Mutes the tones until @p until; a moment in the past unmutes them.
     void mute(Time until) { m_mutedUntil = until; }
 
     /// Returns all alarms, newest first, ended ones last.
@@ -47,7 +47,7 @@ public:
     /// Returns the severity of a standing alarm; empty: it does not stand.
     [[nodiscard]] std::optional<AlarmSeverity> severity(const AlarmId& id) const;
     [[nodiscard]] Time mutedUntil() const { return m_mutedUntil; }
-    /// Returns how often an alarm was raised that only needs a look, no action.
+    /// Returns how many alarms of AlarmSeverity::Attention were raised so far.
     [[nodiscard]] std::uint64_t attentions() const { return m_attentions; }
 
 private:

@@ -15,7 +15,7 @@ namespace leitstand {
 
 struct RobotState;
 
-/// Limits from which the operator is notified.
+/// Limits beyond which the operator is alarmed.
 struct AlarmLimits {
     double attitude = 0.70, attitudeAct = 0.90;  ///< shares of the limits where the robot tips over
     double rolledOver = degrees(60);             ///< tilt [rad]
@@ -36,12 +36,12 @@ struct RobotWatch {
     const RobotView& view;
     const RobotState& reported;
     std::optional<double> bumpAge = {};  ///< since a bumper was hit [s]
-    std::string bumper = {};             ///< which one
+    std::string bumper = {};             ///< bumper that was hit
     double spinning = 0.0;               ///< RobotInMap::spinning [m]
 };
 
-/// Returns what the operator must know of a robot at @p now, station's clock. @p book: the standing alarms,
-/// which take more to end than they took to begin. Pure.
+/// Returns what the operator must know of a robot at @p now (station's clock). @p book: the standing alarms;
+/// an alarm ends at a milder value than the one that raised it. Pure.
 [[nodiscard]] std::vector<AlarmCause> alarmsOf(const RobotWatch& robot, const AlarmBook& book, Time now,
                                                const AlarmLimits& limits = {});
 

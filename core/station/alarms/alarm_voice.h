@@ -12,8 +12,9 @@ namespace leitstand {
 /// Pure.
 class AlarmVoice {
 public:
-    /// Returns the tone to play now; empty: none. @p loud: an "act" alarm is not acknowledged; @p attentions:
-    /// AlarmBook::attentions(). Called a few times a second. What arrives while muted is not made up for.
+    /// Returns the tone to play now; empty: none. @p loud: an "act" alarm is not acknowledged. @p attentions:
+    /// AlarmBook::attentions(). Called a few times a second. An attention raised while muted gets no tone
+    /// afterwards.
     [[nodiscard]] std::optional<AlarmTone> due(bool loud, std::uint64_t attentions, Time mutedUntil,
                                                Time now);
 

@@ -45,17 +45,18 @@ inline constexpr auto All =
     std::to_array<LogPhrase>({DiskFilling, DiskLasts, DiskLastsForDays, DiskFull, DiskFree, DiskSlow,
                               DiskKeepsUp, EventsLost, EventsKept, WrittenAgain});
 
-/// Returns what the log holds of @p phrase about @p file.
+/// Returns @p phrase with @p values, about @p file, as the log holds it.
 template <class... Values>
 [[nodiscard]] std::string about(const std::string& file, const LogPhrase& phrase, const Values&... values) {
     return logged(phrase, values...) + toString(CodedText{{}, {{"file", file}}});
 }
 
-/// Returns which of All an alarm of the log is, with its figures; also reads the English sentences, after a
-/// file and ": ", of logs from before there were codes. Empty when a figure is no number, and for failures,
-/// whose text is the system's.
+/// Returns the phrase of All that @p text holds, with its figures. Also reads the English sentences of old
+/// logs, written before there were codes, which follow a file and ": ". Empty when a figure is no number, and
+/// for failures, whose text is the system's.
 [[nodiscard]] ReadPhrase newsIn(std::string_view text);
-/// Returns @p text as a message in the window's language, after its file; a failure as it is.
+/// Returns @p text in words of the window's language, after the name of the file. Other texts, such as
+/// failures, are returned as they are.
 [[nodiscard]] std::string message(const std::string& text);
 
 }  // namespace leitstand::log_format

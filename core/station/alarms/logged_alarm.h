@@ -22,14 +22,14 @@ inline constexpr const char* Failed = "log_failed";
 
 [[nodiscard]] bool isAlarmOfLog(std::string_view key);
 
-/// Returns what the log holds of @p cause (AlarmSample::text): its key as a code, with value, note and
-/// further figures. An example: `battery value=4 note=minutes percent=12`. Of an alarm of the log itself it
-/// is the note.
+/// Returns @p cause as the log holds it (AlarmSample::text): its key as a code, with value, note and further
+/// figures. An example: `battery value=4 note=minutes percent=12`. For an alarm of the log itself, returns
+/// its note.
 [[nodiscard]] std::string logText(const AlarmCause& cause);
 
-/// Returns the cause that was logged as @p reported. Its value, to the figures that were written, and its
-/// note are read out of the text, also out of the English sentences of logs from before there were codes.
-/// What cannot be read stays unknown: NaN, and empty.
+/// Returns the cause that was logged as @p reported. Reads value and note from the text; the value is as
+/// exact as the text. Also reads the English sentences of old logs, written before there were codes. What
+/// cannot be read stays unknown: NaN, and empty.
 [[nodiscard]] AlarmCause loggedCause(const AlarmSample& reported);
 
 }  // namespace leitstand

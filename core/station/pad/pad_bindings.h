@@ -46,9 +46,9 @@ struct PadControl {
     friend bool operator==(const PadControl&, const PadControl&) = default;
 };
 [[nodiscard]] PadControl padButton(int index);
-/// @p towards: -1 or 1.
+/// @p towards: the end of axis @p index to push to, -1 or 1. @p rest: see PadControl::rest.
 [[nodiscard]] PadControl padAxis(int index, int towards, double rest = 0.0);
-/// Returns the other end of a stick; none for other controls.
+/// Returns the other end of a stick; Kind::None for triggers and buttons.
 [[nodiscard]] PadControl oppositeOf(const PadControl& control);
 /// Returns how far @p control is pushed, 0 to 1.
 [[nodiscard]] double amountOf(const PadControl& control, const PadState& state);
@@ -81,24 +81,27 @@ struct PadBindings {
     friend bool operator==(const PadBindings&, const PadBindings&) = default;
 };
 
-/// Returns the position of the stick between @p plus and its opposite, -1 to 1, as the hand holds it.
+/// Returns how far the hand holds the stick between @p plus (1) and its opposite (-1), without dead zone and
+/// expo. @p plus must have an opposite.
 [[nodiscard]] double deflectionOf(const PadBindings& bindings, PadAction plus, const PadState& state);
-/// Returns the position as it counts, with dead zone and expo.
+/// Returns the same as deflectionOf(), with dead zone and expo applied.
 [[nodiscard]] double shapedOf(const PadBindings& bindings, PadAction plus, const PadState& state);
 
-/// Returns the default bindings of a known pad; of any other joystick nothing, so nothing moves. Left
+/// Returns the default bindings of a known pad. Other joysticks have none, so that nothing moves. Left
 /// trigger: dead-man; right trigger: turbo. Right shoulder: slow; left shoulder: drives without eyes. Left
 /// stick: drives; right stick: turns cameras. B stops all, X files a victim, A confirms it, the cross fills
 /// in its form.
 [[nodiscard]] PadBindings defaultBindings(PadLayout layout);
 
-/// Gives @p action to @p control, and the opposite action to its other end. Earlier actions of the control
-/// are removed. False, without a change, when the control is the one that stops all.
+/// Binds @p action to @p control, and the opposite action to the other end of a stick. Whatever these
+/// controls did before is removed. False, without a change, when that would remove the control that stops
+/// all.
 [[nodiscard]] bool bindPad(PadBindings& bindings, PadAction action, const PadControl& control);
-/// Does the same for the command @p id; without a control, removes the command from the pad.
+/// Binds the command @p id to @p control in the same way. Without a control (Kind::None), the command is
+/// removed from the pad.
 [[nodiscard]] bool bindPad(PadBindings& bindings, const std::string& id, const PadControl& control);
 
-/// Returns the control that does @p id; none when the pad does not.
+/// Returns the control of the command @p id; Kind::None when it has none.
 [[nodiscard]] PadControl controlOf(const PadBindings& bindings, const std::string& id);
 
 }  // namespace leitstand

@@ -13,7 +13,7 @@ public:
     /// @p rest: the pad while nobody touches it. Buttons held then count only after they are released.
     explicit PadCapture(PadState rest);
 
-    /// Returns the control once it is pushed far enough.
+    /// Returns the control once it is pushed far enough; empty before that.
     [[nodiscard]] std::optional<PadControl> update(const PadState& now);
 
 private:

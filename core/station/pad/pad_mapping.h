@@ -37,20 +37,20 @@ enum class PadScope {
 
 /// Maps the state of a gamepad to what the operator requests (docs/design.md, "The window"). Pure.
 ///
-/// Nothing drives without the dead-man trigger; releasing it means zero at once. The sticks count after they
-/// were neutral while the trigger was held: motion begins only with the operator's hand. The trigger must be
-/// released first when the pad was connected, and whenever it lost PadScope::All (another window, a stop,
-/// another robot). Stop needs none of that.
+/// Nothing drives without the dead-man trigger; releasing it means zero at once. The sticks count only after
+/// they were neutral while the trigger was held, so that motion begins with the operator's hand. The trigger
+/// must first be released after the pad was connected, and after each loss of PadScope::All (another window,
+/// a stop, another robot). Stop needs none of that.
 class PadMapping {
 public:
     explicit PadMapping(PadBindings bindings = {});
 
-    void setBindings(PadBindings bindings);  ///< trigger and sticks must be released first
+    void setBindings(PadBindings bindings);  ///< afterwards, trigger and sticks must first be released
     [[nodiscard]] const PadBindings& bindings() const { return m_bindings; }
     void setLimits(const DriveLimits& limits) { m_limits = limits; }
-    void needNeutral();  ///< trigger and sticks must be released first
+    void needNeutral();  ///< from now on, trigger and sticks must first be released
 
-    /// Returns the wishes of the pad as it is now. Called with every change.
+    /// Returns the requests of the pad in @p state. Must be called at every change of the pad.
     [[nodiscard]] PadRequests update(const PadState& state, PadScope scope);
 
 private:
@@ -67,7 +67,7 @@ private:
     bool m_known = false;             ///< the pad was read since it was connected
     bool m_triggerFree = false;       ///< the trigger was released since it had to be
     bool m_sticksFree = false;        ///< the sticks were neutral while the trigger was held
-    bool m_camerasFree = false;       ///< their stick was neutral since it had to be
+    bool m_camerasFree = false;       ///< the stick of the cameras was neutral since it had to be
 };
 
 }  // namespace leitstand

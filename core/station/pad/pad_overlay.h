@@ -9,17 +9,17 @@
 
 namespace leitstand {
 
-/// Returns the button that a layout file names: "a", "left_shoulder", "up" of a known pad; "button 7",
-/// counted from 1, of any. Empty for other words.
+/// Returns the button for its name in a layout file: "a", "left_shoulder", "up" on a known pad; "button 7",
+/// counted from 1, on any pad. Empty for other words.
 [[nodiscard]] std::optional<PadControl> padButtonNamed(const std::string& name, PadLayout layout);
 
 /// What a pad does while a window's layout is in use.
 struct PadOverlay {
     PadBindings bindings;
-    std::vector<std::string> refused;  ///< buttons that do not exist, or that drive or stop
+    std::vector<std::string> refused;  ///< names of buttons that do not exist, or that drive or stop
 };
-/// Returns @p own with the commands of @p byButton (names of buttons, ids of commands) on their buttons.
-/// Driving and STOP stay where the operator has them.
+/// Returns @p own with the commands of @p byButton (name of a button -> id of a command) on their buttons.
+/// Buttons that drive or stop keep doing so.
 [[nodiscard]] PadOverlay withCommands(const PadBindings& own,
                                       const std::map<std::string, std::string>& byButton);
 

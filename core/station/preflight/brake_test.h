@@ -13,20 +13,20 @@
 
 namespace leitstand {
 
-/// How a robot's brake is tested, and what it must do. Our own robots brake after DriveWatchdog. Stock ones
-/// brake later, or never: they are measured.
+/// How a robot's brake is tested, and what it must do. Our own robots brake DriveWatchdog after the last
+/// command. Stock robots brake later or never, so the test measures it.
 struct BrakeTestSettings {
     double speed = 0.1;         ///< [m/s]
     double neutral = 0.4;       ///< how long the sticks must be released first [s]
-    double drive = 1.0;         ///< at most [s]
+    double drive = 1.0;         ///< longest time of driving before the cut [s]
     double run = 0.5;           ///< driven at speed before the cut [s]
     double stopTime = 0.5;      ///< allowed from the cut until standing [s]
-    double stopDistance = 0.1;  ///< allowed way from there [m]
+    double stopDistance = 0.1;  ///< allowed way from the cut until standing [m]
     double giveUp = 1.5;        ///< still moving this long after the cut: it has no watchdog [s]
     double space = 0.6;         ///< that must be free ahead [m]
     double hold = 0.25;         ///< the operator's key must be reported at least this often [s]
     double start = 6.0;         ///< longest wait for grant and neutral sticks [s]
-    double standing = 0.01;     ///< slower counts as standing [m/s], ten times that [rad/s]
+    double standing = 0.01;  ///< slower than this [m/s], and than ten times this [rad/s], counts as standing
 };
 
 /// The result of a brake test.
@@ -37,36 +37,37 @@ struct BrakeResult {
         Failed,        ///< it did not stop, or too late, or too far
         Inconclusive,  ///< it was not driven or not watched to the end: nothing is known
     };
-    /// Why it is inconclusive.
+    /// Why the test is inconclusive.
     enum class Cause : std::uint8_t {
         None,
         KeyLetGo,
         NotDriven,     ///< the robot may not be driven any more
         RoomUnknown,   ///< it is unknown whether there is room ahead
-        NoRoom,        ///< free, needed
+        NoRoom,        ///< too little is free ahead: see free and needed
         NotAllowed,    ///< the station may not drive the robot
         Deaf,          ///< the robot receives no drive commands
-        NoOdometry,    ///< none arrives
-        SticksHeld,    ///< they were not released
+        NoOdometry,    ///< no odometry arrives
+        SticksHeld,    ///< the sticks were not released
         NotStanding,   ///< it moved before it was driven
         TooSlow,       ///< it did not reach its speed
-        OdometryEnded  ///< none arrived after the cut
+        OdometryEnded  ///< no odometry arrived after the cut
     };
     /// What the robot does when commands stop.
     enum class Watchdog : std::uint8_t {
         Unknown,
         Stops,  ///< it stops by itself, in time or too late
-        None,   ///< it goes on: zeros had to stop it
+        None,   ///< it goes on: the test had to send zeros to stop it
     };
     Verdict verdict = Verdict::Untested;
     double seconds = 0.0;  ///< from the cut until standing [s]; of a robot that did not stop: until given up
-    double metres = 0.0;   ///< on that way [m]
+    double metres = 0.0;   ///< way in that time [m]
     Cause cause = Cause::None;
     double free = 0.0, needed = 0.0;  ///< of NoRoom [m]
     Time when{};                      ///< station's clock
     Watchdog watchdog = Watchdog::Unknown;
-    double brakesAfter = 0.0;  ///< of one that stops: time until it braked [s]; 0: unknown
-    /// Whether it failed without a sign that it stops by itself: zeros must be sent to it.
+    double brakesAfter = 0.0;  ///< of a robot that stops: time from the cut until it braked [s]; 0: unknown
+    /// Whether the test failed without a sign that the robot stops by itself. Such a robot must be sent
+    /// zeros.
     [[nodiscard]] bool showsNoWatchdog() const {
         return verdict == Verdict::Failed && watchdog != Watchdog::Stops;
     }
@@ -81,24 +82,25 @@ struct BrakeFacts {
     double spaceAhead = std::numeric_limits<double>::quiet_NaN();  ///< [m]; NaN: unknown
 };
 
-/// Drives a robot at 0.1 m/s for up to a second, then sends nothing more, no zero either. By its odometry it
-/// measures when the robot brakes, and how long and how far it goes on. The operator holds a key meanwhile.
-/// When the key is released or anything else is missing, the test ends and zeros stop the robot. Pure: no
-/// clock, no thread.
+/// Drives a robot at 0.1 m/s for up to a second, then sends nothing more, not even zeros. By odometry, the
+/// test measures when the robot brakes, and how long and how far it goes on. The operator holds a key
+/// meanwhile. When the key is released or anything else is missing, the test ends and zeros stop the robot.
+/// Pure: no clock, no thread.
 class BrakeTest {
 public:
     enum class Phase : std::uint8_t { Idle, Neutral, Driving, Cut, Done };
     /// What to do with the robot's commands now.
     struct Step {
         DriveVelocity sticks = {};
-        bool silent = false;  ///< nothing is sent, no zero either
+        bool silent = false;  ///< send nothing, not even zeros
     };
 
     explicit BrakeTest(const BrakeTestSettings& settings = {}) : m_settings(settings) {}
 
     void start(SteadyTime now);
     void hold(SteadyTime now) { m_held = now; }  ///< the operator's key is down
-    /// Takes the newest odometry, @p stamp on the robot's clock: speeds in its own frame [m/s, rad/s].
+    /// Takes the newest odometry. @p stamp: robot's clock; @p position in the odometry frame [m]; @p speed
+    /// and @p turn in the robot's own frame [m/s, rad/s].
     void odometry(Time stamp, const Eigen::Vector2d& position, double speed, double turn);
     Step step(const BrakeFacts& facts, SteadyTime now);
     void end(BrakeResult::Cause cause);  ///< as inconclusive, unless it is over

@@ -164,6 +164,7 @@ void judgeNetwork(Page& page, const PreflightFacts& facts) {
     }
     page.add(own ? Kind::Network : Kind::NetworkNone, own ? CheckState::Ok : CheckState::Attention,
              joined(used));
+    if (!facts.environment.empty()) page.add(Kind::Environment, CheckState::Note, joined(facts.environment));
     for (const std::string& limit : facts.limits) page.add(Kind::Limits, CheckState::Attention, limit);
     for (const WireComplaint& complaint : facts.complaints) page.add(complaint);
     for (const std::string& robot : facts.strangers) page.add(Kind::Stranger, CheckState::Note, robot);

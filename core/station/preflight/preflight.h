@@ -27,7 +27,7 @@ struct RobotFacts {
     RobotDescription robot;
     RobotView view;
     BrakeResult brake;             ///< newest
-    bool brakeOverridden = false;  ///< driven although it failed
+    bool brakeOverridden = false;  ///< driven although its brake test failed
     GuardView guard;               ///< of one without a watchdog that is driven nevertheless
     std::vector<WireComplaint> complaints;
 };
@@ -37,9 +37,10 @@ struct PreflightFacts {
     std::vector<RobotFacts> robots;
     std::vector<std::string> strangers;     ///< robots in the domain that the station does not drive
     std::vector<WireComplaint> complaints;  ///< about no robot in particular
-    std::vector<std::string> limits;        ///< of this computer, that cost samples
+    std::vector<std::string> limits;        ///< limits of this computer that make it lose samples
     std::vector<NetworkCard> cards;
-    std::string folder;  ///< of the mission
+    std::vector<std::string> environment;  ///< variables of ROS that the network follows: "ROS_DOMAIN_ID=7"
+    std::string folder;                    ///< of the mission
     std::uint64_t freeBytes = 0;
     std::optional<double> writeRate;  ///< of the mission's disk [B/s]; empty: not measured yet
     double logRate = 0.0;             ///< that the log needs now [B/s]
@@ -47,13 +48,13 @@ struct PreflightFacts {
     std::string gamepad;              ///< its name; empty: there is none
     std::string soundProblem;         ///< why the tones of alarms are not heard; empty: all is well
     bool secured = false;
-    std::string security;               ///< who we are, in words, or why not
+    std::string security;               ///< our identity in words, or why there is none
     std::vector<std::string> versions;  ///< of the programs
     double farClock = FarClock;         ///< offset from which a robot's clock raises an alarm [s]
     Time now{};                         ///< station's clock
 };
 
-/// A note is neither in order nor wrong: it only informs.
+/// The result of a check. A note only informs: it is neither in order nor wrong.
 enum class CheckState : std::uint8_t { Ok, Note, Attention, Fail };
 
 /// One line of the page. Core finds the facts; widgets word them by kind.
@@ -68,7 +69,7 @@ struct PreflightCheck {
         PicturesOld,     ///< detail: which; number: age of the oldest [s]
         Wire,            ///< wire: what stands between a reader and a writer
         ClockSteady,     ///< number: how far the robot's clock is ahead [s]
-        ClockFar,        ///< number: the same, which is far
+        ClockFar,        ///< number: as for ClockSteady, but too far
         ClockUnknown,
         Grant,        ///< ours
         GrantFree,    ///< nobody's: taken when driving begins
@@ -76,24 +77,25 @@ struct PreflightCheck {
         Deaf,         ///< it receives no drive commands
         Stopped,      ///< a stop stands
         BrakePassed,  ///< number: until standing [s]; other: way [m]; brake
-        BrakeOld,     ///< the same, more than a day ago
+        BrakeOld,     ///< as BrakePassed, more than a day ago
         BrakeUntested,
-        BrakeFailed,      ///< refused for driving; brake
-        BrakeOverridden,  ///< failed, and driven nevertheless; brake, guard
+        BrakeFailed,      ///< number, other, brake: as BrakePassed; guard; the robot may not be driven
+        BrakeOverridden,  ///< as BrakeFailed, but the robot is driven nevertheless
         BrakeUnclear,     ///< brake: why
         Stranger,         ///< detail: name of a robot that may be added
         Network,          ///< detail: card and address that are used
         NetworkNone,      ///< no card but the computer's own
+        Environment,      ///< detail: variables of ROS that the network follows
         Limits,           ///< detail: the limit and what lifts it
-        Disk,             ///< number: hours; other: write rate [B/s]
-        DiskSlow,         ///< number: write rate [B/s]; other: what the log needs
+        Disk,             ///< number: hours that are left; other: write rate [B/s]
+        DiskSlow,         ///< number: write rate [B/s]; other: rate that the log needs [B/s]
         DiskShort,        ///< number: hours that are left
         DiskBroken,       ///< detail: why nothing is recorded
         Gamepad,          ///< detail: its name
         GamepadNone,
         Sound,
         SoundNone,  ///< detail: why the tones of alarms are not heard
-        Secured,    ///< detail: who
+        Secured,    ///< detail: our identity
         Open,       ///< anybody in the network may publish
         Versions,   ///< detail
     };

@@ -13,13 +13,13 @@
 namespace leitstand {
 
 struct EvasionSettings {
-    double backFrom = 0.5;  ///< share of the tip-over limit beyond which it backs out
-    double slowFrom = 0.2;  ///< share beyond which it is slower
-    double slowest = 0.4;   ///< share of its speed that is left at backFrom
+    double backFrom = 0.5;  ///< backs out when it leans beyond this share of the tip-over limit
+    double slowFrom = 0.2;  ///< drives more slowly beyond this share
+    double slowest = 0.4;   ///< share of the speed that is left at backFrom
     double speed = 0.12;    ///< while it backs out [m/s]
     double way = 0.35;      ///< distance that it backs out [m]
     double within = 5.0;    ///< longest time that it backs out [s]
-    double apart = 4.0;     ///< what is felt sooner after the last time belongs to it [s]
+    double apart = 4.0;     ///< what is felt sooner after an evasion belongs to it [s]
     int most = 5;           ///< tries in a row
 };
 
@@ -30,8 +30,8 @@ enum class BodySide : std::uint8_t { Front, Left, Rear, Right };
 struct EvasionStep {
     std::optional<DriveVelocity> velocity;  ///< to be driven instead of what the driver wants
     std::optional<BodySide> felt;           ///< where something was felt just now
-    bool touched = false;                   ///< it ran against something; else it leant
-    bool failed = false;                    ///< it finds no way out
+    bool touched = false;                   ///< the robot ran against something; false: it leant too much
+    bool failed = false;                    ///< the robot finds no way out
     std::string reason;                     ///< in words
 };
 
@@ -41,15 +41,15 @@ class Evasion {
 public:
     explicit Evasion(const EvasionSettings& settings = {}) : m_settings(settings) {}
 
-    /// Sets how far it leans, as a share of the tip-over limit.
+    /// Sets how far the robot leans, as a share of the tip-over limit.
     void lean(double share) { m_lean = share; }
     void bumped(BodySide side) { m_bump = side; }
-    /// Forgets a running evasion: others drive.
+    /// Forgets a running evasion, because somebody else drives.
     void reset();
 
     /// @p wanted: what the driver wanted last. Call it 10 times a second or more.
     [[nodiscard]] EvasionStep step(const DriveVelocity& wanted, const Pose& baseInOdom, Time now);
-    /// Returns the share of the speed that its leaning leaves.
+    /// Returns the share of the speed that is allowed while the robot leans as now, 0 to 1.
     [[nodiscard]] double caution() const;
     [[nodiscard]] bool isActive() const { return m_back != 0; }
 

@@ -13,17 +13,18 @@ namespace leitstand {
 
 struct ExplorerSettings {
     FloorMemorySettings memory;
-    double turnCost = 0.0;    ///< length of way that half a turn to the unseen costs [m]
+    double turnCost = 0.0;    ///< extra cost of half a turn towards the unseen, as a length of way [m]
     double aimAhead = 0.7;    ///< distance of the aim along the way [m]
-    double goalNear = 0.5;    ///< distance that counts as reached for an unreachable goal [m]
+    double goalNear = 0.5;    ///< an unreachable goal counts as reached at this distance [m]
     double arrived = 0.25;    ///< distance at which a goal is reached [m]
     double stuckAfter = 6.0;  ///< time without progress [s]
     double recoverFor = 2.5;  ///< time that it backs off or turns [s]
-    double blindAfter = 3.5;  ///< it stands after so long without a raw scan [s]
-    double lookFirst = 5.0;   ///< at the beginning: two turns of the scanner [s]
-    double replan = 0.5;      ///< [s]
-    double patience = 30.0;   ///< time for one aim, beside a slow drive to it [s]
-    /// Waiting time before it looks for a way again, up to two times [s]. Another robot may stand in the way.
+    double blindAfter = 3.5;  ///< stands when there was no raw scan for so long [s]
+    double lookFirst = 5.0;   ///< stands and looks for so long at first: two turns of the scanner [s]
+    double replan = 0.5;      ///< period of planning [s]
+    double patience = 30.0;   ///< time for one aim, on top of a slow drive to it [s]
+    /// Waits so long before it looks for a way again, up to two times [s]: another robot may stand in the
+    /// way.
     double waitForOthers = 12.0;
 };
 
@@ -42,7 +43,8 @@ class Explorer {
 public:
     Explorer(FuzzyDrive drive, const ExplorerSettings& settings = {});
 
-    /// Sets the goal in odom, on its floor (goal_pose, the way back to the link) [m]; empty: explores.
+    /// Sets the goal in odom, at the height of the floor there [m]; empty: explores. A goal comes by
+    /// goal_pose, or leads back to the link.
     void setGoal(const std::optional<Eigen::Vector3d>& goal);
     [[nodiscard]] const std::optional<Eigen::Vector3d>& goal() const { return m_goal; }
     /// Starts again after another driver; keeps its memory of the floor.

@@ -10,13 +10,13 @@
 
 namespace leitstand {
 
-/// Obstacles that a robot felt and its scanner does not see: low things that it ran against, ground too steep
-/// for it. They stay for five minutes.
+/// Obstacles that a robot feels and its scanner does not see: low things that it ran against, ground too
+/// steep for it. Each is remembered for five minutes.
 class FeltObstacles {
 public:
-    /// Adds one at @p inBase [m], felt when the robot was at @p baseInOdom.
+    /// Adds an obstacle at @p inBase [m], felt when the robot was at @p baseInOdom.
     void add(const Eigen::Vector2d& inBase, const Pose& baseInOdom, Time now);
-    /// Adds them to @p view, which was seen from @p baseInOdom.
+    /// Adds the remembered obstacles to @p view, which was seen from @p baseInOdom.
     void addTo(VirtualScanView& view, const Pose& baseInOdom, Time now);
     [[nodiscard]] std::size_t count() const { return m_all.size(); }
 

@@ -18,16 +18,16 @@ namespace leitstand {
 struct FloorMemorySettings {
     double cell = 0.12;       ///< [m]
     double sight = 3.0;       ///< floor counts as seen up to this distance [m]
-    double clearance = 0.25;  ///< that the robot's middle needs from obstacles: at least half its width [m]
-    double comfort = 0.40;    ///< that it keeps from obstacles where there is space [m]
+    double clearance = 0.25;  ///< from the robot's middle to obstacles: at least half its width [m]
+    double comfort = 0.40;    ///< distance that it keeps from obstacles where there is space [m]
     double around = 0.0;      ///< floor so near the robot counts as seen, where its scanner is blind [m]
-    double maxAge = 0.5;      ///< of sectors that are used: they were seen from about here [s]
+    double maxAge = 0.5;      ///< of the oldest sectors in use; older ones were seen from elsewhere [s]
 };
 
 /// Where a robot has been and what it has seen: a coarse grid in the odometry's frame. The newest view wins,
 /// so that the odometry's drift does no lasting harm. Storeys lie above each other: a square has one cell for
 /// each floor, distinguished by height (multi-level surface maps, Triebel, Pfaff & Burgard 2006). The tilt of
-/// the robot decides which floor is ahead. Places are in odom [m], on or near the floor that is meant.
+/// the robot decides which floor is ahead. Places are in odom [m]; their height selects the floor.
 class FloorMemory {
 public:
     explicit FloorMemory(const FloorMemorySettings& settings = {});
@@ -36,19 +36,20 @@ public:
     [[nodiscard]] static bool isSameFloor(double one, double other);
 
     void see(const VirtualScanView& view, const Pose& baseInOdom);
-    /// Gives up floor that could not be reached: it is not tried again.
+    /// Gives up the floor within @p radius of @p place, which could not be reached: it is not tried again
+    /// until doubt().
     void giveUp(const Eigen::Vector3d& place, double radius);
     /// Makes ways avoid the floor about @p place where there is another way.
     void shun(const Eigen::Vector3d& place, double radius);
-    /// Forgets obstacles about @p place, and those on floor that was once seen free: the drift of odometry
-    /// closes ways. What was given up is tried again.
+    /// Forgets obstacles within @p radius of @p place, and everywhere those on floor that was once seen free:
+    /// the drift of odometry closes ways. What was given up may be tried again.
     void doubt(const Eigen::Vector3d& place, double radius);
     void clear();
 
     /// Extra cost of the first step of a way when the robot has to turn for it.
     struct Turning {
         double heading = 0.0;  ///< of the robot, in odom [rad]
-        double cost = 0.0;     ///< length of way that half a turn costs [m]
+        double cost = 0.0;     ///< of half a turn, as a length of way [m]
     };
     /// Returns the way from @p from over seen floor to the nearest border of the unseen. Empty: none.
     [[nodiscard]] std::vector<Eigen::Vector3d> wayToUnseen(const Eigen::Vector3d& from,
@@ -91,7 +92,8 @@ private:
     [[nodiscard]] Place find(const Eigen::Vector3d& place) const {
         return find(squareOf(place.head<2>()), place.z());
     }
-    /// Returns the same and adds a cell when there is none; the cell is valid until the next call.
+    /// Returns the floor of @p square at @p height, and adds its cell when there is none. The cell is valid
+    /// until the next call.
     [[nodiscard]] std::pair<Key, Cell*> at(Key square, double height);
     [[nodiscard]] std::vector<Key> squaresAround(const Eigen::Vector2d& place, double radius) const;
     [[nodiscard]] static double weightOf(const Cell* cell, bool tight);

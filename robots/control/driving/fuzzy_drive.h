@@ -12,7 +12,7 @@ namespace leitstand {
 
 /// How the fuzzy driver is fitted to a robot.
 struct FuzzyDriveSettings {
-    SafeTeleoperationSettings safety;  ///< its body, and what it may never do
+    SafeTeleoperationSettings safety;  ///< the robot's body, and what the robot may never do
     double speed = 0.35;               ///< at "speed is 1" [m/s]
     double turnRate = 0.8;             ///< at "turn is 1" [rad/s]
     double sight = 3.0;                ///< farther away counts as free [m]
@@ -23,7 +23,7 @@ struct FuzzyDriveStep {
     DriveVelocity velocity;
     FuzzyValues inputs;  ///< front, front_left ..., goal
     FuzzyResult result;
-    std::string reason;  ///< the strongest rule, or why it stands
+    std::string reason;  ///< the strongest rule, or why the robot stands
 };
 
 /// Reactive fuzzy control (paper, section 2.3): steers into free space by the virtual scan, towards a
@@ -36,7 +36,8 @@ public:
     /// Errors name the inputs or outputs of @p system that are unknown.
     [[nodiscard]] static Result<FuzzyDrive> create(FuzzySystem system, const FuzzyDriveSettings& settings);
 
-    /// @p goal: direction in base_link [rad]; empty: wherever it is free. @p share of the speed, 0 to 1.
+    /// @p goal: direction in base_link [rad]; empty: wherever it is free. @p share: of speed and turn rate, 0
+    /// to 1.
     [[nodiscard]] FuzzyDriveStep step(const VirtualScanView& view, std::optional<double> goal,
                                       double share = 1.0) const;
     [[nodiscard]] FuzzyValues inputsOf(const VirtualScanView& view, std::optional<double> goal) const;

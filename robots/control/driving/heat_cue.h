@@ -19,21 +19,22 @@ struct HeatCue {
     double temperature = 33.0;  ///< mean [degrees C]
     double confidence = 0.5;    ///< 0 to 1
     double size = 1.0;          ///< square root of its visible solid angle [rad]
-    bool cut = false;           ///< by the picture's border: there may be more of it
-    double clothes = 1.0;       ///< lukewarm area connected to it [sr]
+    bool cut = false;           ///< cut by the picture's border: the body may be larger
+    double clothes = 1.0;       ///< lukewarm area connected to the warm one [sr]
     bool clothesCut = false;    ///< the lukewarm area is cut by the picture's border
 };
-/// Returns the cues of the bodies in a picture, the most convincing first. @p opticalInOdom: of the camera (x
-/// right, y down, z forward) when the picture was taken.
+/// Returns a cue for each of @p blobs that is a body, in their order: the most convincing first.
+/// @p opticalInOdom: pose of the camera (x right, y down, z forward) when the picture was taken.
 [[nodiscard]] std::vector<HeatCue> cuesFrom(const std::vector<HeatBlob>& blobs, const ThermalPicture& picture,
                                             const CameraInfoSample& camera, const Pose& opticalInOdom,
                                             Time at);
 /// Returns the direction of @p cue in base_link, left positive [rad].
 [[nodiscard]] double bearingOf(const HeatCue& cue, const Pose& baseInOdom);
-/// Returns the place of the heat in the odometry's frame [m] when it is @p away from the camera, level [m].
+/// Returns the place of the heat in the odometry's frame [m], at the level distance @p away from the camera
+/// [m].
 [[nodiscard]] Eigen::Vector3d placeOf(const HeatCue& cue, double away);
-/// Returns the height of the heat over the robot's ground [m], where it meets the vertical through @p place
-/// in odom.
+/// Returns the height of the heat over the robot's ground [m], if it is as far from the camera as @p place in
+/// odom, seen from above.
 [[nodiscard]] double heightAt(const HeatCue& cue, const Eigen::Vector2d& place, const Pose& baseInOdom);
 
 /// Returns a robot's pose on its ground, without roll, pitch and height.

@@ -10,8 +10,8 @@ namespace leitstand {
 struct HeatTargetSettings {
     double bandMargin = 0.05;  ///< points so far beside the heat count as the victim's [rad]
     double lying = 0.55;       ///< higher points are no part of a lying victim [m]
-    double hanging = 0.25;     ///< nor are obstacles that begin higher over the floor, as a shelf [m]
-    double length = 1.2;       ///< of a victim, from its heat [m]
+    double hanging = 0.25;     ///< obstacles that begin higher, as a shelf, are no part of a victim [m]
+    double length = 1.2;       ///< farthest that parts of a victim are from its heat [m]
     double link = 0.25;        ///< largest gap between points of one victim [m]
 };
 
@@ -21,12 +21,12 @@ struct HeatTarget {
     double distance = 0.0;                             ///< from the body's front [m]
     double age = 0.0;                                  ///< of the measurement [s]
     double top = 0.0;                                  ///< height of what stands there [m]
-    bool certain = false;                              ///< the heat does not pass beside its edge
-    double heat = 0.0;  ///< level distance from the camera to its warm part [m]
+    bool certain = false;                              ///< the heat is on this surface, not behind its edge
+    double heat = 0.0;  ///< level distance from the camera to the victim's warm part [m]
 };
 
-/// Returns the surface in @p view that @p cue is on, with all of the victim that is connected to it. Empty
-/// when there is no surface. @p body: of the robot, in base_link.
+/// Looks for the surface in @p view that @p cue is on, and for all of the victim that is connected to it.
+/// Returns the point nearest to the front of @p body, which is in base_link. Empty: there is no surface.
 [[nodiscard]] std::optional<HeatTarget> heatTarget(const HeatCue& cue, const VirtualScanView& view,
                                                    const Pose& baseInOdom, const BodyBox& body,
                                                    const HeatTargetSettings& settings = {});

@@ -7,8 +7,8 @@
 
 namespace leitstand {
 
-/// Bodies that a robot saw while it drove to another one, and has not visited: it goes there next. Places are
-/// in odom [m]. Pure.
+/// Bodies that a robot saw while it drove to another one and has not visited yet; the robot goes there next.
+/// Places are in odom [m]. Pure.
 class PassedHeat {
 public:
     struct One {
@@ -18,9 +18,11 @@ public:
     };
     /// Notes that a picture taken when the robot was at @p from showed a body's heat at @p heat.
     void see(const Eigen::Vector3d& heat, const Eigen::Vector3d& from);
-    /// Returns the nearest to @p here that was in enough pictures, same storey first; empty: there is none.
+    /// Returns the body nearest to @p here that was in at least four pictures; bodies on the same storey come
+    /// first. Empty: there is none.
     [[nodiscard]] std::optional<One> next(const Eigen::Vector3d& here) const;
-    /// Forgets what is within @p radius of @p place [m], from above, on its storey: the robot has been there.
+    /// Forgets bodies within @p radius of @p place [m], seen from above, on the same storey: the robot has
+    /// been there.
     void forget(const Eigen::Vector3d& place, double radius);
 
 private:

@@ -16,19 +16,19 @@ namespace leitstand {
 struct VictimApproachSettings {
     double distance = 0.80;     ///< from the body's front to the victim's nearest surface [m]
     double tolerance = 0.025;   ///< of the distance, to stop correcting [m]
-    double slowFrom = 0.6;      ///< so far before the end, it slows down [m]
+    double slowFrom = 0.6;      ///< slows down from this distance before the end [m]
     double speed = 0.25;        ///< [m/s]
     double turnRate = 0.6;      ///< [rad/s]
     double lostAfter = 4.0;     ///< gives up after so long without a cue [s]
     double giveUpAfter = 90.0;  ///< gives up after so long altogether [s]
-    double stuckAfter = 6.0;    ///< without motion near a visible victim: it finds no better place [s]
-    double stuckWithin = 1.3;   ///< near is this distance from its front to the victim [m]
+    double stuckAfter = 6.0;    ///< time without motion near a visible victim: there is no better place [s]
+    double stuckWithin = 1.3;   ///< what counts as near there: from the robot's front to the victim [m]
     double settle = 2.6;        ///< stands so long before it trusts a distance: a turn of the scanner [s]
     double sameVictim = 1.0;    ///< reports nearer to each other are of one victim [m]
-    double sameLamp = 0.6;      ///< cues so near a lamp are of that lamp: a victim may lie beside it [m]
+    double sameLamp = 0.6;      ///< cues nearer to a lamp are of that lamp; a victim may lie beside it [m]
     double highest = 1.0;       ///< heat higher over the ground belongs to people beyond walls [m]
-    double glimpse = 0.03;      ///< visible skin that is smaller goes on behind an edge [m]
-    double clothes = 0.004;     ///< area beside the skin; with less it is a lamp or a heater [m2]
+    double glimpse = 0.03;      ///< visible skin that is smaller is a glimpse past an edge [m]
+    double clothes = 0.004;     ///< lukewarm area beside the skin; with less it is a lamp or a heater [m2]
     double bare = 0.20;         ///< skin this large is no face, even when the picture cuts it [m]
     int tries = 3;              ///< to see more of a victim after a glimpse
 };
@@ -50,7 +50,8 @@ class VictimApproach {
 public:
     VictimApproach(FuzzyDrive drive, const VictimApproachSettings& settings = {});
 
-    /// Returns the cue that matters: before an approach the first that is new, then that of the same body.
+    /// Returns the cue to follow: before an approach, the first that is new; during one, that of the same
+    /// body. Empty: there is none.
     [[nodiscard]] std::optional<HeatCue> pick(const std::vector<HeatCue>& cues, const VirtualScanView& view,
                                               const Pose& baseInOdom) const;
     /// Returns whether @p cue is worth an approach: not a victim that was already reported (or given up).
@@ -61,8 +62,8 @@ public:
                                                          const Pose& baseInOdom) const;
     void start(const HeatCue& cue, Time now);
     void abort();
-    /// Returns the place of the heat that it drives to, in odom [m]: the camera has to look at it. The
-    /// surface that it stops before may be elsewhere, as the feet of a victim whose head is warm.
+    /// Returns the place of the heat that it drives to, in odom [m]; the camera has to look there. The robot
+    /// may stop before another part of the victim, such as the feet of one whose head is warm.
     [[nodiscard]] const Eigen::Vector3d& heat() const { return m_heat; }
     [[nodiscard]] bool isActive() const { return m_phase != Phase::Idle; }
 
@@ -74,13 +75,14 @@ public:
 
 private:
     enum class Phase : std::uint8_t { Idle, Turn, Approach, Settle, Reached };
-    /// Where heat was that it left. Seen from afar, it may seem to be where it first seemed to be.
+    /// Heat that the robot left: its place, and `begun`, where it seemed to be when it was first seen. From
+    /// afar the same heat may seem to be there again.
     struct Left {
         Eigen::Vector2d place, begun;  ///< in odom [m]
         double radius = 0.0;           ///< around both [m]
         [[nodiscard]] bool isAt(const Eigen::Vector2d& where) const;
     };
-    /// The most that cues show of one heat.
+    /// The largest extents of one heat in all its cues.
     struct Seen {
         double skin = 0.0;     ///< across [rad]
         double clothes = 0.0;  ///< [sr]
@@ -94,10 +96,11 @@ private:
                                                    const Pose& baseInOdom) const;
     [[nodiscard]] ApproachStep leave(const std::string& reason);
     [[nodiscard]] ApproachStep giveUp(const std::string& reason, const Eigen::Vector2d& place, double radius);
-    /// Return what the heat is by all that was @p seen of it, when it is @p away from the camera [m].
+    /// Return whether the heat is only a glimpse past an edge, or bare as a lamp is, by all that was @p seen
+    /// of it. @p away: distance from the camera [m].
     [[nodiscard]] bool isHidden(const Seen& seen, double away) const;
     [[nodiscard]] bool isBare(const Seen& seen, double away) const;
-    /// Returns whether it has stood for too long to come to a better place.
+    /// Returns whether the robot has not moved for longer than VictimApproachSettings::stuckAfter.
     [[nodiscard]] bool isStuck(const Pose& baseInOdom, Time now);
     [[nodiscard]] ApproachStep settled(const HeatTarget& target, const Pose& baseInOdom);
     [[nodiscard]] ApproachStep reach(const HeatTarget& target, const Pose& baseInOdom);
@@ -114,7 +117,7 @@ private:
     Phase m_phase = Phase::Idle;
     Time m_started{}, m_cueAt{}, m_since{}, m_movedAt{};
     Eigen::Isometry2d m_moved = Eigen::Isometry2d::Identity();  ///< pose at m_movedAt; odom
-    bool m_stuck = false;   ///< its next measurement is as near as it comes
+    bool m_stuck = false;   ///< it comes no nearer: its next measurement counts
     int m_corrections = 0;  ///< of the distance, so far
     HeatCue m_cue;          ///< newest
     Eigen::Vector3d m_heat = Eigen::Vector3d::Zero();

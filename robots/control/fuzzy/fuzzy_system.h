@@ -57,7 +57,7 @@ struct FuzzySystem {
 
     /// Infers all outputs. A rule with an input that is missing or NaN does not apply.
     [[nodiscard]] FuzzyResult infer(const FuzzyValues& values) const;
-    /// Returns how far @p rule applies, with its weight.
+    /// Returns how far @p rule applies, 0 to 1: its conditions, times its weight.
     [[nodiscard]] double strength(const FuzzyRule& rule, const FuzzyValues& values) const;
 };
 

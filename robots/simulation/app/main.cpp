@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     int exitCode = 0;
     leitstand::simulation::addRobots(app, exitCode);
+    leitstand::simulation::addStock(app, exitCode);
     leitstand::simulation::addArena(app, exitCode);
     try {
         app.parse(argc, argv);

@@ -84,7 +84,8 @@ struct Element {
     std::optional<VictimTraits> victim;  ///< of Victim
 };
 
-/// Returns an element of @p kind with its default size, material and traits. Arena files hold what differs.
+/// Returns an element of @p kind with its default size, material and traits. Arena files hold only what
+/// differs from these.
 [[nodiscard]] Element elementOf(ElementKind kind);
 /// Returns whether elements of @p kind have a temperature of their own instead of the arena's.
 [[nodiscard]] bool warmByItself(ElementKind kind);
@@ -97,7 +98,7 @@ struct Arena {
     Grade grade = Grade::Yellow;
     std::uint64_t seed = 0;
     Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();  ///< corners of its ground
-    double ambient = 20.0;  ///< temperature of what has none of its own [degrees C]
+    double ambient = 20.0;  ///< temperature of all that has none of its own [degrees C]
     double light = 1.0;     ///< 0: dark but for lamps, 1: bright
     std::vector<Element> elements;
     std::map<std::string, Pose> starts;  ///< base_link of each robot at the beginning

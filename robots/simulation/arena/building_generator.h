@@ -13,9 +13,9 @@ namespace leitstand::simulation {
 
 /// Size and features of a generated building.
 struct BuildingSettings {
-    double width = 60.0;   ///< along x [m]
-    double depth = 40.0;   ///< along y [m]
-    int storeys = 1;       ///< joined by ramps and stairs
+    double width = 60.0;   ///< along x, 28 to 90 [m]
+    double depth = 40.0;   ///< along y, 20 to 90 [m]
+    int storeys = 1;       ///< 1 to 3, joined by ramps and stairs
     bool twins = false;    ///< all rooms and corridors look alike: places are easily confused
     bool smooth = false;   ///< bare corridors: no rooms, doors, furniture or pillars
     bool troubles = true;  ///< glass and black walls, smoke, people who walk; none when smooth

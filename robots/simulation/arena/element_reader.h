@@ -14,9 +14,10 @@ inline constexpr double HottestThing = 500.0;     ///< [degrees C]
 
 /// Reads "position: [x, y, z]" [m] and "turn: [roll, pitch, yaw]" [degrees] of @p fields.
 [[nodiscard]] Pose readPose(const detail::YamlFields& fields);
-/// Reads a whole number of 64 bits.
+/// Reads @p key, a whole number of 64 bits; without the key @p seed stays as it is.
 void readSeed(const detail::YamlFields& fields, const char* key, std::uint64_t& seed);
-/// Reads one entry of "elements" and adds what is wrong to @p errors.
+/// Reads one entry of "elements" and adds what is wrong to @p errors. @p ambient: temperature of elements
+/// that have none of their own [degrees C].
 [[nodiscard]] Element readElement(const detail::YamlPlace& place, double ambient, detail::YamlErrors& errors);
 
 }  // namespace leitstand::simulation

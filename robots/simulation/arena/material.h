@@ -16,7 +16,7 @@ enum class Material : std::uint8_t {
     Black,  ///< swallows the laser
     Cloth,  ///< curtains, clothes: gives way to robots
     Paper,  ///< gives way to robots
-    Foil,   ///< hides from cameras and the laser, not from infrared
+    Foil,   ///< hides what is behind it from cameras and the laser, not from infrared cameras
     Skin,
     Glass,  ///< lamps: shines
     Rubber,

@@ -21,19 +21,21 @@ struct ReachableFloor {
     [[nodiscard]] double distanceTo(const Eigen::Vector2d& point) const;
 };
 
-/// Floods the floor from the arena's starts for a round robot of @p radius that climbs steps up to @p maxStep
-/// [m]. What gives way (curtains, paper, foil) or hangs higher than 0.6 m is no obstacle.
+/// Returns the lowest storey's floor that a round robot of @p radius reaches from the arena's starts, when it
+/// climbs steps up to @p maxStep [m]. What gives way (curtains, paper, foil) or hangs higher than 0.6 m is no
+/// obstacle.
 [[nodiscard]] ReachableFloor reachableFloor(const Arena& arena, double radius, double maxStep = 0.03);
 
-/// Does the same for a building: one floor per storey, lowest first. Storeys are floors that lie 1.5 m or
-/// more above each other. Where a storey has a hole, its squares are those of what shows through it.
+/// Does the same for each storey of a building, lowest first. Storeys are floors that lie 1.5 m or more above
+/// each other. Where a storey has a hole, its squares are those of the storey below.
 [[nodiscard]] std::vector<ReachableFloor> reachableStoreys(const Arena& arena, double radius,
                                                            double maxStep = 0.03);
 
 /// Returns the place in front of a victim where robots reach it, @p distance from its side, in the arena's
 /// frame [m].
 [[nodiscard]] Eigen::Vector2d placeBefore(const Element& victim, double distance);
-/// Returns whether @p floor comes so near to @p victim that a robot can stop 0.8 m in front of it and see it.
+/// Returns whether a robot on @p floor comes near enough to see @p victim: to 0.7 m from the victim's side or
+/// nearer, measured from the robot's middle.
 [[nodiscard]] bool reaches(const ReachableFloor& floor, const Element& victim);
 
 }  // namespace leitstand::simulation

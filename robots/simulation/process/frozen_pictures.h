@@ -11,8 +11,8 @@ namespace leitstand::simulation {
 /// Imitates cameras whose driver hangs: each publishes its last picture again and again, under new stamps.
 class FrozenPictures {
 public:
-    /// Replaces the picture in @p sample by its camera's last one while @p frozen; otherwise keeps it as the
-    /// last one. Leaves samples other than camera pictures as they are, infrared pictures too.
+    /// While @p frozen, replaces the picture in @p sample by the last one of its camera before that;
+    /// otherwise remembers the picture. Leaves all other samples as they are, infrared pictures too.
     void pass(HardwareSample& sample, bool frozen);
 
 private:

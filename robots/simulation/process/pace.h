@@ -8,16 +8,16 @@
 
 namespace leitstand::simulation {
 
-/// Keeps a world's time in step with the computer's clock. After a hiccup it catches up; it skips what is
-/// more than 0.2 s behind. A computer that is too slow skips pictures first, which take most of its time. All
-/// else that a robot publishes and obeys keeps its rate.
+/// Keeps a world's time in step with the computer's clock. After a hiccup the world catches up; time that is
+/// more than 0.2 s behind is skipped. A computer that is too slow skips pictures first, which take most of
+/// its time. All else that a robot publishes and obeys keeps its rate.
 class Pace {
 public:
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::milliseconds Step{5};
     static constexpr std::chrono::milliseconds MostBehind{200};
     static constexpr std::chrono::milliseconds DrawsBehind{100};  ///< further behind, few pictures are drawn
-    static constexpr int Few = 5;                                 ///< then one in so many, per camera
+    static constexpr int Few = 5;                                 ///< then one in so many per camera is drawn
 
     void begin(Clock::time_point now) { m_lived = now; }
     /// Returns whether a step of the world is due, and counts it as done.

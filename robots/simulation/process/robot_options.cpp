@@ -11,6 +11,7 @@
 #include "robots/simulation/arena/arena_file.h"
 #include "robots/simulation/process/choose_arena.h"
 #include "robots/simulation/process/robot_process.h"
+#include "robots/simulation/stock/stock_profile.h"
 
 namespace leitstand::simulation {
 namespace {
@@ -36,6 +37,25 @@ void addBuilding(CLI::App& command, BuildingOptions& building) {
                      "A building of bare corridors: no rooms, doors or furniture");
 }
 
+void addWorld(CLI::App& command, RobotOptions& options) {
+    command.add_option("--arena", options.arena, "yellow, orange, red, building, or an arena file (yellow)");
+    command.add_option("--seed", options.seed, "Of the arena and of all noise (1)");
+    addBuilding(command, options.building);
+}
+
+void addNetwork(CLI::App& command, DomainOptions& network) {
+    command
+        .add_option("--domain", network.domain,
+                    "DDS domain (as ROS_DOMAIN_ID, else 0); the truth is on the one 100 above")
+        ->check(CLI::Range(0, LastDomain));
+    command.add_option("--interface", network.interfaces, "Network interfaces to use (all)");
+    command.add_option("--peer", network.initialPeers,
+                       "Addresses of stations where multicast does not pass (as ROS_STATIC_PEERS)");
+    command.add_option("--discovery-server", network.discoveryServer,
+                       "Discovery servers, ADDRESS:PORT;ADDRESS:PORT (as ROS_DISCOVERY_SERVER)");
+    command.add_option("--keys", network.keys, "Identity in a secured domain, KEYS/enclaves/NAME");
+}
+
 }  // namespace
 
 void addRobots(CLI::App& app, int& exitCode) {
@@ -43,18 +63,11 @@ void addRobots(CLI::App& app, int& exitCode) {
         auto options = std::make_shared<RobotOptions>();
         options->kind = kind;
         CLI::App* command = app.add_subcommand(kind, "Drives a simulated " + kind + " in real time");
-        command->add_option("--arena", options->arena,
-                            "yellow, orange, red, building, or an arena file (yellow)");
-        command->add_option("--seed", options->seed, "Of the arena and of all noise (1)");
-        addBuilding(*command, options->building);
+        addWorld(*command, *options);
         command->add_option("--robot", options->file,
                             "Its file (YAML), or the name of a shipped one (" + kind + ")");
         command->add_option("--name", options->name, "Of the robot and its topics (" + kind + ")");
-        command->add_option("--domain", options->domain, "DDS domain (0); the truth is on the one 100 above")
-            ->check(CLI::Range(0, 132));
-        command->add_option("--interface", options->interfaces, "Network interfaces to use (all)");
-        command->add_option("--peer", options->peers, "Addresses of stations where multicast does not pass");
-        command->add_option("--keys", options->keys, "Identity in a secured domain, KEYS/enclaves/NAME");
+        addNetwork(*command, options->network);
         command->add_flag("--no-watchdog", options->careless,
                           "Goes on without commands, and obeys whoever sends one, as many stock robots do");
         if (kind == "kurt3d")
@@ -63,6 +76,26 @@ void addRobots(CLI::App& app, int& exitCode) {
             command->add_flag("--turning-laser", options->turningLaser, "Its laser turns: 3D slices");
         command->callback([options, &exitCode] { exitCode = reported(runRobot(*options)); });
     }
+}
+
+void addStock(CLI::App& app, int& exitCode) {
+    auto options = std::make_shared<RobotOptions>();
+    auto profile = std::make_shared<std::string>();
+    CLI::App* command = app.add_subcommand(
+        "stock", "Drives a simulated robot that publishes and takes only what its maker ships");
+    command->add_option("PROFILE", *profile, "turtlebot4 or husky")
+        ->required()
+        ->check(CLI::IsMember(stockProfiles()).description(""));
+    auto* nameSpace = command->add_option("--namespace", options->nameSpace,
+                                          "Of its topics (turtlebot4: none; husky: a200_0000)");
+    addWorld(*command, *options);
+    addNetwork(*command, options->network);
+    command->callback([options, profile, nameSpace, &exitCode] {
+        options->stock = stockProfile(*profile);
+        options->kind = options->stock->body;
+        if (nameSpace->count() == 0) options->nameSpace = options->stock->nameSpace;
+        exitCode = reported(runRobot(*options));
+    });
 }
 
 void addArena(CLI::App& app, int& exitCode) {

@@ -19,6 +19,7 @@
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/link/screen_report.h"
+#include "core/settings/ros_environment.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "robots/crawler/crawler_agent.h"
 #include "robots/kurt3d/kurt3d_agent.h"
@@ -27,8 +28,10 @@
 #include "robots/simulation/process/pace.h"
 #include "robots/simulation/process/truth_exchange.h"
 #include "robots/simulation/simulated_hardware.h"
+#include "robots/simulation/stock/stock_others.h"
+#include "robots/simulation/stock/stock_profile.h"
 #include "robots/wire/robot_wire.h"
-#include "transport/security/enclave.h"
+#include "transport/domain/join_settings.h"
 
 namespace leitstand::simulation {
 namespace {
@@ -41,6 +44,7 @@ constexpr FlowLimit ScanLimit{.bytes = 7000, .milliseconds = 10};
 volatile std::sig_atomic_t stopped = 0, frozen = 0;
 
 Result<RobotDescription> describe(const RobotOptions& options) {
+    if (options.stock != nullptr) return describe(*options.stock, options.nameSpace);
     const auto file = findRobotFile(options.file.empty() ? options.kind : options.file);
     if (!file) return file.error();
     auto robot = readRobot(*file);
@@ -85,7 +89,8 @@ Result<std::unique_ptr<RobotAgent>> make(const RobotOptions& options, RobotHardw
     const auto rules = fuzzyRules();
     if (!rules) return rules.error();
     Settings settings;
-    settings.agent.careless = options.careless;
+    settings.agent.careless = options.careless || options.stock != nullptr;
+    if (options.stock != nullptr) settings.agent.ownWatchdog = options.stock->watchdog;
     auto agent = Agent::create(hardware, robot, *rules, settings);
     if (!agent) return agent.error();
     return std::unique_ptr<RobotAgent>(std::move(agent).value());
@@ -97,20 +102,22 @@ Result<std::unique_ptr<RobotAgent>> agentFor(const RobotOptions& options, RobotH
     return make<Kurt3dAgent, Kurt3dSettings>(options, hardware, robot);
 }
 
-Result<std::unique_ptr<Node>> join(const RobotOptions& options, const std::string& name, int domain,
-                                   bool secured) {
-    NodeSettings network;
-    network.domain = domain;
-    network.name = name;
+Result<std::unique_ptr<Node>> join(const DomainSettings& domain, const std::string& name) {
+    auto made = nodeSettings(domain, name);
+    if (!made) return made.error();
+    NodeSettings network = std::move(made).value();
     network.scanLimit = ScanLimit;
-    network.interfaces = options.interfaces;
-    network.initialPeers = options.peers;
-    if (secured) {
-        auto files = securityFiles(options.keys);
-        if (!files) return files.error();
-        network.security = std::move(files).value();
-    }
     return Node::create(network);
+}
+
+Result<DomainSettings> domainOf(const RobotOptions& options) {
+    const auto environment = rosEnvironment();
+    if (!environment) return environment.error();
+    auto domain = domainSettings(options.network, *environment);
+    if (domain && domain->domain > LastDomain)
+        return Error{fmt::format("domain: expected 0 to {}, since the truth is on the one {} above, found {}",
+                                 LastDomain, TruthAbove, domain->domain)};
+    return domain;
 }
 
 /// A robot's world, its agent, its two ends of the network and its cameras.
@@ -118,12 +125,13 @@ struct Life {
     World& world;
     RobotAgent& agent;
     RobotWire& wire;
+    StockOthers& others;
     TruthExchange& truth;
     FrozenPictures& cameras;
 };
 
 void turn(const Life& life) {
-    auto& [world, agent, wire, truth, cameras] = life;
+    auto& [world, agent, wire, others, truth, cameras] = life;
     truth.take(world);
     world.advance(Pace::Step);
     for (const ReceivedCommand& command : wire.take()) {
@@ -138,6 +146,7 @@ void turn(const Life& life) {
         wire.publish(sample);
         if (const auto* cloud = sample.sample.as<CloudSample>()) truth.publishLabels(world, *cloud);
     }
+    others.publish(world.now());
     truth.publishTruth(world);
 }
 
@@ -179,12 +188,15 @@ Result<void> runRobot(const RobotOptions& options) {
     fitting.scanner = tilting ? ScannerMount::Tilting : ScannerMount::ScanDrive;
     fitting.turningLaser =
         options.turningLaser || motionOf(*robot, StreamRole::Ranges) == SensorMotion::Turning;
-    const auto hardware = options.kind == "kurt3d" ? makeKurt3dHardware(world, number, *robot, fitting)
-                                                   : makeCrawlerHardware(world, number, *robot, fitting);
+    const auto hardware = options.stock != nullptr   ? makeStockHardware(world, number, *robot, fitting)
+                          : options.kind == "kurt3d" ? makeKurt3dHardware(world, number, *robot, fitting)
+                                                     : makeCrawlerHardware(world, number, *robot, fitting);
     const auto agent = agentFor(options, *hardware, *robot);
     if (!agent) return agent.error();
     ScreenMessages publishing;
-    const auto node = join(options, robot->name, options.domain, !options.keys.empty());
+    auto domain = domainOf(options);
+    if (!domain) return domain.error();
+    const auto node = join(*domain, robot->name);
     if (!node) return node.error();
     for (const std::string& warning : (*node)->warnings())
         std::fprintf(stderr, "%s\n", printable(warning).c_str());
@@ -192,19 +204,29 @@ Result<void> runRobot(const RobotOptions& options) {
         for (const ScreenDrop& drop : publishing.due(raw->dropped()))
             std::fprintf(stderr, "%s\n", printable(toString(drop)).c_str());
     });
-    const auto truths = join(options, robot->name + " truth", options.domain + 100, false);
+    DomainSettings beside = *domain;
+    beside.domain += TruthAbove;
+    beside.keys.clear();
+    const auto truths = join(beside, robot->name + " truth");
     if (!truths) return truths.error();
-    const auto wire = RobotWire::create(**node, *robot);
+    const auto wire = RobotWire::create(
+        **node, *robot, options.stock != nullptr ? RobotWire::Grants::Unknown : RobotWire::Grants::Obeyed);
     if (!wire) return wire.error();
+    StockOthers others;
+    if (options.stock != nullptr) {
+        auto made = StockOthers::create(**node, *options.stock, options.nameSpace);
+        if (!made) return made.error();
+        others = std::move(made).value();
+    }
     const auto truth = TruthExchange::create(**truths, *arena, options.kind, *robot, number);
     if (!truth) return truth.error();
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, end);
     std::signal(SIGUSR1, [](int) { frozen = frozen == 0 ? 1 : 0; });
     std::printf("%s is in %s on domain %d\n", printable(robot->name).c_str(), printable(arena->name).c_str(),
-                options.domain);
+                domain->domain);
     std::fflush(stdout);
     FrozenPictures cameras;
-    live({world, **agent, **wire, **truth, cameras}, pace);
+    live({world, **agent, **wire, others, **truth, cameras}, pace);
     return {};
 }
 

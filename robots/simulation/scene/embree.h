@@ -23,7 +23,7 @@ inline void intersect(RTCScene scene, RTCRayHit& query) {
 #endif
 }
 
-/// Casts those of eight rays of similar direction whose @p valid is -1 into the scene.
+/// Casts eight rays of similar direction into the scene, but only those whose entry in @p valid is -1, not 0.
 inline void intersect(RTCScene scene, const int* valid, RTCRayHit8& query) {
 #if RTC_VERSION_MAJOR >= 4
     RTCIntersectArguments arguments;

@@ -11,8 +11,8 @@
 
 namespace leitstand::simulation {
 
-/// Bits of Embree's masks. A triangle has Solid or Soft, an instance the bit of its body. A ray meets what it
-/// shares a bit with at both levels.
+/// Bits of Embree's masks. A triangle has Solid or Soft; an instance has Still, Moving or the bit of its
+/// body. A ray meets a triangle when it shares a bit with the triangle and a bit with the instance.
 namespace mask {
 inline constexpr unsigned Solid = 1U << 0, Soft = 1U << 1;
 inline constexpr unsigned Still = 1U << 2, Moving = 1U << 3;
@@ -20,7 +20,7 @@ inline constexpr unsigned bodyBit(int body) {
     return 1U << (4 + body);
 }
 inline constexpr unsigned AllBodies = ~0U << 4;
-/// Returns the mask of what a ray may meet.
+/// Returns the mask of what a ray may meet. @p without: as in Scene::cast().
 [[nodiscard]] inline constexpr unsigned of(RayKind kind, int without) {
     const unsigned kinds = kind == RayKind::Contact ? Solid : Solid | Soft;
     if (without == Scene::StillOnly) return kinds | Still;

@@ -13,8 +13,8 @@
 namespace leitstand::simulation {
 
 /// Purpose of a ray. Every kind but Contact ends at the first surface, also at foil. Foil hides what is
-/// behind it from cameras and the laser; the infrared camera sees it by casting on (infraredTransmission of
-/// the material).
+/// behind it from cameras and the laser. The infrared camera casts a second ray behind foil
+/// (infraredTransmission of the material).
 enum class RayKind : std::uint8_t {
     Laser,
     Camera,
@@ -44,8 +44,8 @@ struct Hit {
 /// changes the scene.
 class Scene {
 public:
-    /// For cast(): rays pass through no body (Everything), or through all bodies and moving parts
-    /// (StillOnly).
+    /// For @p without of cast(): rays meet everything (Everything), or pass through all bodies and moving
+    /// parts (StillOnly).
     static constexpr int Everything = -1, StillOnly = -2;
     static constexpr int MaxBodies = 28;
 
@@ -62,8 +62,8 @@ public:
     [[nodiscard]] int addBody(const Mesh& mesh);
     void place(int body, const Pose& bodyInArena);
     void hide(int body);
-    /// Moves the moving parts to where they are @p seconds after the beginning. Changes take effect with
-    /// commit().
+    /// Moves the moving parts to where they are @p seconds after the beginning. This, place() and hide() take
+    /// effect with commit().
     void setTime(double seconds);
     void commit();  ///< takes some microseconds: only places are indexed again, not triangles
 

@@ -27,7 +27,8 @@ public:
     void setTarget(double pan, double tilt);
     /// Turns towards the target until @p now.
     void advance(Time now);
-    /// Returns the angles at @p time, between the last two advances.
+    /// Returns the angles at @p time, interpolated between the last two advances; before and after: as at
+    /// these.
     [[nodiscard]] PanTiltAngles at(Time time) const;
     /// Returns how fast the axes turned between the last two advances [rad/s].
     [[nodiscard]] PanTiltAngles velocity() const;

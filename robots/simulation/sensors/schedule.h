@@ -17,8 +17,8 @@ public:
     void setRate(double rate);
     [[nodiscard]] double rate() const { return m_rate; }
 
-    /// Returns the next moment, each once; empty while it is after @p now. Skips those more than a second
-    /// ago.
+    /// Returns the next moment, and each only once; empty while it is after @p now. Skips moments that are
+    /// more than a second before @p now.
     [[nodiscard]] std::optional<Time> due(Time now);
     /// Returns the last moment that is not after @p now and skips earlier ones; empty when none is due.
     [[nodiscard]] std::optional<Time> newest(Time now);

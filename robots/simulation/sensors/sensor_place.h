@@ -14,9 +14,9 @@ struct SensorPlace {
     Pose inBase = Pose::Identity();  ///< pose of that frame, unturned
 };
 
-/// Returns the sensor of the first stream of @p role (and of @p key, when given). A stream without a sensor
-/// has the one that @p usual names; what the description leaves out is as in @p usual. Empty when the
-/// description has streams, but no such stream.
+/// Returns the place of the sensor of the first stream of @p role (and of @p key, when given). When the
+/// stream names no sensor, it is the one of @p usual. What the description leaves out is as in @p usual.
+/// Empty: the description has streams, but none of that role and key.
 [[nodiscard]] std::optional<SensorPlace> placeOf(const RobotDescription& robot, StreamRole role,
                                                  const std::string& key, const SensorPlace& usual);
 
@@ -26,7 +26,7 @@ struct SensorPlace {
 /// ahead.
 [[nodiscard]] Eigen::Matrix3d mirrorAxes();
 /// Returns @p place for a camera with optical @p axes. When the frame of @p place stands like base_link (z
-/// up), pictures get a frame FRAME_optical in it.
+/// up), pictures get a frame FRAME_optical in it; any other frame is taken as optical already.
 [[nodiscard]] SensorPlace opticalPlace(const SensorPlace& place, const Eigen::Matrix3d& axes);
 
 }  // namespace leitstand::simulation

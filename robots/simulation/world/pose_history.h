@@ -16,7 +16,7 @@ public:
     /// Adds a pose at @p at, which must not be before the last one. A second pose of the same time replaces
     /// the first.
     void add(Time at, const Pose& pose);
-    /// Returns the interpolated pose; before the first and after the last pose, that one.
+    /// Returns the pose at @p at, interpolated; before the first pose and after the last one, that pose.
     [[nodiscard]] Pose at(Time at) const;
 
 private:

@@ -17,7 +17,7 @@ namespace leitstand::simulation {
 struct Bump {
     Time at{};
     int robot = 0;
-    bool victim = false;                              ///< false: the area
+    bool victim = false;                              ///< what it met is a victim; false: anything else
     std::string element;                              ///< name of the element or robot that it met
     Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< in base_link [m]
 };
@@ -34,8 +34,8 @@ struct BodyState {
     bool blocked = false;                               ///< something stops it now
 };
 
-/// An arena with robots in it, on a clock of its own; deterministic for an arena and a seed.
-/// docs/simulated-robots.md, "How robots move". Where an arena has no floor, one lies at z = 0.
+/// An arena with robots in it, on a clock of its own; deterministic for an arena and a seed
+/// (docs/simulated-robots.md, "How robots move"). Where an arena has no floor, one lies at z = 0.
 class World {
 public:
     World(const Arena& arena, std::uint64_t seed, Time start = Time(std::chrono::seconds(1'000'000)));

@@ -172,7 +172,7 @@ TEST(Mission, RobotsThatCannotWorkSideBySideAreToldAndNothingIsWritten) {
     const auto unknown =
         leitstandctl({"record", "--out", (folder / "mission").string(), "--robot", "kurt4d"});
     EXPECT_EQ(unknown.exitCode, 1);
-    EXPECT_THAT(unknown.err, HasSubstr("crawler, kurt3d or turtlebot"));
+    EXPECT_THAT(unknown.err, HasSubstr("crawler, husky, kurt3d, turtlebot or turtlebot4"));
     EXPECT_FALSE(fs::exists(folder / "mission"));
 }
 
@@ -303,6 +303,27 @@ TEST(Probe, AnEmptyDomainIsToldWithWhatToLookAt) {
                                      "--out", folder.path().string()});
     EXPECT_EQ(probe.exitCode, 0);
     EXPECT_THAT(probe.out, HasSubstr("ROS_DOMAIN_ID"));
+}
+
+TEST(Probe, ListensWhereRosOfThisComputerDoes) {
+    const TemporaryFolder folder;
+    const TestDomain domain;
+    const std::string number = std::to_string(domain.number());
+    Robot robot(domain, {"--wait-for", "0"});
+    ASSERT_TRUE(robot.saidAll());
+    const auto probe = [&](const std::string& variable) {
+        ChildProcess child(program("leitstandctl"),
+                           {"probe", "--seconds", "3", "--out", folder.path().string()}, {variable});
+        const int code = child.wait();
+        return std::pair(code, child.out());
+    };
+    const auto [code, out] = probe("ROS_DOMAIN_ID=" + number);
+    EXPECT_EQ(code, 0) << out;
+    EXPECT_THAT(out, HasSubstr("/kurt3d/odom"));
+    EXPECT_THAT(out, HasSubstr("ROS_DOMAIN_ID=" + number));
+    const auto [refused, why] = probe("ROS_DOMAIN_ID=arena");
+    EXPECT_EQ(refused, 1);
+    EXPECT_THAT(why, testing::AllOf(HasSubstr("ROS_DOMAIN_ID"), HasSubstr("\"arena\""), HasSubstr("0..232")));
 }
 
 TEST(Info, WhatIsNoMissionIsTold) {

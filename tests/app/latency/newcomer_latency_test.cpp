@@ -127,7 +127,7 @@ TEST(NewcomerLatency, DrivesWithinTenSecondsOfTheWindowsAppearance) {
     Newcomer newcomer(domain);
     Options options;
     options.live = options.demo = true;
-    options.domain = domain.number();
+    options.network.domain = domain.number();
     options.mission = (home / "mission").string();
     EXPECT_EQ(runLive(options), 0);
     ASSERT_TRUE(newcomer.seconds().has_value()) << "it never moved; the strip said: " << newcomer.reported();

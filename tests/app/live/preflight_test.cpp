@@ -207,7 +207,7 @@ TEST(PreflightOfAStranger, ARobotThatIsHeardJoinsTheStationWhichGoesOnWithItsMis
     Options options;
     options.live = true;
     options.robots = {"kurt3d"};
-    options.domain = domain.number();
+    options.network.domain = domain.number();
     options.mission = (home / "mission").string();
     EXPECT_EQ(runLive(options), 0);
     EXPECT_TRUE(operates.connected()) << "the page said: " << operates.reported();

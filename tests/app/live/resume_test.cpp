@@ -86,8 +86,8 @@ protected:
         Options options;
         options.live = true;
         options.robots = {"kurt3d"};
-        options.interfaces = {"lo"};
-        options.domain = m_domain.number();
+        options.network.interfaces = {"lo"};
+        options.network.domain = m_domain.number();
         return options;
     }
 

@@ -12,8 +12,10 @@
 #include <gtest/gtest.h>
 
 #include "app/services/comparison/map_comparing.h"
+#include "app/services/offline/mission_scans.h"
 #include "app/services/review/playing/review_player.h"
 #include "app/services/review/review_pen.h"
+#include "core/event/cloud_sample.h"
 #include "core/event/motion_samples.h"
 #include "core/event/picture_samples.h"
 #include "core/mission/state/checkpoint/checkpoint.h"
@@ -71,6 +73,27 @@ TEST_F(ForeignReview, MapPicturesAndWayAreThoseOfTheMoment) {
     }
     EXPECT_THAT(log->problems(), Contains(HasSubstr("7 of its 7 scans")));
     EXPECT_EQ(fingerprint(m_bag), before);
+}
+
+TEST_F(ForeignReview, OfTwoScannersTheOneThatSeesAllAroundMakesTheMap) {
+    const std::filesystem::path bag = m_folder / "two";
+    {
+        ForeignBag two(bag);
+        two.drive();
+        CloudSample depths;
+        for (int y = -20; y <= 20; ++y)
+            for (int z = -20; z <= 20; ++z)
+                depths.points.emplace_back(1.0F, 0.02F * float(y), 0.02F * float(z));
+        for (int i = 0; i < 4 * ForeignBag::Steps; ++i) {
+            depths.header = {ForeignBag::at(0.1 + 0.25 * i), "rover_depth"};
+            two.write(0.1 + 0.25 * i, "/rover/depth/points", depths);
+        }
+    }
+    const auto read = readMissionScans(bag);
+    ASSERT_TRUE(read.ok()) << read.error().text;
+    EXPECT_EQ(read->scans.size(), Scans);
+    for (const ScanPtr& scan : read->scans) EXPECT_GT(scan->points.size(), 2'000U);
+    EXPECT_THAT(read->warnings, Contains(HasSubstr("/rover/points")));
 }
 
 TEST_F(ForeignReview, EveryStateIsTheSameFromWhereverOneCameToIt) {

@@ -114,7 +114,7 @@ Registered registerAgainst(const Truth& truth, const std::filesystem::path& miss
             fmt::format("{} scans, {} registered", read->scans.size(), registered.size()));
         return result;
     }
-    const Pose laserInBase = robot.sensors.at("scanner").sensorInBase;
+    const Pose laserInBase = robot.sensors.at(robot.mappingStream()->sensor).sensorInBase;
     std::optional<Pose> first;
     for (std::size_t i = 0; i < registered.size(); ++i) {
         const auto base = truth.baseInArena("kurt3d", robot.name, read->scans[i]->end);

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/log/live_mission.h"
+#include "app/services/log/mission_robots.h"
 #include "app/services/places/mission_map.h"
 #include "app/services/station/station_mapping.h"
 #include "core/event/event.h"
@@ -51,7 +52,7 @@ protected:
     void begin() {
         LiveMissionSettings settings;
         settings.folder = m_folder / "mission";
-        settings.robots = {kurt()};
+        settings.robots = {m_robot};
         settings.robots.front().file = m_robotFile;
         settings.station = "us";
         LiveMissionListener listener;
@@ -60,6 +61,7 @@ protected:
         };
         auto earlier = keyScansOf(settings.folder);
         auto links = scanLinksOf(settings.folder);
+        carryMapping(settings.folder, settings.robots);
         auto mission = LiveMission::open(settings, std::move(listener));
         ASSERT_TRUE(mission.ok()) << mission.error().text;
         m_mission = std::move(mission).value();
@@ -86,12 +88,12 @@ protected:
         if (m_mapping) end();
     }
 
-    void publish(Sample sample, StreamRole role) {
+    void publish(Sample sample, StreamRole role, const std::string& topic = "/kurt3d/points") {
         Event event;
         event.received = m_time;
         event.robot = "kurt3d";
         event.role = role;
-        event.topic = role == StreamRole::Points ? "/kurt3d/points" : "/kurt3d/odom";
+        event.topic = role == StreamRole::Points ? topic : "/kurt3d/odom";
         event.sensor = role == StreamRole::Points ? "laser" : "";
         event.sample = std::move(sample);
         m_mapping->onEvent(event);
@@ -198,6 +200,7 @@ protected:
     Pose m_slip = Pose::Identity();
     double m_way = 0.0;
     unsigned m_seed = 0;
+    RobotDescription m_robot = kurt();
     std::unique_ptr<LiveMission> m_mission;
     std::unique_ptr<StationMapping> m_mapping;
     std::atomic<StationMapping*> m_receives = nullptr;  ///< the same, for the thread of the log

@@ -16,6 +16,8 @@
 #include "core/event/picture_samples.h"
 #include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
+#include "core/robot/streams/stream_table.h"
+#include "tests/support/samples.h"
 
 namespace leitstand::test {
 namespace {
@@ -96,6 +98,34 @@ TEST(RobotSight, ShowsABoardThatATallRobotRunsInto) {
     EXPECT_EQ(aheadOf(robotOf(0.65), boardOver(0.9)), Free);
     EXPECT_NEAR(aheadOf(robotOf(0.65), boardOver(0.68)), BoardAt, 0.1) << "too little to be sure of";
     EXPECT_EQ(aheadOf(robotOf(0.35), boardOver(0.68)), Free) << "a low one drives under it";
+}
+
+/// Whether a robot knows anything around it after one sample of a kind.
+bool showsSomething(const SampleCase& one) {
+    const RobotDescription robot = robotOf(0.65);  // outlives what looks
+    RobotSight sight(robot);
+    const SteadyTime now = std::chrono::steady_clock::now();
+    OdometrySample odometry;
+    odometry.header = {Stamp, "odom"};
+    odometry.childFrame = "base_link";
+    const Time sampled(std::chrono::seconds(1'700'000'001));  // by sampleCases()
+    for (int i = -20; i <= 40; ++i) {
+        odometry.header.stamp = sampled + i * std::chrono::milliseconds(50);
+        sight.onEvent(eventOf(StreamRole::Odometry, {}, odometry), now);
+    }
+    Event event = eventOf(*one.role, "scanner", one.sample);
+    event.topic = one.stream().topic;
+    sight.onEvent(event, now);
+    const auto view = sight.view(now);
+    return view && std::isfinite(view->youngest());
+}
+
+TEST(RobotSight, TakesEveryRoleThatShowsWhatStandsAround) {
+    for (const SampleCase& one : sampleCases()) {
+        if (!one.role) continue;
+        const bool shows = streamFacts(*one.role).sight != Sight::None;
+        EXPECT_EQ(showsSomething(one), shows) << nameOf(*one.role) << ", " << one.type;
+    }
 }
 
 TEST(RobotSight, TakesARampForFloorWhereTheRobotClimbsIt) {

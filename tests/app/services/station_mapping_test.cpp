@@ -10,6 +10,7 @@
 
 #include "app/services/log/live_mission.h"
 #include "app/services/log/sequencer.h"
+#include "core/io/robot/robot_file.h"
 #include "core/mission/loops/open_loops.h"
 #include "core/mission/state/crop_state.h"
 #include "core/mission/state/decision.h"
@@ -62,6 +63,72 @@ TEST_F(StationMappingTest, AScanThatDoesNotFitIsTriedAgain) {
     ASSERT_TRUE(m_mapping->retry(3, settings).ok());
     ASSERT_TRUE(becomes(3, ScanTrust::Certain)) << words();
     EXPECT_TRUE(waitUntil([&] { return m_mapping->robots()->front().certain; }));
+}
+
+/// A camera that measures depths looks ahead, narrowly, and says that all is 1 m nearer than it is.
+class TwoScanners : public StationMappingTest {
+protected:
+    static constexpr const char* Front = "/kurt3d/front/points";
+
+    void SetUp() override {
+        m_robot.sensors["front"] = m_robot.sensors["laser"];
+        StreamDescription front = m_robot.streams.front();
+        front.topic = Front;
+        front.sensor = "front";
+        m_robot.streams.insert(m_robot.streams.begin(), front);
+    }
+    void scanWithBoth() {
+        scan();
+        CloudSample cloud;
+        cloud.header = {m_time, "kurt3d/laser"};
+        for (int y = -20; y <= 20; ++y)
+            for (int z = -20; z <= 20; ++z)
+                cloud.points.emplace_back(1.0F, 0.02F * float(y), 0.02F * float(z));
+        publish(std::move(cloud), StreamRole::Points, Front);
+    }
+    [[nodiscard]] std::string mapsInFile() const {
+        const auto kept = readRobot(m_folder / "mission" / "robots" / "kurt3d.yaml");
+        const StreamDescription* const maps = kept ? kept->mappingStream() : nullptr;
+        return maps != nullptr ? maps->topic : "";
+    }
+    /// The scanner's have some 9,000 points.
+    [[nodiscard]] bool isOfCamera(const LiveKeyScan& scan) const {
+        return scan.scan->points.size() <= 41 * 41;
+    }
+};
+
+TEST_F(TwoScanners, OneMakesTheMapWhichIsSaidAndKeptAndTheOtherNeverEnters) {
+    begin();
+    for (int i = 0; i < 5; ++i) scanWithBoth();
+    ASSERT_TRUE(scans(2)) << words();
+    EXPECT_EQ(m_mapping->mapsWith("kurt3d"), "/kurt3d/points");
+    EXPECT_THAT(words(), HasSubstr("/kurt3d/points"));
+    EXPECT_EQ(mapsInFile(), "/kurt3d/points");
+    const LiveMapPtr map = m_mapping->scans();
+    for (const LiveKeyScan& scan : map->scans) {
+        EXPECT_FALSE(isOfCamera(scan));
+        EXPECT_EQ(scan.pose.trust, ScanTrust::Certain);
+    }
+}
+
+TEST_F(TwoScanners, TheOperatorChoosesAnotherWhichStaysChosen) {
+    begin();
+    for (int i = 0; i < 4; ++i) scanWithBoth();
+    ASSERT_TRUE(scans(1)) << words();
+    EXPECT_THAT(m_mapping->mapWith("kurt3d", "/kurt3d/odom").error().text, HasSubstr("/kurt3d/odom"));
+    m_granted = false;
+    EXPECT_THAT(m_mapping->mapWith("kurt3d", Front).error().text, HasSubstr("another station"));
+    m_granted = true;
+    ASSERT_TRUE(m_mapping->mapWith("kurt3d", Front).ok());
+    ASSERT_TRUE(waitUntil([&] { return m_mapping->mapsWith("kurt3d") == Front; }));
+    const std::size_t before = m_mapping->scans()->scans.size();
+    for (int i = 0; i < 3; ++i) scanWithBoth();
+    ASSERT_TRUE(scans(before + 1)) << words();
+    const LiveMapPtr map = m_mapping->scans();
+    EXPECT_TRUE(isOfCamera(map->scans.back()));
+    end();
+    begin();
+    EXPECT_EQ(m_mapping->mapsWith("kurt3d"), Front) << "the mission goes on with it";
 }
 
 TEST_F(StationMappingTest, TheTrailFollowsWhatIsDecidedOfScans) {

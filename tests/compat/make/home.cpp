@@ -206,8 +206,8 @@ void useLiveWindow(const fs::path& mission, const fs::path& notes) {
     Options options;
     options.live = true;
     options.robots = {"kurt3d", "tb9"};
-    options.domain = 87;
-    options.interfaces = {"lo"};
+    options.network.domain = 87;
+    options.network.interfaces = {"lo"};
     options.mission = mission.string();
     must(whileOpen([&] { return runLive(options); },
                    [&](QMainWindow& window) {

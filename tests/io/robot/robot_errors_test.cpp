@@ -227,6 +227,9 @@ TEST(RobotErrors, TellWhatIsWrongWithAStream) {
                ".thermal.scale: expected a number from 1e-06 to 100 K, found \"0\""),
         stream("role: thermal, sensor: left, thermal: {measured: maybe}",
                ".thermal.measured: expected true or false, found \"maybe\""),
+        stream("role: imu, maps: true",
+               ".maps: expected it only for points, found it for imu of type sensor_msgs/msg/Imu"),
+        stream("role: points, maps: 2", ".maps: expected true or false, found \"2\""),
         stream("role: imu, record: 1", ".record: expected true or false, found \"1\""),
     });
     const auto robot = parseRobot(Head + "streams:\n- {role: imu, sensor: left}\n", "r.yaml");

@@ -136,7 +136,9 @@ class ShippedRobot : public testing::TestWithParam<std::string> {};
 TEST_P(ShippedRobot, IsReadAndWrittenWithoutALoss) {
     const auto robot = readRobot(ShippedRobots / (GetParam() + ".yaml"));
     ASSERT_TRUE(robot.ok()) << robot.error().text;
-    EXPECT_EQ(robot->name, GetParam());
+    if (GetParam() != "husky") {  // it has the name of its namespace
+        EXPECT_EQ(robot->name, GetParam());
+    }
     const auto again = parseRobot(writeRobot(*robot), "again");
     ASSERT_TRUE(again.ok()) << again.error().text;
     expectSame(*robot, *again);
@@ -222,6 +224,7 @@ private:
                 stream.thermal = {0.1 / (1 + below(9)), 1.0 / 3.0, below(2) == 0};
             if (role == StreamRole::Diagnostics) stream.hardwareId = below(2) == 0 ? "" : title();
             stream.record = below(2) == 0;
+            stream.maps = role == StreamRole::Points && below(2) == 0;
             robot.streams.push_back(stream);
         }
     }

@@ -38,13 +38,15 @@ std::optional<bool> question(const std::vector<LiveKeyScan>& scans, const std::v
                              std::size_t newest, const Pose& turned, const Pose& found, LiveMap bent) {
     LoopSettings settings;
     settings.sameAge = Lately;
-    LoopCloser closer(settings, {}, {});
+    MapGraph graph(settings, {});
+    const PlaceFinder places(settings, {}, {}, graph);
+    LoopCloser closer(settings, graph, places);
     const auto enters = [&](std::size_t i) {
         if (i == 0) return;
         const bool lately = way[newest] - way[i] <= Lately;
         Link link = linkBetween(scans[i - 1], scans[i], lately ? LinkKind::Odometry : LinkKind::Match);
         link.id = i;
-        closer.restore({&link, 1});
+        graph.restore({&link, 1});
     };
     for (std::size_t i = 0; i <= newest; ++i) enters(i);
     std::vector<Link> links = closer.closeFar(bent.scans.back(), found, bent);

@@ -51,6 +51,35 @@ protected:
     QAction thin{QStringLiteral("Thin link")};
 };
 
+TEST_P(LinkPanes, OfSeveralCloudsOneMakesTheMapAndAnotherIsChosenByAClick) {
+    LinkPane pane(thin);
+    pane.resize(620, 300);
+    auto all = rows();
+    all.insert(all.begin() + 1, row("depth", StreamRole::Points, 15, 3.0));
+    all[0].mayMap = all[1].mayMap = true;
+    all[0].maps = true;
+    pane.show(all, 2.4, true, 2.0);
+    (void)pictureOf(pane, {620, 300}, GetParam() == Theme::Dark ? "link_map_dark" : "link_map_light", 2.0);
+    auto* table = pane.findChild<QTableView*>("streams");
+    auto* maps = pane.findChild<QCheckBox*>("maps");
+    QSignalSpy chosen(&pane, &LinkPane::mapChosen);
+    EXPECT_EQ(streamNameText(*pane.table().row(0)), "K  scanner 3D scans (map)");
+    table->selectRow(0);
+    EXPECT_TRUE(maps->isVisibleTo(&pane) && maps->isChecked() && !maps->isEnabled()) << "it cannot be none";
+    table->selectRow(1);
+    ASSERT_TRUE(maps->isVisibleTo(&pane) && !maps->isChecked() && maps->isEnabled());
+    maps->click();
+    ASSERT_EQ(chosen.count(), 1);
+    EXPECT_EQ(chosen[0][0].toString(), "kurt3d");
+    EXPECT_EQ(chosen[0][1].toString(), "/kurt3d/depth");
+    std::swap(all[0].maps, all[1].maps);
+    pane.show(all, 2.4, true, 2.0);
+    EXPECT_TRUE(maps->isChecked() && !maps->isEnabled());
+    table->selectRow(2);
+    EXPECT_FALSE(maps->isVisibleTo(&pane)) << "pictures make no map";
+    EXPECT_EQ(chosen.count(), 1);
+}
+
 TEST_P(LinkPanes, ShowsStreamsAndEditsTheChosenOne) {
     thin.setCheckable(true);
     LinkPane pane(thin);

@@ -19,7 +19,7 @@ namespace leitstand::detail {
 /// Converts the parts that messages have in common, both ways, and keeps the first error.
 class Checks {
 public:
-    /// Keeps "field: text" when @p holds is false.
+    /// Keeps the error "field: text" when @p holds is false.
     template <class... Arguments>
     void require(bool holds, const char* field, fmt::format_string<Arguments...> text,
                  Arguments&&... arguments) {
@@ -32,12 +32,12 @@ public:
         if (!std::isfinite(value)) fail(field, fmt::format("expected a number, found {}", value));
         return value;
     }
-    /// Accepts NaN, a number that the sender does not know; infinity is an error.
+    /// Accepts NaN, which means that the sender does not know the number; infinity is an error.
     double known(const char* field, double value) {
         if (std::isinf(value)) fail(field, fmt::format("expected a number or NaN, found {}", value));
         return value;
     }
-    /// Returns one of the @p count enumerators from 0.
+    /// Returns @p value as an enumerator. Error unless it is below @p count.
     template <class Enum>
     Enum enumerator(const char* field, unsigned value, unsigned count) {
         if (value >= count) fail(field, fmt::format("expected less than {}, found {}", count, value));
@@ -71,7 +71,8 @@ private:
     std::string m_error;
 };
 
-/// Replaces entries that are not finite by 0, unknown: covariances only hint at how sure a sensor is.
+/// Replaces entries that are not finite by 0, which means unknown. Covariances only hint at how sure a sensor
+/// is.
 template <std::size_t N>
 std::array<double, N> covariance(std::array<double, N> values) {
     for (double& value : values) value = std::isfinite(value) ? value : 0.0;

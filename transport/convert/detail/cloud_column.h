@@ -7,12 +7,12 @@
 
 namespace leitstand::detail {
 
-/// One field of all points of a cloud, known to lie within its data.
+/// One field of all points of a cloud. All its values are known to lie within the cloud's data.
 struct CloudColumn {
     const std::byte* data = nullptr;         ///< first point's value; null: there is no such field
-    std::size_t rows = 0, columns = 0;       ///< of the message
+    std::size_t rows = 0, columns = 0;       ///< of the cloud
     std::size_t pointStep = 0, rowStep = 0;  ///< [bytes]
-    unsigned datatype = 0;                   ///< PointField's
+    unsigned datatype = 0;                   ///< of sensor_msgs/msg/PointField, 1 to 8
     bool swap = false;                       ///< whether values are in the other byte order
 
     explicit operator bool() const { return data != nullptr; }

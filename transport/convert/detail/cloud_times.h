@@ -11,10 +11,12 @@ namespace leitstand::detail {
 
 enum class TimeUnit : std::uint8_t { Nanoseconds, Seconds };
 
-/// Returns times of points after @p stamp [ns]. Drivers disagree: values beyond 1e14 are nanoseconds since
-/// 1970 or the scanner's start. Values beyond 1e8 are seconds since then; all others already count from the
-/// stamp. Times farther than a minute from the stamp come from the scanner's own clock. They count from the
-/// earliest point, which is placed at the stamp. Points without a time get 0.
+/// Returns the time of each point after @p stamp [ns]; 0 for points without a time. @p unit is that of the
+/// values in @p column, but drivers disagree. Values are nanoseconds since 1970 or since the scanner's start
+/// when the largest is above 1e14. They are seconds since then when @p unit is Seconds and the largest is
+/// above 1e8. All other values count from the stamp. Absolute times more than a minute from the stamp come
+/// from the scanner's own clock: the earliest point is placed at the stamp. Error in @p checks: points
+/// farther than a minute apart.
 [[nodiscard]] std::vector<std::int64_t> relativeTimes(const CloudColumn& column, TimeUnit unit, Time stamp,
                                                       Checks& checks);
 

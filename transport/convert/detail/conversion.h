@@ -25,8 +25,8 @@ struct Source {
 /// Holds bytes that a message only points at, until it is written.
 using Buffer = std::vector<std::byte>;
 
-/// A type of message: how it becomes a sample of core, and back. The table of streams lists which streams of
-/// robots may have it.
+/// A type of message: how it becomes a sample of core, and back. typesOf() lists the types that a robot's
+/// stream may have.
 struct Conversion {
     std::string_view type;  ///< ROS name
     Result<Sample> (*decode)(const RawEvent&, const StreamDescription*);
@@ -72,7 +72,8 @@ Result<Payload> encodeAs(const Sample& sample) {
     return Payload(std::make_shared<const std::vector<std::byte>>(std::move(out).finish()));
 }
 
-/// Rows for a type of message. They call two functions that stand in this namespace.
+/// Returns the row for messages of type @p Message and samples of type @p Kind. The row calls two functions
+/// that must be declared in this namespace.
 ///
 ///     Kind fromWire(const Message& from, const Source& source, Checks& checks);
 ///     void toWire(const Kind& from, Message& to, Buffer& buffer, Checks& checks);
@@ -89,13 +90,14 @@ Conversion stationConversion() {
     row.ofStations = true;
     return row;
 }
-/// Without toWire().
+/// Returns a row for a message that is only received; it needs no toWire().
 template <class Message, class Kind>
 Conversion decoding() {
     return {Message::RosName, &decodeAs<Message>, nullptr, SampleTypes::indexOf<Kind>(), false};
 }
 
-/// All rows. When a kind of sample has several types, the first one holds everything.
+/// Returns all rows. When a kind of sample has several types, its first row is the type that holds
+/// everything.
 [[nodiscard]] const std::vector<Conversion>& conversions();
 
 // The rows of each source file.

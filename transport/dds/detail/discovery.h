@@ -13,8 +13,8 @@
 
 namespace leitstand::detail {
 
-/// Keeps what discovery reports. As a listener it only records this and calls @p changed, which must not
-/// block.
+/// Keeps what discovery reports. As a listener it only records this and calls `changed` of its constructor,
+/// which must not block.
 class Discovery final : public fastdds::DiscoveryListener {
 public:
     Discovery(std::function<void()> changed, bool secure);
@@ -25,7 +25,8 @@ public:
     /// Leaves OfferedWriter::received false: only readers know whether a writer was heard.
     [[nodiscard]] DomainReception reception() const;
 
-    /// Forgets all remote and own endpoints, after the participant has left its domain.
+    /// Forgets all participants and endpoints, our own endpoints, too. Call it when the participant has left
+    /// its domain.
     void clear();
 
     // Our own side

@@ -9,14 +9,15 @@
 
 namespace leitstand::detail {
 
-/// Returns how many samples a history of @p qos holds; one that keeps all has a bound, too.
+/// Returns how many samples a history of @p qos holds: the depth, or 5000 when the history keeps all
+/// (depth 0).
 [[nodiscard]] int historyOf(const Qos& qos);
 
 [[nodiscard]] eprosima::fastdds::dds::DataReaderQos readerQos(const Qos& qos);
 [[nodiscard]] eprosima::fastdds::dds::DataWriterQos writerQos(const Qos& qos, Flow flow);
 
-/// Sets what must hold whatever a profile contains: histories that grow with the samples, no data sharing,
-/// XCDR1. Otherwise samples are lost silently.
+/// Overrides what a user's profile must not change, since samples would be lost silently: payload buffers
+/// grow with the samples, no data sharing, XCDR1.
 void keepSound(eprosima::fastdds::dds::DataReaderQos& qos);
 void keepSound(eprosima::fastdds::dds::DataWriterQos& qos);
 

@@ -73,7 +73,7 @@ using Duration = dds::Duration_t;
 inline const Duration Infinite = dds::c_TimeInfinite;
 inline const Duration Zero = dds::c_TimeZero;
 inline constexpr const char* ProfilesVariable = "FASTDDS_DEFAULT_PROFILES_FILE";
-/// XML namespace of the root element of profiles, as programs of this version write it.
+/// XML namespace of the root element of a profiles file for this version of Fast DDS.
 inline constexpr const char* ProfilesNamespace = "http://www.eprosima.com";
 using ParticipantData = rtps::ParticipantBuiltinTopicData;
 using WriterData = rtps::PublicationBuiltinTopicData;
@@ -93,9 +93,9 @@ using ReaderData = rtps::ReaderProxyData;
 using Outgoing = const rtps::octet*;
 #endif
 
-/// Whether participants may have flow controllers. A participant of 3.1 that has some announces itself from a
-/// thread. When two others appear at once, the next announcement is due before that thread has run. An
-/// assertion, which Debian leaves in, then ends the process. 3.2 announces as 2.9 does.
+/// Whether participants may have flow controllers: not with Fast DDS 3.1. There, a participant that has some
+/// announces itself from a thread. When two others appear at once, the next announcement is due before that
+/// thread has run. An assertion, which Debian leaves in, then ends the process. 3.2 announces as 2.9 does.
 inline constexpr bool HasFlowControllers = LEITSTAND_FLOW_CONTROLLERS;
 
 /// Returns @p duration [s]; 0 when it is infinite.
@@ -179,8 +179,8 @@ inline void turnOffShortcuts() {
 #endif
 }
 
-/// Sets how often a writer sends heartbeats while samples are unacknowledged; 3.1 would send one with each
-/// piece.
+/// Sets how often a writer sends heartbeats while samples are unacknowledged. Also turns off the heartbeats
+/// that 3.1 sends with each piece of a sample.
 inline void setHeartbeat(dds::DataWriterQos& qos, const Duration& period) {
 #if LEITSTAND_FASTDDS_3
     qos.reliable_writer_qos().times.heartbeat_period = period;
@@ -190,10 +190,10 @@ inline void setHeartbeat(dds::DataWriterQos& qos, const Duration& period) {
 #endif
 }
 
-/// Makes the pool of a writer's topic count what is being sent. A message of 3.1 holds up to 64 payloads
-/// beside the history, and two threads may send for one writer. Uncounted, an assertion
-/// (`TopicPayloadPool::shrink`) ends the process when a reader of the same topic leaves meanwhile. Without a
-/// reader, samples are refused.
+/// Makes the payload pool of a writer's topic large enough for payloads that are being sent. A message of 3.1
+/// holds up to 64 payloads beside the history, and two threads may send for one writer. With a smaller pool,
+/// an assertion (`TopicPayloadPool::shrink`) ends the process when a reader of the same topic leaves
+/// meanwhile. Without a reader, samples are refused.
 inline void countWhatIsSent(dds::DataWriterQos& qos) {
 #if LEITSTAND_FASTDDS_3
     constexpr int Gathered = 65, Senders = 2;

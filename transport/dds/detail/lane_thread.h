@@ -28,7 +28,7 @@ public:
     /// Only forgets @p reader; Reader::close() ends its callbacks.
     void remove(const Reader& reader);
     void wake();  ///< any thread, also listeners of Fast DDS
-    void stop();  ///< for good; waits for a running callback, which must not be the caller
+    void stop();  ///< ends the thread; waits for a running callback, so no callback may call this
 
 private:
     using Readers = std::vector<std::shared_ptr<Reader>>;

@@ -8,13 +8,14 @@
 
 namespace leitstand::detail {
 
-/// Terms of a match that discovery reports beyond RemoteEndpoint.
+/// What discovery reports of a remote endpoint beyond RemoteEndpoint, as far as it decides on a match.
 struct MatchTerms {
-    bool xcdr1 = true;                ///< the writer writes (the reader reads) our representation
-    bool automaticLiveliness = true;  ///< the reader accepts automatic liveliness without a lease
+    bool xcdr1 = true;                ///< the remote writer or reader uses XCDR1, our representation
+    bool automaticLiveliness = true;  ///< the remote reader accepts automatic liveliness without a lease
 };
 
-/// Returns why @p ours and @p theirs, of one topic, do not match; empty when nothing prevents it.
+/// Returns why @p ours and @p theirs, endpoints of the same topic, do not match. Empty: nothing prevents a
+/// match.
 [[nodiscard]] std::vector<WireProblem> whyNoMatch(const LocalEndpoint& ours, const RemoteEndpoint& theirs,
                                                   const MatchTerms& terms);
 

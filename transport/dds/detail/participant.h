@@ -20,8 +20,9 @@
 
 namespace leitstand::detail {
 
-/// A Fast DDS participant, its two lanes and all that it created. The node, its subscriptions and its
-/// publishers share it. leave() ends the Fast DDS part, whoever still holds the rest.
+/// A Fast DDS participant, its two lanes, and all readers and writers that it created. The node, its
+/// subscriptions and its publishers share this object. leave() ends the Fast DDS part even while others still
+/// hold the object.
 class Participant {
 public:
     explicit Participant(const NodeSettings& settings);
@@ -46,8 +47,9 @@ public:
     [[nodiscard]] const std::vector<std::string>& unscreened() const { return m_unscreened; }
     void onDiscovery(std::function<void()> changed);
 
-    // For readers and writers; the created ones are null between leaving and joining again
-    void deliver(const std::shared_ptr<Reader>& reader);  ///< delivers its samples from now on
+    // For Reader and Writer. createReader() and createWriter() return null while rejoin() is out of the
+    // domain.
+    void deliver(const std::shared_ptr<Reader>& reader);  ///< delivers the samples of @p reader from now on
     Result<eprosima::fastdds::dds::DataReader*> createReader(
         const ReaderSettings& settings, eprosima::fastdds::dds::DataReaderListener& listener);
     void deleteReader(const Reader& reader, eprosima::fastdds::dds::DataReader* what);

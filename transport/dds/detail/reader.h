@@ -24,18 +24,20 @@ public:
     Reader(Participant& participant, ReaderSettings settings, SampleCallback callback);
     ~Reader() override;
 
-    /// Creates the Fast DDS reader and gives it to its lane; does nothing when it is open or closed for good.
+    /// Creates the Fast DDS reader and adds this to its lane. Does nothing when the Fast DDS reader exists,
+    /// after close(), or while the participant is out of its domain.
     Result<void> open();
-    /// Leaves the topic until the next open(), when the participant leaves its domain. Waits as close() does.
+    /// Leaves the topic until the next open(), because the participant leaves its domain. Waits as close()
+    /// does.
     void suspend();
-    /// Leaves the topic. Waits for a callback that runs on another thread; may be called by the callback
-    /// itself.
+    /// Leaves the topic for good. Waits for a callback that runs on another thread; may be called by the
+    /// callback itself.
     void close();
     /// Calls back with one sample; false when there is none. Runs on a lane's thread.
     [[nodiscard]] bool deliver();
 
     [[nodiscard]] SubscriptionCounts counts() const;
-    [[nodiscard]] bool hasReceived(const Guid& writer) const;  ///< a sample of it was received
+    [[nodiscard]] bool hasReceived(const Guid& writer) const;  ///< a sample came since @p writer matches
     [[nodiscard]] const ReaderSettings& settings() const { return m_settings; }
     /// Only while open.
     [[nodiscard]] eprosima::fastdds::dds::StatusCondition& condition() const { return *m_condition; }

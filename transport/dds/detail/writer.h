@@ -22,8 +22,8 @@ public:
     ~Writer() override;
 
     Result<void> open();
-    /// Leaves the topic until the next open(), when the participant leaves its domain. Keeps transient local
-    /// samples and writes them again then; other samples written meanwhile are lost.
+    /// Leaves the topic until the next open(), because the participant leaves its domain. open() writes
+    /// transient local samples again; other samples that are written meanwhile are lost.
     void suspend();
     void close();
     Result<void> write(const Payload& cdr);

@@ -14,8 +14,8 @@
 
 namespace leitstand::detail {
 
-/// Sends datagrams; discovery three times, a little later each time. Otherwise the library would miss a lost
-/// discovery datagram for a second (docs/wire.md). Any thread.
+/// Sends datagrams; those of discovery three times, 30 ms apart. The library repeats a lost discovery
+/// datagram only after a second (docs/wire.md). Any thread.
 class DiscoverySender {
 public:
     using Moment = std::chrono::steady_clock::time_point;
@@ -24,13 +24,13 @@ public:
     using Send = std::function<bool(std::span<const std::byte>, fastdds::rtps::LocatorsIterator&,
                                     fastdds::rtps::LocatorsIterator&, Moment)>;
 
-    /// @p screen knows the ports where others receive discovery; they identify encrypted discovery datagrams.
+    /// @p screen knows the ports where others receive discovery: encrypted datagrams to these are discovery.
     explicit DiscoverySender(std::shared_ptr<const screen::Screen> screen);
 
     bool send(std::span<const std::byte> bytes, fastdds::rtps::LocatorsIterator& first,
               fastdds::rtps::LocatorsIterator& last, Moment until, const Send& by);
-    /// Sends what waits now, and from here on three times without a pause. Call it before the senders are
-    /// gone.
+    /// Sends all waiting copies now. From then on, discovery goes out three times without a pause. Call it
+    /// before what the `Send` functions use is gone.
     void finish();
 
 private:

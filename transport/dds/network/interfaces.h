@@ -8,8 +8,8 @@
 
 namespace leitstand::detail {
 
-/// Returns the IPv4 addresses of @p interfaces (names or addresses of this computer). The error names what is
-/// unknown and what there is.
+/// Returns the IPv4 addresses of @p interfaces (names or addresses of this computer). The error names the
+/// unknown interface and lists those of this computer.
 [[nodiscard]] Result<std::vector<std::string>> addressesOf(const std::vector<std::string>& interfaces);
 
 /// An address and a port.

@@ -7,15 +7,17 @@
 
 namespace leitstand::detail {
 
-/// Returns the name of @p flow's queue of asynchronous samples; empty for Immediate.
+/// Returns the name of the flow controller for @p flow; empty for Immediate.
 [[nodiscard]] const char* flowControllerName(Flow flow);
 
-/// Returns whether profiles of FASTRTPS_DEFAULT_PROFILES_FILE apply.
+/// Returns whether XML profiles apply: the variable FASTRTPS_DEFAULT_PROFILES_FILE names a file (in
+/// Fast DDS 3: FASTDDS_DEFAULT_PROFILES_FILE).
 [[nodiscard]] bool usesProfiles(const NodeSettings& settings);
 
-/// Returns @p settings as QoS of Fast DDS: UDP over IPv4 only, socket buffers of 4 MB, @p settings' lease,
-/// peers and security. Shared memory fails silently between users and containers. With profiles, the user's
-/// default participant replaces our defaults, and only what the settings name explicitly is added.
+/// Returns QoS of Fast DDS for @p settings: UDP over IPv4 only, socket buffers of 4 MB, and the lease, peers
+/// and security that are set. Shared memory is off: it fails silently between users and containers. With
+/// profiles, the user's default participant replaces our defaults, and only what the settings name explicitly
+/// is added.
 [[nodiscard]] Result<eprosima::fastdds::dds::DomainParticipantQos> participantQos(
     const NodeSettings& settings);
 

@@ -13,15 +13,15 @@ namespace leitstand::detail {
 /// Runs tasks a little later, on a thread of its own and in the order given. Any thread.
 class Repeater {
 public:
-    /// Drops tasks that would make more than @p mostBytes wait.
+    /// Drops a task when the waiting tasks would keep more than @p mostBytes with it.
     Repeater(std::chrono::milliseconds delay, std::size_t mostBytes);
-    ~Repeater();  ///< drops what is left
+    ~Repeater();  ///< drops the waiting tasks
     Repeater(const Repeater&) = delete;
     Repeater& operator=(const Repeater&) = delete;
 
     /// Runs @p what after the delay. @p bytes: memory that @p what keeps.
     void later(std::size_t bytes, std::function<void()> what);
-    /// Runs what is left now; later tasks run at once, on the caller's thread.
+    /// Runs the waiting tasks now. Tasks that are added after this run at once, on the caller's thread.
     void finish();
 
 private:

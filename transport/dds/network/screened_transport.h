@@ -16,12 +16,12 @@ namespace leitstand::detail {
 [[nodiscard]] std::shared_ptr<screen::Screen> screenFor(const NodeSettings& settings,
                                                         std::function<void()> dropped = {});
 
-/// Puts @p screen before every transport of @p qos that takes datagrams, also those of the library's own
-/// choice and of XML profiles. Returns what cannot be screened, in words for the operator.
+/// Puts @p screen before every UDP transport of @p qos, also the built-in one and those of XML profiles.
+/// Returns a warning for the operator for each transport that cannot be screened: shared memory, TCP.
 [[nodiscard]] std::vector<std::string> putBefore(eprosima::fastdds::dds::DomainParticipantQos& qos,
                                                  std::shared_ptr<screen::Screen> screen);
 
-/// Puts @p screen before one transport.
+/// Returns @p transport with @p screen before it.
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> screened(
     std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport,
     std::shared_ptr<screen::Screen> screen);

@@ -43,8 +43,8 @@ public:
 
     /// Returns where @p pointInMap is drawn; empty when it is behind the eye.
     [[nodiscard]] std::optional<Projected> project(const Eigen::Vector3d& pointInMap) const;
-    /// Returns the screen outline of the part of a flat convex shape in front of the eye; may be empty.
-    /// @p corners: in order, in the map's frame [m].
+    /// Returns the outline on screen of a flat convex shape, without the part behind the eye; may be empty.
+    /// @p corners: of the shape, in order, in the map's frame [m].
     [[nodiscard]] QPolygonF outline(std::span<const Eigen::Vector3d> corners) const;
     /// Returns the point of the map under @p position at @p depth [m].
     [[nodiscard]] Eigen::Vector3d unproject(const QPointF& position, double depth) const;
@@ -67,7 +67,7 @@ private:
 };
 
 /// Returns @p camera moved, not turned, so that all @p places (map's frame [m]) just fit into a widget of
-/// @p size. The focus is then amid them.
+/// @p size. The focus is then in the middle of the places.
 [[nodiscard]] MapCamera framed(MapCamera camera, const std::vector<Eigen::Vector3d>& places, QSize size);
 
 }  // namespace leitstand

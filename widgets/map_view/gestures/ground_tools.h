@@ -58,8 +58,8 @@ private:
     std::optional<Eigen::Vector3d> m_cursor;
 };
 
-/// Returns where the ray under @p position meets the level plane at @p height [m]. Empty above the horizon or
-/// farther than 200 m.
+/// Returns where the ray under @p position meets the level plane at @p height [m]. Empty above the horizon
+/// and, in a perspective view, farther than 200 m from the eye.
 [[nodiscard]] std::optional<Eigen::Vector3d> groundUnder(const MapProjection& projection,
                                                          const QPointF& position, double height);
 

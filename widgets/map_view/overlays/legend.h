@@ -10,8 +10,8 @@ namespace leitstand {
 struct OverlayStyle;
 struct SceneContent;
 
-/// Paints what the colours of @p content mean, in the bottom left corner of a widget of @p size, or above
-/// @p taken if they would overlap. Returns its box; null when it paints nothing.
+/// Paints what the colours of @p content mean, in the bottom left corner of a widget of @p size. A legend
+/// that would overlap @p taken lies above it. Returns the box of the legend; null: nothing was painted.
 QRect paintLegend(QPainter& painter, const SceneContent& content, QSize size, const QRect& taken,
                   const OverlayStyle& style);
 

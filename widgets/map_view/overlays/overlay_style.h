@@ -32,7 +32,7 @@ inline void paintPanel(QPainter& painter, const QRectF& box, const OverlayStyle&
     painter.drawRoundedRect(box, 4, 4);
 }
 
-/// Returns @p value with @p decimals in the user's language, with a real minus sign.
+/// Returns @p value with @p decimals digits after the point, as @p locale writes it, with a real minus sign.
 [[nodiscard]] inline QString numberText(double value, int decimals, const QLocale& locale) {
     return locale.toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
 }

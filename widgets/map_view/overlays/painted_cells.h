@@ -16,7 +16,8 @@ public:
 
     /// Marks the place; true if it was not marked before. False for places outside the widget.
     bool take(const QPointF& place);
-    /// Marks all places between @p from and @p to; true if one of them was not marked before.
+    /// Marks all places between @p from and @p to; true if one of them was not marked before. A line that
+    /// crosses the widget and is longer than 1000 cells marks nothing and returns true.
     bool takeLine(const QPointF& from, const QPointF& to);
 
 private:

@@ -8,8 +8,9 @@ namespace leitstand {
 class MapProjection;
 struct OverlayStyle;
 
-/// Paints a bar of a round length, to scale at the camera's focus, beside the axes. @p gridStep: distance of
-/// the grid's lines [m], 0 without grid. Returns the area it covers.
+/// Paints a scale bar of a round length beside the axes. The length holds at the depth of the camera's focus.
+/// @p gridStep: distance of the grid's lines, also shown [m]; 0: no grid. Returns the area that the bar
+/// covers.
 QRect paintScaleBar(QPainter& painter, const MapProjection& projection, double gridStep,
                     const OverlayStyle& style);
 

@@ -15,7 +15,7 @@ namespace leitstand {
 
 class RangeMapper;
 
-/// Points in VTK. The points never change; only their pose does. Render thread only.
+/// Draws points with VTK. A new pose needs no new upload of the points. Render thread only.
 class PointsActor {
 public:
     PointsActor();
@@ -23,7 +23,7 @@ public:
     PointsActor(PointsActor&&) noexcept = default;
     PointsActor& operator=(PointsActor&&) noexcept = default;
 
-    /// Shows @p points, or nothing when null. Unchanged points cost nothing.
+    /// Shows @p points, or nothing when null. The same points as before cost nothing.
     void update(DrawnPointsPtr points);
     void setPose(const Pose& poseInMap);
     void setVisible(bool visible);
@@ -41,20 +41,20 @@ private:
     vtkSmartPointer<vtkActor> m_actor;
 };
 
-/// A scan's points in VTK. Render thread only.
+/// Draws a scan's points with VTK. Render thread only.
 class ScanActor {
 public:
-    /// Shows @p scan; isShown() must hold for it. Unchanged points cost nothing.
+    /// Shows @p scan; isShown() must hold for it. The same points in the same look cost nothing.
     void update(const SceneScan& scan);
     [[nodiscard]] PointsActor& points() { return m_points; }
 
 private:
-    ScanPointsPtr m_scan;   ///< whose points these are ...
-    PointCloudLook m_look;  ///< ... and how they look
+    ScanPointsPtr m_scan;   ///< points that m_points shows
+    PointCloudLook m_look;  ///< look of m_points
     PointsActor m_points;
 };
 
-/// The voxels in VTK. Render thread only.
+/// Draws voxels with VTK. Render thread only.
 class VoxelActor {
 public:
     VoxelActor();

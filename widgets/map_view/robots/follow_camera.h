@@ -21,7 +21,7 @@ public:
     bool aim(const Pose& baseInMap, double seconds);
     [[nodiscard]] const MapCamera& camera() const { return m_camera; }
 
-    /// Keeps the direction and distance of @p camera, to which the operator moved it.
+    /// Takes over direction and distance from @p camera, after the operator moved the camera there.
     void adjust(const MapCamera& camera);
 
     static constexpr double Lag = 0.25;  ///< [s]

@@ -15,8 +15,9 @@ void paintTrails(QPainter& painter, const MapProjection& projection, const std::
                  const OverlayStyle& style);
 
 /// Paints robots with attitude and letter, farthest first, on top of everything: an operator must see them
-/// through walls too. Distant robots become arrows. Robots with an uncertain position are dashed, in a ring
-/// of that uncertainty. Goals are targets at the end of a dashed line.
+/// through walls too. Distant robots become arrows. Robots with an uncertain position are dashed, within a
+/// ring as large as the uncertainty. Stale robots are dashed and grey. Goals are targets at the end of a
+/// dashed line.
 void paintRobots(QPainter& painter, const MapProjection& projection, const std::vector<RobotMark>& robots,
                  const OverlayStyle& style);
 

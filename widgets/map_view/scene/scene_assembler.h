@@ -21,8 +21,8 @@ struct SceneOrder {
     MapPtr map;                                 ///< null: nothing
     std::vector<bool> scanIsVisible;            ///< scans beyond the end are visible
     std::uint64_t highlighted = 0;              ///< MapScan::id of the highlighted scan; 0: none
-    std::map<std::uint64_t, Pose> ghosts;       ///< MapView::setGhosts() ...
-    bool dragged = false;                       ///< ... or MapView::setDragged()
+    std::map<std::uint64_t, Pose> ghosts;       ///< of MapView::setGhosts() or MapView::setDragged()
+    bool dragged = false;                       ///< the ghosts are those of MapView::setDragged()
     std::shared_ptr<const MapChanges> changes;  ///< MapView::setChanges(); null: none are shown
     MapViewSettings settings;
     std::vector<SceneRobot> robots;  ///< of the team

@@ -63,8 +63,8 @@ struct SceneContent {
     std::vector<SceneScan> scans;  ///< as in Map::scans
     /// Drawn besides the map: scans at poses they might get, new things and gone things.
     std::vector<SceneScan> ghosts;
-    bool moves = false;                       ///< some ghosts are scans that might move ...
-    bool dragged = false;                     ///< ... as the operator drags them
+    bool moves = false;                       ///< some ghosts are scans at poses they might get
+    bool dragged = false;                     ///< these are scans that the operator drags
     bool changes = false;                     ///< changes are shown: all else is dimmed()
     std::shared_ptr<const VoxelMesh> voxels;  ///< only in the voxel look
     std::vector<SceneRobot> robots;           ///< robots that took the scans, and others of the team
@@ -73,7 +73,7 @@ struct SceneContent {
     std::optional<ColourRamp> ramp;       ///< set when coloured by a number
     std::vector<Eigen::Vector3d> places;  ///< what a camera should frame, in the map's frame [m]
 
-    /// Whether ceilings are drawn. They would also hide changes.
+    /// Whether ceilings are drawn; never while changes are shown, which they would hide.
     [[nodiscard]] bool withCeiling() const { return settings.withCeiling() && !changes; }
 };
 using SceneContentPtr = std::shared_ptr<const SceneContent>;

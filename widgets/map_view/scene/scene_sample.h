@@ -10,7 +10,8 @@ namespace leitstand {
 /// A fair sample of the points of many scans.
 struct SceneSample {
     DrawnPointsPtr points;  ///< in the map's frame [m]; any first part of them is a fair sample, too
-    /// Share of each scan's shown points in the sample: the first ones of each.
+    /// Share of each scan's shown points that is in the sample. The sample holds the first ones in the scan's
+    /// random order.
     double share = 1.0;
 };
 

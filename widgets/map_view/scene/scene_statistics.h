@@ -21,8 +21,8 @@ struct SceneStatistics {
 /// Returns the rounded values between which the colours run. Empty unless coloured by height, range or
 /// intensity.
 [[nodiscard]] std::optional<ColourRamp> rampOf(const SceneStatistics& sample, MapColouring colouring);
-/// Returns the ramp of ages, from the first scan to a little beyond the newest. Few scans then change colour
-/// when one is added. Empty without scans.
+/// Returns the ramp of ages, from the first scan to a little beyond the newest, so that a new scan changes
+/// few colours. Empty without scans.
 [[nodiscard]] std::optional<ColourRamp> rampOfAges(const SceneContent& content);
 
 /// Whether a point of the map at @p height [m] with @p label is shown under @p settings.

@@ -13,7 +13,7 @@ namespace leitstand {
 struct VoxelSource {
     ScanPointsPtr points;
     Eigen::Matrix4d poseInMap;
-    std::size_t scan = 0;  ///< position in the map
+    std::size_t scan = 0;  ///< index in the map
     Rgba colour = {};      ///< used when the scan decides the colour
     bool uncertain = false;
 
@@ -38,9 +38,9 @@ struct VoxelRecipe {
 };
 
 /// Builds cubes around all points within the recipe's heights. A cube has the colour of most of its points
-/// (label, scan, robot, age), of its height, or of their mean range or intensity. To keep faces apart, they
-/// are shaded by direction and darker in corners. Cubes that only uncertain scans see have the colour of
-/// those. Cubes of new and gone things have the colours of these. Empty when @p interrupted returned true.
+/// (label, scan, robot, age), or that of its height or of the mean range or intensity. Faces are shaded by
+/// direction and darker in corners, so that they stand apart. Cubes that only uncertain scans saw, and cubes
+/// of new or gone things, have the colours for these. Empty when @p interrupted returned true.
 [[nodiscard]] std::optional<VoxelMesh> buildVoxels(const VoxelRecipe& recipe,
                                                    const std::function<bool()>& interrupted);
 

@@ -11,25 +11,26 @@
 
 namespace leitstand {
 
-/// Returns the name of the camera of @p stream; with "°C" only when it measures temperatures. Null: "No
-/// camera".
+/// Returns the title of the camera of @p stream: "Left camera". An infrared camera has "°C" only when it
+/// measures temperatures. Null: "No camera".
 [[nodiscard]] QString cameraTitle(const StreamDescription* stream);
 
-/// Returns what was done to a picture, so that nobody takes it for what the camera sent; empty: nothing.
+/// Returns how a picture was processed, "contrast raised", so that nobody takes it for the original. Empty
+/// for ContrastHelp::Off.
 [[nodiscard]] QString contrastText(ContrastHelp help);
 
 /// Where a camera looks and how to turn it, as a line in its picture.
 struct PanWords {
-    std::optional<double> pan, tilt;  ///< left, down [rad]
-    QString keys;                     ///< keys that turn it: "Q E R V"; empty: none
+    std::optional<double> pan, tilt;  ///< positive: left, down [rad]; empty: unknown
+    QString keys;                     ///< keys that turn the camera: "Q E R V"; empty: none
     QString recentreKey;              ///< "C"; empty: none
-    bool waiting = false;             ///< for the grant to turn cameras
-    QString heldBy;                   ///< station that has it; empty: none
+    bool waiting = false;             ///< the station waits for the grant to turn cameras
+    QString heldBy;                   ///< other station that has this grant; empty: none
 };
 /// Returns "pan 14° right · 5° down · Q E R V turn · C re-centres". Words about grants replace those about
 /// keys.
 [[nodiscard]] QString panText(const PanWords& words);
-/// Returns the same without keys, for little room.
+/// Returns panText() without keys, for little room.
 [[nodiscard]] QString shortPanText(const PanWords& words);
 
 /// A mark along the lower edge of a panorama.

@@ -12,24 +12,26 @@ namespace leitstand {
 
 /// Something that is new or gone, as a row of a list.
 struct ChangedRow {
-    int number = 0;                                   ///< from 1, the largest
+    int number = 0;                                   ///< from 1; the largest thing has 1
     QString what;                                     ///< "new" or "gone"
     QString size;                                     ///< "0.6 × 0.5 × 1.1 m"
     QString where;                                    ///< from the robot: "3.2 m, 40° left"
     QString place;                                    ///< "x 1.2, y −0.5"
-    Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< its middle [m]
+    Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< middle of the thing [m]
     friend bool operator==(const ChangedRow&, const ChangedRow&) = default;
 };
 
-/// Returns the rows of @p changes. @p robotInMap: of the selected robot; empty: unknown.
+/// Returns the rows of @p changes. @p robotInMap: pose of the selected robot; empty: unknown.
 [[nodiscard]] std::vector<ChangedRow> changedRows(const MapChanges& changes,
                                                   const std::optional<Pose>& robotInMap);
-/// Returns "monday → tuesday: new 3, gone 2"; @p changes: null until they are known.
+/// Returns the summary: "monday → tuesday: new 3, gone 2". Empty when @p changes is null (not known yet), or
+/// when nothing was compared.
 [[nodiscard]] QString changedText(const MapChanges* changes);
 /// Returns why the list is empty.
 [[nodiscard]] QString unchangedText(const MapChanges* changes);
 
-/// What is new or gone, as a table. The selection is kept while its place is about the same.
+/// What is new or gone, as a table. The selection stays at its row number as long as the number of rows does
+/// not change. rowAt() finds a thing again by its place.
 class ChangedModel final : public TextRowsModel {
     Q_OBJECT
 public:

@@ -13,16 +13,16 @@ namespace leitstand {
 
 /// A piece of floor that was missed, as a row of a list.
 struct MissedRow {
-    int number = 0;                                   ///< from 1, the largest
+    int number = 0;                                   ///< from 1; the largest piece has 1
     QString area;                                     ///< "4.2 m²"
     QString where;                                    ///< from the robot: "3.2 m, 40° left"
     QString place;                                    ///< "x 1.2, y −0.5"
-    Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< within it [m]
+    Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< a point of the piece [m]
     friend bool operator==(const MissedRow&, const MissedRow&) = default;
 };
 
-/// Returns the pieces that @p sensor missed, the largest first. @p robotInMap: of the selected robot; empty:
-/// unknown.
+/// Returns the pieces that @p sensor missed, the largest first. @p robotInMap: pose of the selected robot;
+/// empty: unknown.
 [[nodiscard]] std::vector<MissedRow> missedRows(const SearchedFloor& searched, SearchSensor sensor,
                                                 const std::optional<Pose>& robotInMap);
 /// Returns why the list of what was missed is empty. @p searched: null until it is known.
@@ -30,7 +30,8 @@ struct MissedRow {
 /// "Camera: 61 % of 20.1 m² seen, places missed: 3".
 [[nodiscard]] QString searchedText(const SearchedFloor& searched, SearchSensor sensor);
 
-/// Pieces of floor that were missed, as a table. The selection is kept while its place is about the same.
+/// Pieces of floor that were missed, as a table. The selection stays at its row number as long as the number
+/// of rows does not change. rowAt() finds a piece again by its place.
 class MissedModel final : public TextRowsModel {
     Q_OBJECT
 public:

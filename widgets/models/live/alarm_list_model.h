@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// The alarms as a list, newest first. Rows stay while the same alarms stand, so that the selection is kept
-/// while their numbers change.
+/// The alarms as a list, newest first. The selection is kept as long as the list has the same alarms, even if
+/// numbers in their texts change.
 class AlarmListModel final : public QAbstractListModel {
     Q_OBJECT
 public:

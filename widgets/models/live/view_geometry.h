@@ -15,8 +15,8 @@ struct PredictedPath {
 
     [[nodiscard]] bool isEmpty() const { return left.empty(); }
 };
-/// Returns the path of @p body over the next @p seconds at @p velocity, until it touches an obstacle of @p
-/// view (may be null). Empty when it turns on the spot.
+/// Returns the path of @p body over the next @p seconds at @p velocity, until it touches an obstacle of
+/// @p view (may be null). Empty when the body stands or turns on the spot.
 [[nodiscard]] PredictedPath predictedPath(const BodyBox& body, const DriveVelocity& velocity, double seconds,
                                           const VirtualScanView* view = nullptr);
 

@@ -27,12 +27,12 @@ public:
     /// Returns the scan in @p row; null when there is none.
     [[nodiscard]] const LiveKeyScan* scanAt(int row) const;
     [[nodiscard]] int rowOf(std::uint64_t id) const;  ///< -1: there is none
-    /// Returns the newest scan that waits for a decision; 0: none.
+    /// Returns the id of the newest scan that waits for a decision; 0: none.
     [[nodiscard]] std::uint64_t newestUncertain() const;
-    /// Returns the next older waiting scan when @p id waits itself, after the oldest the newest; otherwise
-    /// the newest.
+    /// Returns the id of the next scan to decide on: the next older waiting one. After the oldest, or when
+    /// scan @p id does not wait itself: the newest waiting one. 0: none waits.
     [[nodiscard]] std::uint64_t uncertainBefore(std::uint64_t id) const;
-    /// Returns how many scans wait.
+    /// Returns how many scans wait for a decision.
     [[nodiscard]] int uncertain() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -50,7 +50,7 @@ private:
 /// Returns all details of @p scan, in lines.
 [[nodiscard]] QString keyScanDetails(const LiveKeyScan& scan);
 
-/// Returns the scans in a line: "12 scans · 2 wait for a decision".
+/// Returns the scans in a line: "12 key scans · 2 for you to decide".
 [[nodiscard]] QString keyScanSummary(const KeyScanModel& model);
 
 }  // namespace leitstand

@@ -15,15 +15,15 @@ struct LiveMapFacts {
     Time now{};                 ///< station's clock
     QString followed = {};      ///< letter of the robot that the view follows; may be empty
     QString kind = {};          ///< which map it is, when there are several; may be empty
-    QString maker = {};         ///< another station that makes it; empty: this one does
+    QString maker = {};         ///< another station that makes the map; empty: this station does
 };
 
 /// Returns a growing map in a line: "3D map · 47 key scans · 1.21 M points · follows K" and "certain ·
-/// overlap 83 % · last scan 1.4 s ago". In brief it is without points and overlap. It is stale when scans
-/// were matched to it, but none for MapStaleAfter.
+/// overlap 83 % · last scan 1.4 s ago". The brief texts leave out points and overlap. The map is stale when
+/// the last scan was matched to it more than MapStaleAfter ago.
 [[nodiscard]] MapSummary liveSummaryOf(const LiveMapFacts& facts);
 
-/// A few turns of a slow scanner [s].
+/// Time without a matched scan until a map is stale: a few turns of a slow scanner [s].
 inline constexpr double MapStaleAfter = 10.0;
 
 }  // namespace leitstand

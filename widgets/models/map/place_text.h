@@ -8,7 +8,8 @@
 
 namespace leitstand {
 
-/// Returns why a robot's place is certain or not, RobotInMap::how, in the window's language.
+/// Returns @p how (RobotInMap::how), the reason why a robot's place is certain or not, in the window's
+/// language.
 [[nodiscard]] QString howText(const std::string& how);
 
 /// Returns how sure the place of a robot is, and why: "place certain to 83 %: its scan fits the map", "place

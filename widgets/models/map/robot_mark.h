@@ -22,9 +22,9 @@ struct RobotMark {
     bool tracked = false;                    ///< tracks, otherwise wheels
     Pose baseInMap = Pose::Identity();
     TrailPtr trail = {};                     ///< in the map's frame; may be null
-    bool afterGap = false;                   ///< the way to baseInMap from the trail's end is unknown
-    std::optional<Pose> goalInMap = {};      ///< where it was sent
-    std::optional<double> doubtRadius = {};  ///< its place is uncertain: somewhere within [m]
+    bool afterGap = false;                   ///< the path from the trail's end to baseInMap is unknown
+    std::optional<Pose> goalInMap = {};      ///< where the robot was sent; empty: nowhere
+    std::optional<double> doubtRadius = {};  ///< the robot is within this radius [m]; empty: certain
     QString note = {};                       ///< shown beside it: "place uncertain"; may be empty
     QString details = {};      ///< how sure its place is, in full: for tooltips and screen readers
     Tone tone = Tone::Normal;  ///< of the note

@@ -16,11 +16,11 @@ namespace leitstand {
 /// Returns how sure the places of all @p marks are, a line each.
 [[nodiscard]] QString detailsOf(const std::vector<RobotMark>& marks);
 
-/// Whether both are drawn alike.
+/// Whether @p a and @p b are drawn alike.
 [[nodiscard]] bool sameMark(const RobotMark& a, const RobotMark& b);
 
-/// Returns the text about robots that are not in the map yet; empty: all are. @p placeKeys: keys that place
-/// one.
+/// Returns the text that the robots @p unplaced are not in the map yet; empty when there are none.
+/// @p placeKeys: keys that place a robot; may be empty.
 [[nodiscard]] QString unplacedText(const std::vector<RobotFace>& unplaced, const QString& placeKeys);
 
 }  // namespace leitstand

@@ -6,7 +6,8 @@
 
 namespace leitstand {
 
-/// Returns the question whether to correct the 3D scanner of the robot with title @p robot by @p more.
+/// Returns the question whether to correct the range, clock or mounting of a 3D scanner by @p more. @p robot:
+/// title of the robot that carries it.
 [[nodiscard]] QString scannerQuestionText(const QString& robot, const ScannerCorrection& more);
 
 }  // namespace leitstand

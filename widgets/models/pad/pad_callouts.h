@@ -8,7 +8,7 @@
 
 namespace leitstand {
 
-/// One thing on a gamepad in the operator's hand: a stick with all its ends, a trigger, a button.
+/// One physical control of a gamepad: a stick with all its directions, a trigger, or a button.
 struct PadSpot {
     bool isButton = true;
     int index = 0;  ///< of the button, or of the stick's first axis
@@ -18,7 +18,7 @@ struct PadSpot {
 /// What a spot of a pad does.
 struct PadCallout {
     PadSpot spot;
-    QString control;    ///< "LT", "Left stick"
+    QString control;    ///< "Left trigger", "Left stick"
     QString does;       ///< "Drive, turn"; empty: nothing
     bool stop = false;  ///< it stops all robots
     bool held = false;  ///< right now
@@ -31,7 +31,7 @@ struct PadCallouts {
 [[nodiscard]] PadCallouts padCallouts(const PadBindings& bindings,
                                       const std::vector<PadCommandFace>& commands, const PadState& state);
 
-/// Returns every control of any joystick that does something.
+/// Returns a callout for every control that does something, for any joystick.
 [[nodiscard]] std::vector<PadCallout> padList(const PadBindings& bindings,
                                               const std::vector<PadCommandFace>& commands,
                                               const PadState& state);

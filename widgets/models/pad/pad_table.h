@@ -10,8 +10,8 @@
 
 namespace leitstand {
 
-/// What a gamepad can do and with which control, a row each: first driving and STOP, then commands. Pushing a
-/// control changes the bindings: capture(), then states of the pad.
+/// What a gamepad can do and by which control, a row each: first driving and STOP, then commands. To bind a
+/// row, call capture(), then setState() until a control is pushed.
 class PadTable final : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -34,7 +34,7 @@ public:
     void setState(const PadState& state);
     void setShape(double deadZone, double expo, double press);
     void reset();           ///< to the default bindings of this layout
-    void capture(int row);  ///< gives the row the next control that is pushed; -1: no more
+    void capture(int row);  ///< binds the next pushed control to the row; -1: stops waiting for one
     [[nodiscard]] int captured() const { return m_row; }
     void clear(int row);
     [[nodiscard]] bool canClear(int row) const;
@@ -46,7 +46,7 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 signals:
-    void changed();                    ///< bindings, or whether a control is waited for
+    void changed();                    ///< the bindings changed, or the wait for a control began or ended
     void refused(const QString& why);  ///< the control that was pushed cannot be given to the row
 
 private:

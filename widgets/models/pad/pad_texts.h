@@ -18,9 +18,11 @@ struct PadCommandFace {
 
 [[nodiscard]] QString padActionName(PadAction action);  ///< "Turn left"
 [[nodiscard]] QString padActionHint(PadAction action);
-/// "Left stick up", "LT"; of an unknown joystick "Axis 3 +", "Button 7", counted from 1. A dash for none.
+/// "Left stick up", "Left trigger"; for an unknown joystick "Axis 3 +", "Button 7", counted from 1. A dash
+/// for no control.
 [[nodiscard]] QString padControlName(const PadControl& control, PadLayout layout);
-/// Returns what the operator must do now so that the pad drives: "Hold LT, then push the stick."
+/// Returns what the operator must do so that the pad drives: hold the trigger first, then push the stick. Or
+/// says that no control is bound to that trigger.
 [[nodiscard]] QString padDriveHint(const PadBindings& bindings);
 /// Returns how to connect a gamepad, and which are known.
 [[nodiscard]] QString padConnectHelp();

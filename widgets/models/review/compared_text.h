@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// "recorded", "registered again", "recorded and registered again".
+/// "recorded", "registered again", "recorded (grey) and registered again".
 [[nodiscard]] QString comparedMapText(ComparedMap which);
 
 /// Returns the summary of a map of a comparison, for the title of its pane: "3D map · registered again · 13

@@ -21,9 +21,10 @@ struct TextTable {
 };
 
 /// Returns the figures of both maps of @p comparison, one per row. Columns: figure, as recorded, registered
-/// again. Errors against the truth are included only when that is known.
+/// again. Errors against the truth are included only when the truth is known.
 [[nodiscard]] TextTable figuresOf(const MapComparison& comparison);
-/// Returns a row for each key scan: how well it meets the one before it in both maps, and how far it moved.
+/// Returns a row for each key scan: residual and overlap with the key scan before it, in both maps, how far
+/// it moved and turned, and whether it is certain.
 [[nodiscard]] TextTable scansOf(const MapComparison& comparison);
 
 /// "moved 12.3 mm at most".

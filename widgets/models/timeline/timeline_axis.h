@@ -7,8 +7,8 @@
 
 namespace leitstand {
 
-/// Maps moments of a mission to places on its timeline, from 0 (its start) to 1 (its end). Time in which
-/// nothing was recorded has a small share of its own, however long it was. Pure.
+/// Maps moments of a mission to places on its timeline, from 0 (its start) to 1 (its end). Each gap in the
+/// recording takes the same small share, however long it was.
 class TimelineAxis {
 public:
     TimelineAxis() = default;
@@ -19,7 +19,7 @@ public:
     [[nodiscard]] Time first() const;
     [[nodiscard]] Time last() const;
     [[nodiscard]] double placeOf(Time at) const;
-    /// Returns the moment at @p place; within a gap its nearer end.
+    /// Returns the moment at @p place; within a gap: that of the nearer end of the gap.
     [[nodiscard]] Time timeAt(double place) const;
     /// Returns the recorded time until @p at: what a mission's own clock would show.
     [[nodiscard]] std::chrono::nanoseconds recordedUntil(Time at) const;
@@ -31,7 +31,8 @@ public:
         Time at{};
         double place = 0.0;
     };
-    /// Returns ticks at round times of day in UTC, at least @p apart places from each other, outside of gaps.
+    /// Returns ticks at round times of day in UTC, outside of gaps. @p apart: least distance between their
+    /// places, 0 to 1; a tenth less is allowed.
     [[nodiscard]] std::vector<Tick> ticks(double apart) const;
 
 private:

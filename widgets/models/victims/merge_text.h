@@ -11,7 +11,7 @@ namespace leitstand {
 
 /// The offer to merge a find with the nearest one of its kind.
 struct MergeOffer {
-    std::optional<std::uint32_t> into;  ///< number of the other one; empty: it cannot be merged
+    std::optional<std::uint32_t> into;  ///< number of the find to merge it with; empty: it cannot be merged
     QString text;                       ///< "V2 is part of V1 now, 0.3 m away", or why not
 };
 

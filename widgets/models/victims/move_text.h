@@ -8,12 +8,12 @@
 
 namespace leitstand {
 
-/// Returns why finds moved, for after "since": "a loop was closed".
+/// Returns why finds moved, in words that follow "since": "a loop was closed".
 [[nodiscard]] QString causeText(FindMove::Cause cause);
 /// Returns "moved 0.32 m at 12:03:05, since a loop was closed".
 [[nodiscard]] QString movedText(const FindMove& move);
-/// Returns what moved at once, as a message: "V1 0.32 m, V2 0.11 m moved, since a loop was closed"; empty:
-/// nothing.
+/// Returns a message about finds that moved at once: "V1 0.32 m, V2 0.11 m moved, since a loop was closed";
+/// empty without @p moves.
 [[nodiscard]] QString movesText(const std::vector<FindMove>& moves);
 
 }  // namespace leitstand

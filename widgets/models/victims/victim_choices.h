@@ -24,11 +24,11 @@ struct VictimChoice {
 struct SignField {
     VictimSign FindSample::*sign;
     QString name;       ///< "Heat"
-    QString unit;       ///< of its value, "°C"; empty: it has none
-    QStringList words;  ///< frequent words for it: "waving", "breathing"
-    /// Usual values, so that one can be set without a keyboard.
+    QString unit;       ///< of the value, "°C"; empty: the sign has no value
+    QStringList words;  ///< frequent words for the sign: "waving", "breathing"
+    /// Range of usual values, for setting a value without a keyboard.
     struct Range {
-        double usual = 0.0, step = 1.0, least = 0.0, most = 0.0;  ///< in its unit
+        double usual = 0.0, step = 1.0, least = 0.0, most = 0.0;  ///< in SignField::unit
     } range = {};
 };
 [[nodiscard]] std::vector<SignField> signFields();

@@ -20,7 +20,7 @@ namespace leitstand {
 /// A victim, another find, or a candidate, as a row of a list and as a mark.
 struct VictimRow {
     FindKey find{FindSample::Kind::Victim, 0};  ///< number 0: a candidate, not filed
-    std::uint32_t candidate = 0;                ///< CandidateSample::id of one
+    std::uint32_t candidate = 0;                ///< CandidateSample::id; 0: a filed find
     QString name;                               ///< "V1"; of candidates "V?"
     QString what;                               ///< "victim", "hazard", "QR code", "object"
     QString state;                              ///< as statusText(), or "candidate 82 %"
@@ -30,9 +30,9 @@ struct VictimRow {
     Tone tone = Tone::Normal;
     Eigen::Vector3d inMap = Eigen::Vector3d::Zero();  ///< [m]
     double deviation = Unknown;                       ///< [m]
-    Time found{};                                     ///< station's clock; of candidates when last published
-    QString since = {};                               ///< "12:04:31"
-    QString place = {};                               ///< x y z in the map [m]
+    Time found{};        ///< when found, station's clock; of candidates when last published
+    QString since = {};  ///< "12:04:31"
+    QString place = {};  ///< x y z in the map [m]
     QString moved = {};  ///< as movedText(), of its last move with its scan; empty: it did not move
     bool discarded = false;
 
@@ -40,13 +40,14 @@ struct VictimRow {
     friend bool operator==(const VictimRow&, const VictimRow&) = default;
 };
 
-/// Returns all finds that are not discarded, by kind and number. After them come the candidates that are
-/// neither filed nor dismissed, the surest first. Where: as seen from @p robotInMap of the selected robot;
-/// empty: unknown. Moves: by @p moves of this mission; null: rows do not show them.
+/// Returns all finds that are not discarded, by kind and number, then candidateRows(). @p robotInMap: pose of
+/// the selected robot, for VictimRow::where; empty: unknown. @p moves: moves in this mission, for
+/// VictimRow::moved; null: rows do not show moves.
 [[nodiscard]] std::vector<VictimRow> victimRows(const MissionState& mission,
                                                 const std::optional<Pose>& robotInMap,
                                                 const FindMoves* moves = nullptr);
-/// Returns the candidates that are neither filed nor dismissed, the surest first.
+/// Returns the candidates that are neither filed nor dismissed, the surest first. Those less sure than
+/// LeastShownConfidence are left out.
 [[nodiscard]] std::vector<VictimRow> candidateRows(const MissionState& mission,
                                                    const std::optional<Pose>& robotInMap);
 /// Returns all that was ever filed, also what was discarded since, by kind and number.

@@ -21,7 +21,7 @@ struct ExportOptions {
 
 /// Result of an export.
 struct ExportOutcome {
-    std::vector<ReportFile> files;  ///< paths as they were written
+    std::vector<ReportFile> files;  ///< their names are paths, as given
     std::vector<std::string> warnings;
 };
 
@@ -33,13 +33,14 @@ struct ExportFormat {
 [[nodiscard]] std::vector<ExportFormat> exportFormats();
 /// Whether @p out has an ending of exportFormats(), or is a folder: exists as one, or ends in "/".
 [[nodiscard]] bool canExport(const std::filesystem::path& out);
-/// Returns what is expected instead: the endings, or a folder.
+/// Returns in words what canExport() expects: the endings, or a folder.
 [[nodiscard]] std::string expectedOfExport();
 
-/// Writes the part of @p mission that @p out's ending stands for, one of exportFormats(). Trajectories of
-/// several robots go to FILE_robot.tum each. FILE_victims.csv, FILE_qr.csv and FILE_searched.csv become those
-/// lists, others all points of interest. "DIR/" becomes uos scans with poses. Error when the mission cannot
-/// be opened, does not have that part, or the file cannot be written.
+/// Exports @p mission to @p out, whose ending selects one of exportFormats(). Trajectories of several robots
+/// go to a file FILE_robot.tum each. FILE_victims.csv, FILE_qr.csv and FILE_searched.csv receive the lists of
+/// that name; any other .csv receives all points of interest. A folder "DIR/" receives uos scans with poses.
+/// Error when the mission cannot be opened or does not have that part, when the file cannot be written, or
+/// when cancelled.
 [[nodiscard]] Result<ExportOutcome> exportMission(const std::filesystem::path& mission,
                                                   const std::filesystem::path& out,
                                                   const ExportOptions& options,

@@ -14,7 +14,8 @@
 
 namespace leitstand {
 
-/// Returns the labelled points of @p scans in the map, one for each cube of @p edge [m]; 0: all.
+/// Returns the labelled points of @p scans in the map, at most one in each cube with edges of @p edge [m]; 0:
+/// all.
 [[nodiscard]] Scan labelledCloud(const std::vector<ReportScan>& scans, double edge);
 
 /// Returns the path of @p robot as a trajectory.
@@ -40,13 +41,13 @@ struct FileContents {
 /// in capitals.
 [[nodiscard]] bool isSearchList(const std::filesystem::path& file);
 
-/// Reads @p file of a report again, by its ending, and compares it with what it should contain. Returns its
-/// content in words; error when something is wrong with it. For files that writeReport() writes.
+/// Reads back @p file, which writeReport() wrote, and compares it with what it should contain. The file's
+/// ending selects how it is read. Returns its content in words; error when something is wrong with it.
 [[nodiscard]] Result<std::string> checkFile(const std::filesystem::path& file,
                                             const FileContents& expected = {});
 
-/// Reads a map's cloud again that writeMapCloud() wrote from @p scans. Error when the number of points
-/// differs in a file of the folder, or in the single file.
+/// Reads back the cloud of a map that writeMapCloud() wrote from @p scans. Error when a file in the folder @p
+/// out, or the single file @p out, does not have the expected number of points.
 [[nodiscard]] Result<void> checkMapCloud(const std::filesystem::path& out,
                                          const std::vector<PlacedScan>& scans);
 

@@ -12,8 +12,9 @@ namespace leitstand {
 /// Makes messages for the operator about reports that are written repeatedly.
 class ReportMessages {
 public:
-    /// Returns the messages about the report @p done in the folder @p out. First comes what it misses and the
-    /// one before did not miss. Last comes that it is written, or which of its files are broken and why.
+    /// Returns the messages about the report @p done in the folder @p out. First come its warnings that the
+    /// previous report did not have. Last comes that it is written, or which of its files are broken and why.
+    /// For a report that failed, returns only its error.
     [[nodiscard]] std::vector<std::string> of(const Result<ReportOutcome>& done,
                                               const std::filesystem::path& out);
 

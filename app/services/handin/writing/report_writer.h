@@ -14,7 +14,8 @@ namespace leitstand {
 
 /// Options of a report.
 struct ReportOptions {
-    /// Lays a report out as the bytes of a PDF; empty: none is written. Called on the caller's thread.
+    /// Lays a report out as the bytes of a PDF; empty: none is written. Called on the thread that calls
+    /// writeReport().
     std::function<Result<std::string>(const ReportContent&)> pdf = {};
     std::string version = {};  ///< of the program
     Time created{};            ///< stated in the PDF; epoch: now
@@ -39,11 +40,11 @@ struct ReportOutcome {
     [[nodiscard]] bool whole() const;
 };
 
-/// Writes the hand-in of @p mission into the folder @p out, which is created if absent. It has GeoTIFF at
+/// Writes the hand-in of @p mission into the folder @p out, which is created if absent. It has GeoTIFFs at
 /// two heights, lists, OctoMap, PLY with labels, a TUM trajectory for each robot, PDF, SHA256SUMS. Replaces
-/// files of an earlier report of the same name, each whole or not at all. Removes those of earlier reports of
-/// this mission by other names once the new ones are there (EarlierReport). Then reads every file again.
-/// Error when the mission cannot be opened, or a file cannot be written.
+/// files of the same name, each whole or not at all. Once the new files are there, removes files that earlier
+/// reports of this mission wrote under other names (EarlierReport). Then reads every file back. Error when
+/// the mission cannot be opened, a file cannot be written, or it is cancelled.
 [[nodiscard]] Result<ReportOutcome> writeReport(const std::filesystem::path& mission,
                                                 const std::filesystem::path& out,
                                                 const ReportOptions& options, const Progress& progress = {});

@@ -9,7 +9,7 @@ namespace leitstand {
 /// The past of a mission, decoded from its bag.
 class BagHistory final : public MissionHistory {
 public:
-    /// Both must outlive it.
+    /// @p bag and @p decoder must outlive the history.
     BagHistory(BagReader& bag, EventDecoder& decoder) : m_bag(bag), m_decoder(decoder) {}
 
     [[nodiscard]] std::optional<StoredCheckpoint> checkpointUpTo(std::uint64_t sequence) override;

@@ -16,6 +16,7 @@
 #include "core/io/bag/bag_reader.h"
 #include "core/robot/streams/stream_table.h"
 #include "transport/dds/node.h"
+#include "transport/domain/join_settings.h"
 
 namespace leitstand {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "app/services/domain/domain_settings.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/settings/domain_settings.h"
 
 namespace leitstand {
 
@@ -35,16 +35,17 @@ struct ReplayOutcome {
 /// unchanged.
 class MissionReplay {
 public:
-    /// Opens the mission and joins the domain. Error when the bag cannot be read, or a live robot of the same
-    /// name is on the domain (then nothing is published).
+    /// Opens the mission and joins the domain. Error when the bag cannot be read. Error also when somebody
+    /// publishes there already: as a robot of the mission, or on a topic of the mission that names no robot
+    /// ("/odom"). Nothing is published then.
     [[nodiscard]] static Result<std::unique_ptr<MissionReplay>> open(const ReplaySettings& settings,
                                                                      const Progress& progress = {});
     ~MissionReplay();
     MissionReplay(const MissionReplay&) = delete;
     MissionReplay& operator=(const MissionReplay&) = delete;
 
-    /// Plays to the end (of each round, when it loops) or until @p progress is cancelled. Switching @p paused
-    /// at any time stops the replay, and continues it where it was.
+    /// Plays to the end, or again and again with ReplaySettings::loop, until @p progress is cancelled. While
+    /// @p paused is set, the replay stands; it then continues where it was.
     [[nodiscard]] ReplayOutcome play(const std::atomic<bool>& paused, const Progress& progress = {});
 
 private:

@@ -6,21 +6,21 @@
 
 namespace leitstand {
 
-/// Computes how long a replay waits before it publishes the next event, by the times at which the log
-/// received them. Those may be anything: 1970, 2262, back and forth.
+/// Computes how long a replay waits before it publishes the next event, from the times at which the log
+/// received events. These times may be anything: 1970, 2262, back and forth.
 class ReplayPace {
 public:
-    /// No wait is longer than this. Such a gap lies between sessions, or is a time that makes no sense; it
-    /// lasts a second.
+    /// Longest wait. A longer gap lies between sessions, or comes from a time that makes no sense; the wait
+    /// is then one second.
     static constexpr std::chrono::hours MostSilence{1};
 
-    /// Returns the wait before an event received at @p received. @p begins: it is the first of a session,
-    /// before which the station was off.
+    /// Returns the wait before an event received at @p received. @p begins: the event is the first of a
+    /// session; since the station was off before it, the wait is at most one second.
     [[nodiscard]] std::chrono::nanoseconds waitBefore(Time received, bool begins);
 
 private:
     bool m_any = false;
-    Time m_before{};  // the latest that makes sense together with the one before
+    Time m_before{};  // latest receive time that fits the one before it
 };
 
 }  // namespace leitstand

@@ -15,29 +15,30 @@
 
 namespace leitstand {
 
-/// Leaves other robots, and who passes by, out of the scans. On the mapping's thread; passers-by are searched
-/// for by jobs of the solver.
+/// Leaves other robots, and passers-by, out of the scans. On the mapping's thread; jobs of the solver search
+/// for passers-by.
 class LeftOutBodies {
 public:
     /// @p wake: makes the mapping's thread go round once more; any thread.
     LeftOutBodies(MappingContext& context, MappedRobots& robots, std::function<void()> wake)
         : m_context(context), m_robots(robots), m_wake(std::move(wake)) {}
 
-    /// Returns robots that @p scan, of another one, may have points of; of robot @p only if it is named.
+    /// Returns the bodies of other robots whose points may be in @p scan. @p only: the only robot to look
+    /// for; empty: all.
     [[nodiscard]] std::vector<PlacedBody> in(const Scan& scan, const std::string& only = {});
-    /// Leaves a robot whose place became certain out of scans from before, as far back as odometry shows
+    /// Leaves each robot whose place has become certain out of earlier scans, as far back as odometry shows
     /// where it was. Returns whether the map has changed.
     bool leaveOutPlaced(Time now);
-    void entered(std::uint64_t scan);  ///< a key scan that is to be searched for passers-by
-    void lookForPassing();             ///< searches the next of them
+    void entered(std::uint64_t scan);  ///< adds a key scan to be searched for passers-by
+    void lookForPassing();             ///< begins to search the next of these scans
 
 private:
     void leaveOutPassing(std::map<std::uint64_t, std::vector<BodyInScan>> found);
-    /// Leaves robot @p name out of scans that entered @p since (station's clock; empty: ever). Adds to
-    /// @p found what is left out of those scans now.
+    /// Leaves robot @p name out of scans that entered at @p since or later (station's clock; empty: all
+    /// scans). Adds to @p found all that is now left out of those scans.
     void leaveOut(const std::string& name, const std::optional<Time>& since,
                   std::map<std::uint64_t, std::vector<BodyInScan>>& found);
-    /// Reports what is left out of scans now.
+    /// Reports @p found: all that is now left out of the scans in it.
     void publish(std::map<std::uint64_t, std::vector<BodyInScan>> found, Time now) const;
 
     /// When a robot's place was certain.
@@ -52,7 +53,7 @@ private:
     const std::function<void()> m_wake;
     std::map<std::string, Sure> m_sure;    ///< by name
     std::vector<std::uint64_t> m_entered;  ///< key scans not searched for passers-by yet
-    std::atomic<bool> m_looks = false;     ///< one of them is being searched
+    std::atomic<bool> m_looks = false;     ///< a key scan is being searched
     PassingBodies m_passing;               ///< of the solver's thread
 };
 

@@ -30,7 +30,8 @@ MappedRobot::MappedRobot(const RobotDescription& description, const std::string&
     : poses(description),
       tracker(description.name),
       laser(tracker, station),
-      scanner(onlyScanner(description)) {
+      mapping(description),
+      scanner(mappingSensor(description)) {
     // Cutters must know the motion before the first slice.
     for (const StreamDescription& stream : description.streams) {
         if (stream.role == StreamRole::Points) cutters.try_emplace(stream.topic, description.name);
@@ -71,6 +72,10 @@ void MappedRobots::add(const Event& event) {
         robot.tracker.add(*imu, unit, event.received);
     } else if (const auto* cloud = event.sample.as<CloudSample>()) {
         const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
+        const bool known = !robot.mapping.chosen().empty();
+        const bool maps = robot.mapping.takes(event.topic, *cloud, sensor, event.received);
+        if (!known && !robot.mapping.chosen().empty()) mapWith(event.robot, robot.mapping.chosen());
+        if (!maps) return;
         if (!robot.poses.isOfScanner(cloud->header.frame)) robot.scanner.clear();
         CloudSample corrected = *cloud;
         if (corrected.header.stamp == Time{}) corrected.header.stamp = event.received;
@@ -84,6 +89,20 @@ void MappedRobots::add(const Event& event) {
         const Pose laser = robot.poses.inBase(event.sensor, ranges->header.frame);
         m_sees(event.robot, robot, laserView(stamped, laser, robot.tracker.motion()), event.received);
     }
+}
+
+void MappedRobots::mapWith(const std::string& name, const std::string& topic) {
+    MappedRobot& robot = m_robots.at(name);
+    robot.mapping.choose(topic);
+    for (auto& [other, cutter] : robot.cutters)
+        if (other != topic) (void)cutter.finish();  // nothing that another scanner began enters any more
+    for (const RobotDescription& description : m_descriptions) {
+        if (description.name != name) continue;
+        for (const StreamDescription& stream : description.streams)
+            if (stream.topic == topic) robot.scanner = stream.sensor;
+    }
+    if (robot.mapping.hasChoice() && m_context.listener.onMapsWith)
+        m_context.listener.onMapsWith(name, topic);
 }
 
 std::optional<Time> MappedRobots::due() const {

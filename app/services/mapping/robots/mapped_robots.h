@@ -13,6 +13,7 @@
 #include "core/mapping/live/live_mapper.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/mapping/live/robot_tracker.h"
+#include "core/mapping/motion/mapping_scanner.h"
 #include "core/mapping/motion/scan_cutter.h"
 #include "core/mapping/placement/laser_robot.h"
 #include "core/robot/robot_description.h"
@@ -34,46 +35,50 @@ struct MappedRobot {
     SensorPoses poses;
     std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
     RobotTracker tracker;
-    LaserRobot laser;                        ///< corrects the tracker while none of its own 3D scans does
+    LaserRobot laser;                        ///< corrects the tracker while no 3D scan of the robot does
     std::chrono::nanoseconds ahead{};        ///< how far its clock is ahead of the station's
     std::optional<Time> matched;             ///< RobotInMap::matched
     std::optional<RobotFix> followed;        ///< the fix that corrected the tracker last
     std::shared_ptr<const SeenScan> newest;  ///< its newest scan that has enough points
-    std::string scanner;                     ///< its only scanner; empty: it has several, or none
+    MappingScanner mapping;                  ///< which of its scanners makes the map
+    std::string scanner;                     ///< sensor of that one; empty: not known yet, or none
 };
 
-/// The robots of LiveMapping: what moves them, and where they are. On the mapping's thread, except where it
+/// The robots of LiveMapping: what moves them, and where they are. On the mapping's thread, unless a function
 /// says otherwise.
 class MappedRobots {
 public:
-    /// Turn of a plane laser, and which robot's.
+    /// Takes a turn of the plane laser of robot @p name.
     using SeesByLaser = std::function<void(const std::string& name, MappedRobot&, LaserView, Time now)>;
     MappedRobots(MappingContext& context, const std::vector<RobotDescription>& robots,
                  const std::string& station, SeesByLaser sees);
 
-    /// Takes odometry, inertial unit, fixed frames, 3D scans, turns of a plane laser, and clock offsets of
-    /// robots that isOfOurs().
+    /// Takes odometry, inertial unit, fixed frames, 3D scans, turns of a plane laser, and clock offsets. Only
+    /// for events for which isOfOurs() is true.
     void add(const Event& event);
-    [[nodiscard]] bool isOfOurs(const Event& event) const;  ///< and one that add() takes; any thread
-    /// Returns when a scanner's slices need work at the latest, without another event; station's clock.
-    /// Empty: nothing waits.
+    /// Makes the map with the scanner of @p robot, the name of one of ours, whose clouds are on @p topic.
+    void mapWith(const std::string& robot, const std::string& topic);
+    /// Whether @p event is of a robot of ours, and add() takes it; any thread.
+    [[nodiscard]] bool isOfOurs(const Event& event) const;
+    /// Returns when slices of a scanner need work at the latest, even if no event comes; station's clock.
+    /// Empty: none waits.
     [[nodiscard]] std::optional<Time> due() const;
 
     [[nodiscard]] const std::vector<RobotDescription>& descriptions() const { return m_descriptions; }
     [[nodiscard]] std::map<std::string, MappedRobot>& byName() { return m_robots; }  ///< the set is fixed
     [[nodiscard]] MappedRobot& at(const std::string& name) { return m_robots.at(name); }
     [[nodiscard]] bool contains(const std::string& name) const { return m_robots.contains(name); }
-    /// Returns where robots other than @p robot stand; @p certain: only those whose places are.
+    /// Returns where robots other than @p robot stand; @p certain: only those whose places are certain.
     [[nodiscard]] std::vector<Disc> othersThan(const MappedRobot& robot, bool certain) const;
 
-    void followFixes();  ///< sets robots to where the mapper has them
+    void followFixes();  ///< moves robots to where the mapper has them
     void layTrails();    ///< moves trails to where decisions moved the scans
-    void carryAlong();   ///< moves robots without scans in the map with the scans about them
-    /// Records that a 3D scan of @p name came in, which another station registers; any thread.
+    void carryAlong();   ///< moves robots without scans in the map along with the scans around them
+    /// Records that a 3D scan of @p name was received, which another station registers; any thread.
     void scanReceived(const std::string& name, Time received);
-    void matched(const std::string& name, Time now);  ///< a scan of it was registered here
-    void matchedElsewhere();                          ///< another station registers their scans now
-    void publish();                                   ///< for inMap()
+    void matched(const std::string& name, Time now);  ///< a scan of the robot was registered here
+    void matchedElsewhere();                          ///< another station registers the robots' scans now
+    void publish();                                   ///< updates inMap()
     /// Where the robots are; never null after publish(). Any thread.
     [[nodiscard]] RobotsInMapPtr inMap() const;
 
@@ -87,8 +92,8 @@ private:
     std::map<std::string, Time> m_received;  ///< under the mutex: newest scans that other stations register
 };
 
-/// Whether scans of @p before, which may be null, have other poses in @p after, or were set aside or taken
-/// back since.
+/// Whether scans of @p before have other poses in @p after, or were set aside or brought back since. False if
+/// @p before is null.
 [[nodiscard]] bool scansMoved(const LiveMapPtr& before, const LiveMap& after);
 
 }  // namespace leitstand

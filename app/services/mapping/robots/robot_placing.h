@@ -9,31 +9,32 @@
 
 namespace leitstand {
 
-/// Places robots in the map. Those that do not make it are placed by their lasers, beside the robot that
-/// does, or where its scans show them. Any robot is placed where the operator puts it. One whose place stays
-/// unknown begins a part of its own. On the mapping's thread.
+/// Places robots in the map. A robot without scans in the map is placed by its laser, beside the robot that
+/// makes the map, or where the scans of that robot show it. Any robot is placed where the operator puts it. A
+/// robot whose place stays unknown begins a part of the map of its own. On the mapping's thread.
 class RobotPlacing {
 public:
     RobotPlacing(MappingContext& context, MappedRobots& robots) : m_context(context), m_robots(robots) {}
 
     /// Takes what the laser of robot @p name sees.
     void seeing(const std::string& name, MappedRobot& robot, LaserView view, Time now);
-    void placeOthers(Time now);  ///< places robots that do not make the map, beside the one that does
-    /// ... where the scan of @p update shows them; @p before: the map without it.
+    void placeOthers(Time now);  ///< places robots without scans in the map, beside the robot that makes it
+    /// Places robots without scans in the map where the scan of @p update shows them; @p before: the map
+    /// without that scan.
     void placeSeen(const MapUpdate& update, const LiveMapPtr& before, Time now);
-    /// Places @p robot, which took @p scan, unless its scans are in the map. After some scans without a place
-    /// it begins a part of its own.
+    /// Places @p robot, which took @p scan, unless its scans are in the map. After some scans without a
+    /// place, the robot begins a part of the map of its own.
     void place(MappedRobot& robot, const LiveScan& scan, Time now);
-    /// Sets robot @p name to @p baseInMap, for the operator.
+    /// Places robot @p name at @p baseInMap, where the operator puts it.
     void put(const std::string& name, const Pose& baseInMap);
-    /// Takes where another station, which makes the map, has a robot.
+    /// Takes the place of a robot by another station, which makes the map.
     void follow(const RobotPlaceSample& place);
     void publish(const std::optional<RobotPlaceSample>& place) const;  ///< to the listener
 
 private:
     void placeBeside(const std::string& name, MappedRobot& robot, Time now);
-    /// Returns the first key scan of a robot of ours. Without one, returns the first of the map, which was
-    /// carried here. Null: no map.
+    /// Returns the first key scan of a robot of ours. Without one, returns the first key scan of the map,
+    /// which was carried here from another mission. Null: no map.
     [[nodiscard]] const LiveKeyScan* firstOfOurs() const;
 
     MappingContext& m_context;

@@ -17,11 +17,11 @@
 
 namespace leitstand {
 
-/// Called on the player's thread, which they must not block; any may be empty.
+/// Functions that are called on the player's thread and must not block it; any may be empty.
 struct ReviewListener {
     std::function<void(double fraction)> onOpening = {};        ///< share of mapping and reading done, 0 to 1
     std::function<void(const ReviewIndexPtr&)> onIndex = {};    ///< once, when all is read; moments follow
-    std::function<void(const ReviewMomentPtr&)> onMoment = {};  ///< each that is shown
+    std::function<void(const ReviewMomentPtr&)> onMoment = {};  ///< each moment that is shown
     std::function<void(const std::string&)> onMessage = {};     ///< for the operator, in words
 };
 
@@ -30,10 +30,10 @@ struct ReviewListener {
 class ReviewPlayer {
 public:
     static constexpr double Slowest = 0.1, Fastest = 32.0;  ///< ratio of mission's time to real time
-    static constexpr double MapPart = 0.9;                  ///< share of opening a mission that has no map
+    static constexpr double MapPart = 0.9;  ///< share of registration in onOpening(), when there is no map
 
-    /// Opens the mission at ReviewIndex::opensAt, unless another moment is sought before it is read through.
-    /// Errors as of ReviewLog::open().
+    /// Opens the mission at ReviewIndex::opensAt, or at the moment that was sought before the mission was
+    /// read. Errors as of ReviewLog::open().
     [[nodiscard]] static Result<std::unique_ptr<ReviewPlayer>> open(const std::filesystem::path& mission,
                                                                     ReviewListener listener = {});
     ~ReviewPlayer();
@@ -45,8 +45,9 @@ public:
     [[nodiscard]] Time first() const { return m_first; }
     [[nodiscard]] Time last() const { return m_last; }
 
-    /// Plays at @p rate: ratio of mission's time to real time, within the bounds; negative: backwards, 0:
-    /// stands. It stops by itself at the end, and at the start when it goes backwards.
+    /// Plays at @p rate, the ratio of mission's time to real time; negative: backwards, 0: stands. Its size
+    /// is limited to Slowest and Fastest. Stops by itself at the end, and at the start when it goes
+    /// backwards.
     void play(double rate);
     [[nodiscard]] double rate() const;
     /// Goes to @p at, limited to the mission; the newest request counts.
@@ -59,10 +60,10 @@ public:
     [[nodiscard]] Time position() const;
     /// The newest moment that was made; null before the mission was read through.
     [[nodiscard]] ReviewMomentPtr moment() const;
-    /// Whether clouds are registered before it opens, since no station made a map (ReviewLog::makeMap()).
-    /// Opening then does this up to MapPart.
+    /// Whether clouds are registered before the mission opens, since no station made a map
+    /// (ReviewLog::makeMap()). Opening then does this up to MapPart.
     [[nodiscard]] bool mapsOffline() const { return m_mapsOffline; }
-    /// Ends the registration: it opens with what is registered by now.
+    /// Ends the registration: the mission opens with what is registered by now.
     void stopMapping() { m_mapping.request_stop(); }
 
 private:

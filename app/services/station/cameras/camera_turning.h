@@ -22,16 +22,15 @@ struct Event;
 /// A camera that can be turned, in its present state.
 struct CameraTurn {
     PanTiltMount mount;
-    std::optional<PanTiltAngles> now,
-        requested;         ///< now: by the robot's joints; wish: while it is on its way
-    bool waiting = false;  ///< for the grant to turn cameras
-    std::string heldBy;    ///< another station that has the grant, for people; empty: none
+    std::optional<PanTiltAngles> now, requested;  ///< now: by the robot's joints; requested: until reached
+    bool waiting = false;                         ///< for the grant to turn cameras
+    std::string heldBy;  ///< another station that has the grant, for people; empty: none
 };
 
-/// Turns cameras of robots: cameras of one pan-tilt unit turn together. Requests the grant when it is first
-/// used. Releases it to a station that requests it once the cameras were left alone for 10 s. Until anybody
-/// has it, the holder of the grant to drive turns cameras, too (RobotAgent). Any thread; no call waits for
-/// the network.
+/// Turns cameras of robots; those on one pan-tilt unit turn together. Requests the grant to turn cameras at
+/// the first use. Gives it to a station that requests it, once the cameras were left alone for 10 s. While
+/// nobody has this grant, the holder of the grant to drive may turn cameras, too (RobotAgent). Any thread; no
+/// call waits for the network.
 class CameraTurning : public EventSink {
 public:
     /// Functions of its station.
@@ -51,11 +50,12 @@ public:
     // Requests of the operator; without effect on what cannot be turned.
     void turnTo(const std::string& robot, const std::string& sensor, const PanTiltAngles& angles);
     void turnBy(const std::string& robot, const std::string& sensor, const PanTiltAngles& step);
-    /// Turns on and on, until another rate is set [rad/s].
+    /// Turns by @p perSecond [rad/s] until another rate is set.
     void setRate(const std::string& robot, const std::string& sensor, const PanTiltAngles& perSecond);
     void recentre(const std::string& robot);  ///< all of its cameras
 
-    /// Sends what is due; call it about 30 times a second. Returns an error once for each wish.
+    /// Sends what is due; call it about 30 times a second. Returns an error once for each request of the
+    /// operator.
     [[nodiscard]] Result<void> pulse();
 
 private:

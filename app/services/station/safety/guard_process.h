@@ -13,23 +13,23 @@
 
 namespace leitstand {
 
-/// A leitstand-guard that runs beside this process, and the pipe to it. It ends by itself when the pipe
-/// closes, whatever happens to this process. One thread, except for pulse().
+/// A leitstand-guard that runs beside this process, and the pipe to it. The guard ends by itself when the
+/// pipe closes, whatever happens to this process. For one thread, except for pulse().
 class GuardProcess {
 public:
-    /// Starts @p program, its file, with @p words on its command line. Error when it cannot be started.
+    /// Starts the program file @p program with the arguments @p words. Error when it cannot be started.
     [[nodiscard]] static Result<std::unique_ptr<GuardProcess>> start(const std::filesystem::path& program,
                                                                      const std::vector<std::string>& words);
-    ~GuardProcess();  ///< closes the pipe and waits for its end, which is immediate when nobody drives
+    ~GuardProcess();  ///< closes the pipe and waits until the guard ends: at once if nobody drives, else 5 s
     GuardProcess(const GuardProcess&) = delete;
     GuardProcess& operator=(const GuardProcess&) = delete;
 
-    /// Sends it @p pulse; false when it does not take it. Never waits. Any thread.
+    /// Sends @p pulse to the guard; false when the guard does not take it. Never waits. Any thread.
     bool pulse(const GuardPulse& pulse) const;
     [[nodiscard]] int pipe() const { return m_pipe; }  ///< readable when read() has something new
-    /// Takes its messages since the last call. False when it has ended.
+    /// Takes the messages of the guard since the last call; false when the guard has ended.
     [[nodiscard]] bool read();
-    /// Whether its last message reports that the robot receives it, and is recent: the guard does not hang.
+    /// Whether the guard reports that the robot receives it, and has done so recently: it does not hang.
     [[nodiscard]] bool isReady(SteadyTime now) const;
     void kill() const;
     [[nodiscard]] pid_t id() const { return m_id; }
@@ -43,7 +43,7 @@ private:
     SteadyTime m_received = {};
 };
 
-/// Returns the guard beside the running program: where programs are installed, and where they are built.
+/// Returns the path of the guard, in the folder of the running program, where it is both built and installed.
 [[nodiscard]] std::filesystem::path guardProgram();
 
 }  // namespace leitstand

@@ -30,21 +30,21 @@ struct StationAlarmsSetup {
     AlarmTiming timing = {};
     std::function<RobotView(const std::string& robot)> view;
     std::function<MissionStatePtr()> mission;
-    std::function<LiveMapPtr()> scans;              ///< those of the map
-    std::function<RobotsInMapPtr()> places = {};    ///< places of robots in it
-    std::function<void(const AlarmSample&)> onLog;  ///< logs it in the mission
+    std::function<LiveMapPtr()> scans;              ///< key scans of the map
+    std::function<RobotsInMapPtr()> places = {};    ///< places of robots in the map
+    std::function<void(const AlarmSample&)> onLog;  ///< logs the sample in the mission
 };
 
 /// All alarms as views show them.
 struct AlarmsView {
     std::vector<Alarm> alarms;     ///< newest first; those that ended come last
     std::uint64_t attentions = 0;  ///< rises with each alarm that is to be announced once
-    bool loud = false;             ///< one has the severity Act, and is not acknowledged
+    bool loud = false;             ///< an alarm with the severity Act is not acknowledged
     Time mutedUntil{};             ///< station's clock; the past: not muted
 };
 
 /// Judges five times a second what the operator has to know, on its own thread, whatever the window is doing.
-/// Logs alarms that are raised, acknowledged and over, and ends those that an earlier session left standing.
+/// Logs when alarms are raised, acknowledged and over, and ends those that an earlier session left standing.
 /// Alarms of the log itself are raised by LiveMission, and only shown here. Any thread.
 class StationAlarms : public EventSink {
 public:
@@ -52,10 +52,10 @@ public:
     ~StationAlarms() override;
 
     void close() override;  ///< judges no more; the functions of the setup are no longer called
-    void onEvent(const Event& event) override;  ///< takes bumps, which are over before alarms are judged
+    void onEvent(const Event& event) override;  ///< takes bumps, which may be over when alarms are judged
     void acknowledge(const AlarmId& id);
     void acknowledgeNewest();
-    void mute(std::chrono::nanoseconds time);  ///< from now on; 0: ends it
+    void mute(std::chrono::nanoseconds time);  ///< for @p time from now on; 0: ends it
     [[nodiscard]] AlarmsView view() const;
     [[nodiscard]] const AlarmLimits& limits() const { return m_setup.limits; }
 
@@ -66,7 +66,7 @@ private:
         std::optional<SteadyTime> at = {};
     };
     void run(const std::stop_token& stop);
-    /// Clears what sessions before the one that began at event @p session left standing.
+    /// Clears alarms that were left standing by sessions before the one that began at event @p session.
     void endEarlier(const MissionState& mission, std::uint64_t session) const;
     [[nodiscard]] std::vector<AlarmCause> causes(const MissionState& mission, Time now) const;
     void addOfStation(const MissionState& mission, std::vector<AlarmCause>& causes) const;

@@ -22,14 +22,15 @@ struct Event;
 /// refused until it passes, or the operator drives it nevertheless. Any thread.
 class StationBrakes : public EventSink {
 public:
-    /// What a test does with a robot and queries of it.
+    /// The functions by which a test drives and queries a robot.
     struct Hands {
-        /// Without the space ahead, which is queried separately.
+        /// Returns all facts except the space ahead, for which spaceAhead is called.
         std::function<BrakeFacts(const std::string& robot)> facts;
         std::function<double(const std::string& robot)> spaceAhead;  ///< [m]; NaN: unknown
         std::function<void(const std::string& robot, const DriveVelocity& sticks)> push;
-        std::function<void(const std::string& robot, bool on)> focus;  ///< of driving; all others lose it
-        std::function<void(const std::string& robot)> refresh;         ///< the conditions of driving changed
+        std::function<void(const std::string& robot, bool on)>
+            focus;                                              ///< driver's focus; on: all others lose it
+        std::function<void(const std::string& robot)> refresh;  ///< the conditions of driving changed
         /// @p kept: whether the result could be written to the file.
         std::function<void(const std::string& robot, const BrakeResult& result, const Result<void>& kept)>
             done;
@@ -37,22 +38,21 @@ public:
     /// @p file: where results are stored.
     StationBrakes(const std::vector<RobotDescription>& robots, std::filesystem::path file, Hands hands);
 
-    /// Begins a test, or a running one again. From now on the operator's key must be reported by hold() and
-    /// end().
+    /// Begins a test; restarts one that runs. From then on, report the operator's key by hold() and end().
     void begin(const std::string& robot);
     void hold(const std::string& robot);  ///< the key is down; ten times a second or more
     void end(const std::string& robot);   ///< the key was released
     [[nodiscard]] BrakeTest::Phase phase(const std::string& robot) const;
     [[nodiscard]] BrakeResult result(const std::string& robot) const;  ///< newest, also of earlier runs
 
-    /// Allows to drive a robot although it failed; ends with the next test, and with the program.
+    /// Sets whether a robot may be driven although it failed; ends with the next test, and with the program.
     void setOverridden(const std::string& robot, bool on);
     [[nodiscard]] bool isOverridden(const std::string& robot) const;
 
     [[nodiscard]] bool isRunning(const std::string& robot) const;
     /// Whether the robot failed and must not be driven. Never waits.
     [[nodiscard]] bool refuses(const std::string& robot) const;
-    /// Whether it showed that it has no watchdog, and is driven nevertheless. Never waits.
+    /// Whether the robot showed that it has no watchdog, and is driven nevertheless. Never waits.
     [[nodiscard]] bool needsGuard(const std::string& robot) const;
     /// Whether nothing may be sent to the robot now. Never waits; false once look() is not called any more.
     [[nodiscard]] bool silences(const std::string& robot) const;

@@ -25,7 +25,7 @@ class StationGuards {
 public:
     struct Setup {
         std::filesystem::path program;                          ///< the guard's
-        std::map<std::string, std::vector<std::string>> words;  ///< its command line, by robot
+        std::map<std::string, std::vector<std::string>> words;  ///< arguments of its guard, by robot
         /// Whether a robot may be driven has changed. Called on the guards' own thread.
         std::function<void(const std::string& robot)> onChange;
         /// A robot lacks the guard that it should have, and why. On the same thread.
@@ -36,10 +36,11 @@ public:
     StationGuards(const StationGuards&) = delete;
     StationGuards& operator=(const StationGuards&) = delete;
 
-    void want(const std::string& robot, bool wanted);  ///< sets whether it should have a guard. Never waits
-    /// Whether it needs no guard, or has one that it receives. Never waits.
+    void want(const std::string& robot,
+              bool wanted);  ///< sets whether the robot should have a guard; never waits
+    /// Whether the robot needs no guard, or receives the one that it has. Never waits.
     [[nodiscard]] bool allows(const std::string& robot) const;
-    /// Sends @p pulse to its guard, if there is one. Never waits for the guard.
+    /// Sends @p pulse to the guard of @p robot, if there is one. Never waits for the guard.
     void pulse(const std::string& robot, const GuardPulse& pulse);
     [[nodiscard]] GuardView view(const std::string& robot) const;
     [[nodiscard]] std::optional<pid_t> processOf(const std::string& robot) const;

@@ -26,8 +26,8 @@ public:
     /// Returns the widget with clock and recording, for the top bar.
     [[nodiscard]] QWidget* bar() const { return m_bar; }
 
-    /// Offers to continue the mission @p name, recorded until a moment ago, instead of this one. The operator
-    /// has to confirm it. Withdrawn after a while.
+    /// Offers to continue the mission @p name, which was recorded until a moment ago, instead of this one.
+    /// The operator has to confirm it. The offer ends after 30 minutes.
     void offerEarlier(const QString& name);
 
 signals:

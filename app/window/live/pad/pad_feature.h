@@ -20,8 +20,8 @@ class PadLegend;
 class PadMappingDialog;
 struct LiveMoment;
 
-/// Gamepads in the live window. They drive through @p drive, turn cameras, trigger commands and stop.
-/// Includes their legend and the dialog that binds controls.
+/// Gamepads in the live window. They drive through DriveInput, turn cameras, trigger commands and stop
+/// robots. Includes the legend of the controls, and the dialog that binds them.
 class PadFeature final : public QObject {
     Q_OBJECT
 public:

@@ -39,24 +39,25 @@ public:
     /// Returns the bindings of the chosen pad: the operator's, overlaid with those of the layout in use.
     [[nodiscard]] PadBindings bindings() const;
     [[nodiscard]] PadBindings ownBindings() const { return m_own; }  ///< without the layout
-    [[nodiscard]] PadState state() const;                            ///< of the chosen one
-    /// Binds the chosen pad from now on, and remembers it.
+    [[nodiscard]] PadState state() const;                            ///< of the chosen pad
+    /// Binds the controls of the chosen pad from now on, and remembers @p bindings for pads of its model.
     void setBindings(const PadBindings& bindings);
-    /// Sets the commands that override the operator's, by button (withCommands()).
+    /// Sets the commands of the layout in use, by button. They override the operator's (withCommands()).
     void setLayoutCommands(std::map<std::string, std::string> byButton);
 
     void setLimits(const DriveLimits& limits);
     /// Sets what pads may do now: nothing while another window has the focus, no motion while a stop stands.
     void setScope(PadScope scope);
-    void needNeutral();  ///< trigger and sticks must be released first
+    void needNeutral();  ///< nothing drives until trigger and sticks were released
     /// Rumbles the chosen pad for @p milliseconds, @p strength 0 to 1.
     void rumble(double strength, int milliseconds);
 
 signals:
-    /// The sticks. @p driving: the trigger is held and counts. @p withoutEyes: the override of the speed cap
-    /// is held. While driving and once after: on every change, and at 20 Hz.
+    /// The velocity that the sticks request. @p driving: the trigger is held and counts. @p withoutEyes: the
+    /// override of the speed cap is held. Emitted on every change and at 20 Hz while driving, and once after.
     void sticks(const leitstand::DriveVelocity& velocity, bool driving, bool withoutEyes);
-    /// The trigger is held in vain: trigger or sticks must be released first.
+    /// @p needs: the trigger is held in vain, since trigger or sticks must be released first. False: no
+    /// longer.
     void needsNeutral(bool needs);
     void panTilt(const leitstand::PanTiltRate& rate);  ///< at 20 Hz while it is not zero, then one zero
     void stopPressed();
@@ -92,12 +93,12 @@ private:
 
     const PadInputSettings m_settings;
     mutable std::mutex m_mutex;
-    std::map<int, PadMapping> m_stops;  ///< find STOP, by pad; guarded by m_mutex
+    std::map<int, PadMapping> m_stops;  ///< watch for STOP, by pad id; guarded by m_mutex
     std::vector<Pad> m_pads;
     int m_chosen = -1;
-    PadBindings m_own;                            ///< of the chosen one
+    PadBindings m_own;                            ///< of the chosen pad
     std::map<std::string, std::string> m_layout;  ///< commands by button
-    PadMapping m_mapping;                         ///< of the chosen one
+    PadMapping m_mapping;                         ///< of the chosen pad
     PadRequests m_last;
     PadScope m_scope = PadScope::Nothing;
     std::unique_ptr<SdlPads> m_sdl;  ///< last: its thread ends first

@@ -34,10 +34,10 @@ public:
     [[nodiscard]] bool attached() const;
     /// Returns the state that SDL received last.
     [[nodiscard]] PadState read() const;
-    /// Notes that @p button of the layout @p of came down since the state was read. It may be up again
-    /// already.
+    /// Notes that @p button, numbered as in layout @p of, went down since the last read(). It may be up again
+    /// already. Ignored when @p of is not this pad's layout.
     void pressed(PadLayout of, int button);
-    /// Returns the buttons that came down since the last call.
+    /// Returns the buttons that pressed() noted since the last call.
     [[nodiscard]] std::set<int> takePressed();
     /// Rumbles the pad for @p milliseconds, @p strength 0 to 1. Does nothing on pads that cannot rumble.
     void rumble(double strength, int milliseconds);

@@ -17,9 +17,9 @@ struct PadListener {
     std::function<void(const std::string&)> onTrouble = {};  ///< for the operator, in English
 };
 
-/// Watches all plugged-in gamepads with SDL (no windows, no video), at 200 Hz on its own thread, whatever
-/// window has the focus. Looks for new ones at 10 Hz while there are none. Reports a button as held even when
-/// it went down and up between two looks.
+/// Watches all plugged-in gamepads with SDL (no windows, no video), on its own thread, whatever window has
+/// the focus. Reads them at 200 Hz; looks for new ones at 10 Hz while none is plugged in. Reports a button as
+/// held even when it went down and up between two looks.
 class SdlPads {
 public:
     explicit SdlPads(PadListener listener);

@@ -23,16 +23,16 @@ class PreflightFeature final : public QObject {
 public:
     explicit PreflightFeature(const LiveContext& context);
 
-    /// Returns the badge for the corner: robots driven despite a failed brake test.
+    /// Returns the badge for the corner, which names robots that are driven despite a failed brake test.
     [[nodiscard]] QLabel& badge() const { return *m_badge; }
 
-    /// Opens the page after a while, when something fails then and nobody drives.
+    /// Opens the page after 8 s, if a check fails then and nobody drives.
     void openWhenSomethingFails();
     void setGamepad(const QString& name);      ///< empty: there is none
     void setSoundTrouble(const QString& why);  ///< empty: the tones of alarms are heard
 
 signals:
-    void robotWanted(const QString& file);  ///< the station is to add this robot
+    void robotWanted(const QString& file);  ///< the station is to add the robot of this file
     void tonesWanted();                     ///< the tones of alarms are to be tried
 
 private:

@@ -21,13 +21,13 @@ public:
     explicit AlarmsFeature(const LiveContext& context);
 
     [[nodiscard]] QWidget& pane() const;
-    void tryTones();  ///< plays both of them, one after the other
+    void tryTones();  ///< plays both tones, one after the other
     /// Returns why tones are not heard. Empty when all is well.
     [[nodiscard]] const QString& soundTrouble() const { return m_player.trouble(); }
 
 signals:
     void soundTroubleChanged(const QString& why);
-    void sounded(leitstand::AlarmTone tone);  ///< also where there is no sound device
+    void sounded(leitstand::AlarmTone tone);  ///< an alarm has sounded; emitted also without a sound device
 
 private:
     void addCommands();
@@ -38,7 +38,7 @@ private:
     AlarmPanel* m_panel;
     QAction* m_acknowledge = nullptr;  ///< enabled while an alarm waits for it
     TonePlayer m_player;
-    QTimer m_second;  ///< starts the second tone that is tried; a real tone cancels it
+    QTimer m_second;  ///< starts the second tone of tryTones(); an alarm's tone cancels it
     AlarmVoice m_voice;
     int m_sinceShown = 0;  ///< ticks
 };

@@ -25,18 +25,19 @@ struct LiveMoment;
 class CameraFeature final : public QObject {
     Q_OBJECT
 public:
-    /// Without a station, cameras cannot be turned and give no snapshots.
+    /// Without a live station in @p context, cameras cannot be turned and give no snapshots.
     explicit CameraFeature(const ViewContext& context);
 
     [[nodiscard]] QWidget& large() const;  ///< pane of the camera that the operator drives by
     [[nodiscard]] QWidget& small() const;  ///< pane of the second camera
-    /// Returns the cameras in a pane that have sent no picture yet.
+    /// Returns a text for each camera in a pane that has sent no picture yet.
     [[nodiscard]] QStringList missing() const;
     [[nodiscard]] const CameraViews& views() const { return m_views; }
-    void setPointing(bool pointing);  ///< the next click into a picture points
+    void setPointing(bool pointing);  ///< whether the next click into a picture emits pointed()
 
 public slots:
-    // These turn the large camera and what else is on its pan-tilt unit: pan to the left, tilt down.
+    // These turn the large camera and what else is on its pan-tilt unit. Positive pan turns to the left,
+    // positive tilt down.
     void turnTo(double pan, double tilt);   ///< [rad]
     void turnBy(double pan, double tilt);   ///< [rad]
     void setRate(double pan, double tilt);  ///< continuously, until the next call [rad/s]
@@ -54,7 +55,7 @@ private:
     QAction& add(const char* id, const QString& text, const QString& hint, const QKeySequence& keys = {},
                  bool checkable = false);
     void choose();     ///< chooses cameras for the panes when a robot is selected
-    void showPanes();  ///< shows what is known of their cameras
+    void showPanes();  ///< shows in both panes what is known of their cameras
     void enable();     ///< enables what the selected robot's cameras can do
     void applyLooks();
     void showPicture(const ShownPicturePtr& picture);

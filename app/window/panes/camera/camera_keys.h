@@ -13,13 +13,15 @@ class QWidget;
 
 namespace leitstand {
 
-/// Turns cameras while keys that do not drive are held: Q and E pan, Page Up and Page Down tilt. On the
-/// number pad 4 6 8 2 turn, and 5 re-centres. Shift turns slowly. In text fields they are letters.
+/// Requests turns of the cameras while keys that do not drive are held: Q and E pan, Page Up and Page Down
+/// tilt. On the number pad, 4 6 8 2 turn and 5 re-centres. With Shift, cameras turn slowly. In text fields
+/// these keys only write.
 class CameraKeys final : public QObject {
     Q_OBJECT
 public:
-    /// Watches the keys of @p window and of the widgets in it. @p driving returns whether a robot is driven.
-    /// Then Ctrl, which drives fast, makes no other key of them.
+    /// Watches the keys of @p window and of the widgets in it. @p driving returns whether the operator drives
+    /// a robot. Ctrl may then be held with these keys, since it drives fast; otherwise they do nothing with
+    /// Ctrl.
     CameraKeys(QWidget& window, std::function<bool()> driving);
 
     /// Returns the keys in short, for the pane: "Q E PgUp PgDn".

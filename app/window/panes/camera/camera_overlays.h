@@ -18,26 +18,29 @@ struct CameraKeyNames {
     QString turn, recentre;
 };
 
-/// Returns whether @p picture, which may be null, is of a camera that is known to see all around.
+/// Returns whether @p picture is known to be of an omnidirectional camera. @p picture may be null.
 [[nodiscard]] bool isOmni(const ShownPicture* picture);
 
-/// Returns what every picture shows of its camera: how it is turned, and what was done to the picture. @p
-/// picture may be null.
+/// Returns what every picture shows of its camera: pan and tilt, and how the picture was processed. @p turn:
+/// empty for a camera that cannot be turned. @p picture may be null. @p autoRange: infrared colours follow
+/// the picture.
 [[nodiscard]] CameraOverlay cameraOverlay(const std::optional<CameraTurn>& turn, const ShownPicture* picture,
                                           bool autoRange, const CameraKeyNames& keys = {});
 /// Adds what the driver of @p robot has to know. Omnidirectional pictures get no horizon.
 void addDriving(CameraOverlay& overlay, const RobotDescription& robot, const LiveMoment& moment,
                 const ShownPicture* picture);
 
-/// Returns the direction, in the optical frame, of @p place in @p picture (0 to 1 of both sides). Assumes a
-/// view of 60 degrees across when the camera is not calibrated.
+/// Returns the direction of @p place in @p picture: of unit length, in the camera's optical frame. @p place:
+/// 0 to 1 of width and height, from top left. Assumes a view of 60 degrees across when the calibration is
+/// missing or of an unknown kind.
 [[nodiscard]] Eigen::Vector3d directionAt(const ShownPicture& picture, const QPointF& place);
-/// Converts @p place in @p picture as it is shown, which may be a panorama, to a place in the picture as it
-/// came. Both are 0 to 1 of both sides. Empty when @p robot's camera does not see it.
+/// Converts @p place in the shown @p picture, which may be a panorama, to a place in the picture as it came.
+/// Both places are 0 to 1 of width and height, from top left. Empty: the camera of @p robot does not see it,
+/// or its calibration is unknown.
 [[nodiscard]] std::optional<Eigen::Vector2d> rawPlace(const RobotDescription& robot,
                                                       const ShownPicture& picture, const QPointF& place);
-/// Returns where the robot's front is in @p picture, 0 to 1 of both sides. Empty unless it is a picture of an
-/// omnidirectional camera that was not unwrapped.
+/// Returns where @p picture shows what is straight ahead of @p robot, 0 to 1 of width and height, from top
+/// left. Empty: the camera is not omnidirectional, or the picture was unwrapped.
 [[nodiscard]] std::optional<QPointF> frontIn(const RobotDescription& robot, const ShownPicture& picture);
 
 }  // namespace leitstand

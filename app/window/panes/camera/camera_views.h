@@ -17,11 +17,11 @@ enum class CameraPlace { Large, Small };
 /// Holds which camera of the selected robot is in which pane, the newest picture of each camera, and its age.
 class CameraViews {
 public:
-    /// Shows the cameras of @p robot as when it was last selected. At first its first camera is large, its
-    /// last (infrared, if it has one) small. Null: none.
+    /// Shows the cameras of @p robot as they were when it was selected last. The first time, its first camera
+    /// is large and its last one small: an infrared camera, if it has one. Null: no robot.
     void select(const RobotDescription* robot);
     void took(const ShownPicturePtr& picture, SteadyTime now);
-    void forget(const std::string& robot, const std::string& sensor);  ///< drops its newest picture
+    void forget(const std::string& robot, const std::string& sensor);  ///< drops the camera's picture
     /// Puts the next camera into the small pane, in a cycle that skips the large one.
     void next();
     /// Exchanges the cameras of the two panes.
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::string sensor(CameraPlace place) const;
     [[nodiscard]] ShownPicturePtr newest(CameraPlace place) const;  ///< null: none came
     [[nodiscard]] DataAge age(CameraPlace place, SteadyTime now) const;
-    /// Returns the age of the newest picture of any camera of any robot.
+    /// Returns the age of the newest picture of camera @p sensor of @p robot.
     [[nodiscard]] DataAge age(const std::string& robot, const std::string& sensor, SteadyTime now) const;
 
 private:
@@ -49,7 +49,7 @@ private:
     [[nodiscard]] const Choice* choice() const;
 
     const RobotDescription* m_robot = nullptr;
-    std::vector<const StreamDescription*> m_streams;  ///< of its cameras, the thermal ones last
+    std::vector<const StreamDescription*> m_streams;  ///< of the robot's cameras, thermal ones last
     std::map<std::string, Choice> m_choices;          ///< by robot
     std::map<std::pair<std::string, std::string>, Camera> m_cameras;  ///< by robot and sensor
 };

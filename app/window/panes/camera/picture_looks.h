@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// Holds how the operator looks at cameras, the same for all.
+/// Holds how pictures are shown: contrast, unwrapping and infrared colours. The same for all cameras.
 class PictureLooks {
 public:
     [[nodiscard]] const PictureLook& look() const { return m_look; }
@@ -20,8 +20,8 @@ public:
     void setPalette(ThermalPalette palette) { m_palette = palette; }
     [[nodiscard]] bool autoRange() const { return m_autoRange; }
     void setAutoRange(bool on);
-    /// Returns the range of colours for a new @p picture of the camera @p sensor of @p robot: fixed, or
-    /// following what it shows.
+    /// Returns the temperatures that the colours span in a new @p picture of camera @p sensor of @p robot.
+    /// They are fixed or, with autoRange(), follow what the pictures show.
     [[nodiscard]] ThermalRange rangeFor(const std::string& robot, const std::string& sensor,
                                         const ThermalPicture& picture);
 

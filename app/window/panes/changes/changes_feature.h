@@ -30,12 +30,12 @@ private:
     void show(bool shown);
     void showChosen();
     void follow();
-    void list();  ///< lists them, as seen from the selected robot
+    void list();  ///< lists the changes, as seen from the selected robot
 
     ViewContext m_context;
     MapFeature& m_map;
     ChangesPanel* m_panel;
-    QAction* m_shown = nullptr;  ///< whether the map shows them
+    QAction* m_shown = nullptr;  ///< whether the map shows the changes
     MapPtr m_newest;             ///< null: none came
     MapChangesPtr m_changes;
     QTimer m_look;

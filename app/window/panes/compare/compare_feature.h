@@ -12,8 +12,8 @@ class MapFeature;
 class ReviewBridge;
 class ReviewComparison;
 
-/// Shows the mission's map beside the one that other settings make from its scans ("compare"). Changes
-/// nothing that is recorded.
+/// Registers the mission's scans again with other settings, and shows that map, the recorded one or both
+/// ("compare"). Changes nothing that is recorded.
 class CompareFeature final : public QObject {
     Q_OBJECT
 public:

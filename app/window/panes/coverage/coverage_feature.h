@@ -23,7 +23,8 @@ struct LiveMoment;
 class CoverageFeature final : public QObject {
     Q_OBJECT
 public:
-    /// Returns what was searched by a moment, as known by now. Called while somebody looks.
+    /// Returns what was searched by the given moment, as far as it is computed; null: nothing yet. Called
+    /// twice a second while the map or the pane shows it.
     using Source = std::function<SearchedFloorPtr(const LiveMoment&)>;
 
     /// @p actions: sends robots; null: there are none to send.

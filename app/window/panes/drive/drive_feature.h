@@ -11,7 +11,8 @@ namespace leitstand {
 
 class DriveStrip;
 
-/// Drives the selected robot: its keys, the drive focus, and the grant that the strip requests.
+/// Lets the operator drive the selected robot with keys or gamepad. Requests its grant when driving begins.
+/// In the strip, the operator can also request it, give it up, or answer another station that requests it.
 class DriveFeature final : public QObject {
     Q_OBJECT
 public:
@@ -19,7 +20,7 @@ public:
 
     [[nodiscard]] bool driving() const { return m_input.hasFocus(); }
     [[nodiscard]] DriveInput& input() { return m_input; }
-    /// Takes the drive focus and requests the grant, or releases sticks and focus.
+    /// True: requests the grant and gives the keys the drive focus. False: releases sticks and focus.
     void setDriving(bool on);
 
 private:

@@ -19,9 +19,9 @@ class CameraFeature;
 class MapFeature;
 class ScanFeature;
 
-/// Files finds that the operator points at. Shift and a click into a picture or the virtual scan file a
-/// victim. After the command "victim.point", so does the next click there or on the map.
-/// "victim.pointHazard", "victim.pointCode" and "victim.pointObject" work the same way for other finds.
+/// Files finds that the operator points at. A click with Shift into a picture or the virtual scan files a
+/// victim. After the command "victim.point", the next click there or on the map does so, too.
+/// "victim.pointHazard", "victim.pointCode" and "victim.pointObject" do the same for other finds.
 class FindPointing final : public QObject {
     Q_OBJECT
 public:

@@ -20,8 +20,8 @@ class FormPictures;
 class VictimForm;
 class VictimsPanel;
 
-/// Shows what was found ("finds"), as then or as the mission has it now, with corrections and notes of the
-/// review.
+/// Shows the finds of a reviewed mission ("finds"): as they were at the moment that is shown, or as the
+/// mission has them now. Lets the operator correct them and write notes.
 class FindsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -30,11 +30,11 @@ public:
 
     [[nodiscard]] QWidget& list() const;
     [[nodiscard]] QWidget& form() const;
-    [[nodiscard]] const MissionState& state() const;  ///< mission whose finds are shown
+    [[nodiscard]] const MissionState& state() const;  ///< state of the mission whose finds are shown
     [[nodiscard]] std::optional<FindKey> chosen() const;
     /// What a command applies to.
     enum class Of : std::uint8_t { Chosen, Mission };
-    /// Offers @p action beside the list. One that applies to the chosen find is enabled while one is chosen.
+    /// Shows @p action beside the list. An action of Of::Chosen is enabled only while a find is chosen.
     void offer(QAction& action, Of of);
 
 public slots:
@@ -56,8 +56,8 @@ private:
     void merge(const FindKey& find);
     [[nodiscard]] const MissionState& finished() const;  ///< the finished mission with what was written
     void openForm(const FindKey& find);
-    /// Returns what the form shows of @p find: as it was at the moment that is shown, or the newest once it
-    /// is edited. Empty when it is not known.
+    /// Returns the state of @p find for the form: that of the moment that is shown. Once the form was opened
+    /// by its command or edited: the newest one. Empty: it is not known.
     [[nodiscard]] std::optional<FindSample> inForm(const std::optional<FindKey>& find) const;
     void showForm(const std::optional<FindSample>& find);
     void correct(const FindSample& corrected);  ///< writes what the form contains
@@ -73,7 +73,7 @@ private:
     FormPictures* m_pictures;
     std::optional<FindSample> m_shown;  ///< what the form showed before it was edited
     std::optional<FindKey> m_asked,
-        m_corrected;  ///< find whose correction is being written; find whose newest state is shown
+        m_corrected;  ///< m_asked: its correction is being written; m_corrected: its newest state is shown
     FindMoves m_moves;
     std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
     QAction *m_confirm = nullptr, *m_discard = nullptr, *m_undo = nullptr;

@@ -13,15 +13,15 @@ namespace leitstand {
 
 class VictimForm;
 
-/// Shows in a form the pictures that its find's evidence names, from the mission's log.
+/// Reads the pictures that a find's evidence names from the mission's log, and shows them in the find's form.
 class FormPictures final : public QObject {
     Q_OBJECT
 public:
     FormPictures(VictimForm& form, const std::filesystem::path& mission);
     ~FormPictures() override;
 
-    /// Shows the pictures of @p find, which the form shows now. To be called again whenever it may have
-    /// changed.
+    /// Shows the pictures of @p find, which the form shows now; empty: none. Call it regularly: the find may
+    /// change, and pictures may reach the log later.
     void follow(const std::optional<FindSample>& find);
 
 private:

@@ -26,8 +26,8 @@ class VictimForm;
 class VictimsPanel;
 struct LiveMoment;
 
-/// The finds of the operator (docs/design.md, "The window"): one key freezes evidence, a second one confirms.
-/// List and form are for later. All of it is in the mission's log.
+/// The finds of the operator (docs/design.md, "The window"): one key freezes the evidence of a find, another
+/// one confirms the find. List and form can wait until later. All of it is in the mission's log.
 class VictimsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -48,7 +48,8 @@ private:
     void merge();
     void move(bool on);
     void answer(const Result<void>& done);  ///< shows what went wrong
-    /// Returns the find that a command is about: the chosen one, else the one that was just filed.
+    /// Returns the find that a command is about: the chosen one, else the one filed last if it is not
+    /// confirmed yet. Empty: there is none, or a candidate is chosen.
     [[nodiscard]] std::optional<FindKey> meant() const;
     void show(const LiveMoment& moment);
     void showForm();
@@ -68,7 +69,7 @@ private:
     std::uint32_t m_asked = 0;  ///< candidate that was last requested to be filed; 0: none
     int m_sinceRows = 0;        ///< ticks
     FindMoves m_moves;
-    bool m_following = false;  ///< moves in m_moves are new
+    bool m_following = false;  ///< false until m_moves has taken the moves of earlier sessions
 };
 
 }  // namespace leitstand

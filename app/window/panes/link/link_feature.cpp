@@ -8,6 +8,7 @@
 #include <QMainWindow>
 
 #include "app/services/station/station.h"
+#include "app/services/station/station_mapping.h"
 #include "app/services/station/station_streams.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/frame/corner_badge.h"
@@ -44,6 +45,10 @@ LinkFeature::LinkFeature(const LiveContext& context)
                 const auto done = streams.request(robot.toStdString(), topic.toStdString(), request);
                 if (!done) m_context.notify(QString::fromStdString(done.error().text));
             });
+    connect(m_pane, &LinkPane::mapChosen, this, [this](const QString& robot, const QString& topic) {
+        const auto done = m_context.station.mapping().mapWith(robot.toStdString(), topic.toStdString());
+        if (!done) m_context.notify(QString::fromStdString(done.error().text));
+    });
     connect(m_pane, &LinkPane::budgetChosen, this, [&streams](double megabits) {
         ThinSettings settings = streams.thinSettings();
         settings.budget = megabits;
@@ -78,7 +83,8 @@ void LinkFeature::show(const LiveMoment& moment) {
         const auto settings = [&](const std::string& topic) {
             return StreamSetting{streams.own(robot.name, topic), streams.effective(robot.name, topic)};
         };
-        appendStreamRows(rows, m_context.selection.faceOfRobot(robot), robot, link, settings);
+        appendStreamRows(rows, m_context.selection.faceOfRobot(robot), robot, link,
+                         m_context.station.mapping().mapsWith(robot.name), settings);
     }
     m_pane->show(std::move(rows), megabits, streams.isThin({}), streams.thinSettings().budget);
 }

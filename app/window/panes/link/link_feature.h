@@ -15,7 +15,7 @@ namespace leitstand {
 struct LiveMoment;
 class LinkPane;
 
-/// Shows what every stream takes of the link, with rates and qualities, and switches the thin link (T).
+/// Shows how much of the link every stream takes, with rates and qualities, and switches the thin link (T).
 class LinkFeature final : public QObject {
     Q_OBJECT
 public:

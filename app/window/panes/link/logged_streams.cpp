@@ -27,7 +27,9 @@ void LoggedStreams::show(const LiveMoment& moment) {
     if (!m_streams->isVisible()) return;
     std::vector<StreamRow> rows;
     for (const RobotDescription& robot : m_context.selection.robots()) {
+        const StreamDescription* const maps = robot.mappingStream();
         appendStreamRows(rows, m_context.selection.faceOfRobot(robot), robot, moment.view(robot.name).link,
+                         maps != nullptr ? maps->topic : std::string(),
                          [](const std::string&) { return StreamSetting(); });
     }
     m_streams->setRows(std::move(rows));

@@ -23,17 +23,18 @@ class MapView;
 class RobotsOnMap;
 struct LiveMoment;
 
-/// Sends robots that take goals to places on the map: a pose drawn onto the floor, or a double click.
-/// Requests the grant first, since robots obey only its holder.
+/// Sends robots to places on the map: a pose that the operator draws onto the floor, or a double click. Works
+/// for robots that take goals. Requests the grant first, since robots obey only its holder.
 class GoTo final : public QObject {
     Q_OBJECT
 public:
     GoTo(const LiveContext& context, MapView& map, MapGestures& gestures, RobotsOnMap& robots,
          QObject* parent);
 
-    /// Sends the selected robot there.
+    /// Sends the selected robot to @p pose. A pose without a heading gets the direction from the robot to it.
     void go(const GroundPose& pose);
-    /// Drops a goal of the selected robot that waits to be sent until the robot may be driven.
+    /// Drops the selected robot's goal if it still waits until the robot may be driven. Also ends a question
+    /// about the goal.
     void takeBack();
 
 private:
@@ -42,7 +43,7 @@ private:
         Pose goalInMap;
         Time asked{};
         bool sent = false, began = false;
-        Time moved{};  ///< last motion in its odometry
+        Time moved{};  ///< when its odometry last showed motion
     };
     void arm(bool on);
     void begin(const std::string& robot, const Pose& goalInMap);
@@ -50,16 +51,17 @@ private:
     /// Handles moved scans: goals move with the scans around them, or are withdrawn.
     void followMap(const LiveMapPtr& map);
     [[nodiscard]] bool underWay(const std::string& robot, const Way& way) const;
-    void stay(const std::string& robot);  ///< sends it to where it is
-    /// Withdraws the goal of @p way. @p correction: motion of the map at the goal, multiplied from the left
-    /// to poses there.
+    void stay(const std::string& robot);  ///< stops it: its present place becomes its goal
+    /// Withdraws the goal of @p way. @p correction: how the map moved at the goal; new pose = @p correction *
+    /// old pose, both in the map.
     void withdraw(const std::string& robot, const Way& way, const Pose& correction);
-    /// Returns where the robot is, by the newest scan and the odometry of the same moment. Empty when that is
+    /// Returns the robot in the map, with the pose of its odometry frame at the same moment. Empty: either is
     /// unknown.
     [[nodiscard]] std::optional<RobotInMap> placeOf(const std::string& robot) const;
     [[nodiscard]] QString titleOf(const std::string& robot) const;  ///< as operators know it
     [[nodiscard]] bool send(const std::string& robot, const Way& way, const LiveMoment& moment);
-    /// Returns whether nothing more is to be expected of @p way.
+    /// Sends the goal once the station holds the grant. Returns whether @p way has ended: reached, given up,
+    /// stopped, or never sent.
     [[nodiscard]] bool over(const std::string& robot, Way& way, const LiveMoment& moment);
     void showSelected();
 

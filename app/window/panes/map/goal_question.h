@@ -18,15 +18,15 @@ class CommandTable;
 class MapQuestion;
 class MovedPlaces;
 
-/// Asks over the map whether a robot is to go on to its goal, which moved with the map. The robot was on its
-/// way, or about to go.
+/// Asks over the map whether a robot shall still go to its goal, after the map moved there. The goal was
+/// withdrawn while the robot was on its way or about to go.
 class GoalQuestion final : public QObject {
     Q_OBJECT
 public:
     GoalQuestion(CommandTable& commands, QWidget& map, QObject* parent);
 
-    /// Asks about the goal @p wasInMap of @p robot, shown as @p title, which is withdrawn. The same place is
-    /// at @p goalInMap now.
+    /// Asks about @p robot, shown as @p title, whose goal @p wasInMap is withdrawn. The same place is at
+    /// @p goalInMap now.
     void ask(const std::string& robot, const QString& title, const Pose& wasInMap, const Pose& goalInMap);
     /// Ends the question about @p robot: it was sent elsewhere, or stopped.
     void forget(const std::string& robot);
@@ -43,7 +43,7 @@ private:
         Pose wasInMap, goalInMap;
     };
     void answer(bool again);
-    void show();  ///< shows the question; of several robots the first one's
+    void show();  ///< shows the question of the first robot, or hides it without any
 
     CommandTable& m_commands;
     QAction *m_again, *m_leave;

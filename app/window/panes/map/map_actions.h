@@ -20,9 +20,9 @@ public:
     MapActions(const LiveContext& context, MapFeature& map);
 
     [[nodiscard]] QWidget& keyScans() const;  ///< pane of key scans and of decisions on them
-    /// Drops a goal of the selected robot that was not sent yet.
+    /// Drops the selected robot's goal if it was not sent yet.
     void halt();
-    /// Sends the selected robot to @p place of the map [m].
+    /// Sends the selected robot to @p place, in the map's frame [m].
     void go(const Eigen::Vector3d& place);
 
 private:

@@ -20,7 +20,7 @@ class RobotsOnMap;
 struct GrantView;
 struct LiveMoment;
 
-/// Returns the title of the station that has the @p grant, when that is another one. Else empty.
+/// Returns the title of the other station that holds @p grant. Empty: this station holds it, or nobody does.
 [[nodiscard]] QString othersTitle(const GrantView& grant);
 
 /// The 3D map as it grows ("map"), and how it is looked at.
@@ -35,12 +35,13 @@ public:
     [[nodiscard]] RobotsOnMap& robots() const { return *m_robots; }
     [[nodiscard]] const MapViewSettings& settings() const { return m_view.settings(); }
     [[nodiscard]] MapSight sight() const { return {settings().look, settings().follow}; }
-    /// Looks at the map as @p sight describes. A camera that follows nothing stays where it was left.
+    /// Shows the map as @p sight describes. A camera that stops following a robot returns to where the
+    /// operator left it.
     void show(const MapSight& sight);
-    /// Takes the title from @p how, for a map that is shown in place of the source's own. Empty: the title is
-    /// of the source's map again.
+    /// Sets @p how, which makes the title while another map is shown in place of the source's own. Empty: the
+    /// title describes the source's map again.
     void describe(std::function<MapSummary(const LiveMoment&)> how);
-    /// Returns what is not visible of the map yet.
+    /// Returns, in words, what of the map is not visible yet. Empty once a scan is drawn.
     [[nodiscard]] QStringList missing() const;
 
 private:
@@ -58,7 +59,7 @@ private:
     std::function<MapSummary(const LiveMoment&)> m_describe;
     MapPtr m_map;       ///< map that is shown; null: none came
     QString m_pointed;  ///< the point under the pointer, in words; empty: none
-    QTimer m_resting;   ///< runs since the pointer moved
+    QTimer m_resting;   ///< restarts when the pointer moves; at its end, m_pointed is no longer shown
 };
 
 }  // namespace leitstand

@@ -17,15 +17,16 @@ namespace leitstand {
 class MapView;
 struct RobotMark;
 
-/// Handles what the operator draws onto the map, one gesture at a time. Each belongs to the command that
-/// stays checked meanwhile.
+/// Handles what the operator draws onto the map, one gesture at a time. Each gesture belongs to a command,
+/// which is checked while the gesture lasts.
 class MapGestures final : public QObject {
     Q_OBJECT
 public:
-    /// Draws in @p view, which must outlive it.
+    /// Draws in @p view, which must outlive this object.
     MapGestures(MapView& view, QObject* parent);
 
-    /// Hands the next pose drawn to @p then. Shows @p hint over the map until then.
+    /// Lets the operator draw one pose of @p robot, for the command @p by. Shows @p hint over the map until
+    /// the pose is drawn, then calls @p then with it.
     void armPose(QAction& by, const RobotMark& robot, const QString& hint,
                  std::function<void(const GroundPose&)> then);
     void armArea(QAction& by, const QString& hint,

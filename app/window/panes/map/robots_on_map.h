@@ -27,17 +27,18 @@ public:
     RobotsOnMap(const ViewContext& context, ViewState& state, MapView& view, MapGestures& gestures,
                 QObject* parent);
 
-    /// Returns the mark that was drawn last. A robot whose place is unknown stands at the place of another
-    /// one, or at the origin.
+    /// Returns the mark of @p robot that was drawn last. A robot whose place is unknown gets a mark at the
+    /// place of another robot, or at the origin.
     [[nodiscard]] RobotMark mark(const std::string& robot) const;
-    /// Returns a small square in @p robot's colours, for what is placed by hand.
+    /// Returns a small square in the colours of @p robot, for what is placed by hand.
     [[nodiscard]] RobotMark placeMark(const std::string& robot) const;
     [[nodiscard]] bool placed(const std::string& robot) const { return m_marks.contains(robot); }
-    /// Returns how certain their places are, a line each.
+    /// Returns how certain the robots' places in the map are, a line for each robot.
     [[nodiscard]] const QString& details() const { return m_details; }
-    /// Returns the robot that most needs to be placed: one that is not in the map yet, else the selected one.
+    /// Returns the robot that most needs to be placed: one that is not in the map yet, the selected one
+    /// first; else the selected one.
     [[nodiscard]] std::string toPlace() const;
-    /// Sets the goal of @p robot that is shown. Empty: none.
+    /// Sets the goal that is shown for @p robot. Empty: none.
     void setGoal(const std::string& robot, const std::optional<Pose>& goalInMap);
 
 private:
@@ -50,7 +51,7 @@ private:
     MapView& m_view;
     MapGestures& m_gestures;
     std::map<MapFollow, QAction*> m_follow;
-    std::map<std::string, RobotMark> m_marks;  ///< of those that are placed
+    std::map<std::string, RobotMark> m_marks;  ///< of the robots that are in the map
     std::map<std::string, Pose> m_goals;
     QString m_details;
 };

@@ -24,7 +24,7 @@ namespace {
 double scanAge(const RobotState& reported, Time now) {
     double age = std::numeric_limits<double>::infinity();
     for (const auto& [topic, stream] : reported.streams) {
-        if (!stream.role || !streamFacts(*stream.role).obstacles) continue;
+        if (!stream.role || !isScanner(*stream.role)) continue;
         age = std::min(age, toSeconds(now - stream.received));
     }
     return age;

@@ -19,7 +19,7 @@ public:
     explicit ScanFeature(const ViewContext& context);
 
     [[nodiscard]] QWidget& pane() const;
-    void setPointing(bool pointing);  ///< the next click points
+    void setPointing(bool pointing);  ///< whether the next click into the pane emits pointed()
 
 signals:
     void pointed(const Eigen::Vector2d& place);  ///< in the selected robot's base_link [m]

@@ -25,7 +25,7 @@ public:
     [[nodiscard]] MapByHand& hand() { return *m_hand; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const override { return m_hand->robots(); }
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
-    void watch(const std::string& /*robot*/) override {}  // it has no surroundings any more
+    void watch(const std::string& /*robot*/) override {}  // an ended mission has no surroundings
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
     [[nodiscard]] GasTrend gas(const std::string& /*robot*/) const override { return {}; }
 
@@ -33,7 +33,7 @@ private:
     ByHandBridge();
     void tick();
 
-    QTimer m_tick;                            ///< a child: moves along to another thread
+    QTimer m_tick;                            ///< child of the bridge: moves with it to another thread
     std::unique_ptr<PictureFeed> m_pictures;  ///< without cameras
     std::unique_ptr<MapByHand> m_hand;        ///< last: its threads end first
 };

@@ -29,7 +29,7 @@ public:
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
     [[nodiscard]] QString newest() const;  ///< message
-    /// Returns what is not visible of the map yet.
+    /// Returns, in words, what of the map is not visible yet. Empty once a scan is drawn.
     [[nodiscard]] QStringList missing() const;
 
 signals:

@@ -34,25 +34,27 @@ struct BagMetadata {
     /// Version of ROS 2 Iron: newer ROS reads it too, but Iron reads no later one.
     static constexpr int WrittenVersion = 8;
     [[nodiscard]] std::uint64_t messages() const;
-    /// Returns how many messages file @p name ever held: those counted in it, and those that were already
-    /// missing when they were counted. 0: it is not listed.
+    /// Returns how many messages were ever written into file @p name: those counted in it, and those already
+    /// missing at the time of the count. 0: the file is not listed.
     [[nodiscard]] std::uint64_t writtenInto(const std::string& name) const;
 };
 
-/// Key of custom_data for the last sequence that the counts of @ref BagMetadata include; marks a bag of ours.
+/// Key of custom_data: the last sequence that the counts of @ref BagMetadata include. It marks a bag of ours.
 inline constexpr std::string_view CountedKey = "leitstand_counted_to";
 
-/// Key of custom_data in a file's own copy: its writer finished the file.
+/// Key of custom_data in the copy of the metadata within a file: the writer finished this file.
 inline constexpr std::string_view ClosedKey = "leitstand_closed";
-/// Key prefix of custom_data, before a file's name: how many of its messages were lost before the counting.
+/// Prefix of keys of custom_data, before a file's name: how many messages of the file were already lost when
+/// it was counted.
 inline constexpr std::string_view MissingKey = "leitstand_missing_in_";
 
 /// Parses a value of custom_data; empty unless all of @p text is one number.
 [[nodiscard]] std::optional<std::uint64_t> numberIn(const std::string& text);
 
-/// Returns @p metadata as YAML: the content of metadata.yaml, or with @p bare that of the table.
+/// Returns @p metadata as YAML: the content of metadata.yaml, or with @p bare the content of the table
+/// `metadata`.
 [[nodiscard]] std::string yamlOf(const BagMetadata& metadata, bool bare);
-/// Parses either form. Errors contain @p name.
+/// Parses YAML in either form of yamlOf(). Errors contain @p name.
 [[nodiscard]] Result<BagMetadata> parseMetadata(const std::string& yaml, const std::string& name);
 
 }  // namespace leitstand::detail

@@ -34,9 +34,9 @@ struct BagFileFacts {
     std::map<std::int64_t, FileTopic> topics;  ///< by id
     std::uint64_t firstId = 0, lastId = 0;     ///< of messages; 0: none
     Time first{}, last{};                      ///< receive times
-    bool ours = false;                         ///< a bag of ours: ordered by id; others: by time
-    bool closed = true;                        ///< its writer finished it
-    std::uint64_t expected = 0;                ///< message count in its own metadata; 0: none
+    bool ours = false;   ///< a bag of ours, with rows ordered by id; in others, rows are ordered by time
+    bool closed = true;  ///< its writer finished it
+    std::uint64_t expected = 0;  ///< message count in its own metadata; 0: none
     std::vector<std::string> problems;
 
     /// Returns the number of all messages; empty when some topic has no count.
@@ -84,7 +84,7 @@ protected:
     BagFileFacts m_facts;
 };
 
-/// Rows with a larger id are invalid; the sequences of a bag continue from file to file.
+/// Largest valid id of a row. It leaves room for the sequences of a bag, which continue from file to file.
 inline constexpr std::uint64_t MaxId = 1'000'000'000'000'000;
 
 /// No message is longer [B]. Larger sizes in a damaged file are rejected.

@@ -13,10 +13,10 @@
 
 namespace leitstand::detail {
 
-/// Returns the kind of a bag that we do not read ("an MCAP file") by the first bytes of a file. Empty when
-/// they match no kind that we know.
+/// Returns the kind of a file, such as "an MCAP file", by its first bytes @p begin. Empty: it is none of the
+/// other kinds that we know but do not read.
 [[nodiscard]] std::string otherKind(std::string_view begin);
-/// Returns the same for the file at @p path.
+/// Returns otherKind() of the file at @p path.
 [[nodiscard]] std::string otherKindOf(const std::filesystem::path& path);
 /// Whether @p cdr is compressed by zstd, as by rosbag2 in its mode "message", and not plain CDR.
 [[nodiscard]] bool isCompressed(const Payload& cdr);

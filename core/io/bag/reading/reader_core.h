@@ -12,7 +12,8 @@
 
 namespace leitstand::detail {
 
-/// The files of an open bag as one sequence of events. Switches to salvage when a file proves damaged.
+/// The files of an open bag as one sequence of events. A file that proves damaged is read page by page from
+/// then on (SalvagedFile).
 class ReaderCore {
 public:
     explicit ReaderCore(OpenBag bag);
@@ -26,8 +27,8 @@ public:
     [[nodiscard]] const std::vector<BagPart>& parts() const { return m_bag.parts; }
     /// Fetches the next rows of part @p index; after damage, the rows that salvage finds.
     [[nodiscard]] BagFile::Outcome fetch(std::size_t index, const RowQuery& query, std::vector<BagRow>& rows);
-    /// Returns @p row of part @p index as an event. Empty, with a reported problem, when its topic is unknown
-    /// or it is not CDR.
+    /// Returns @p row of part @p index as an event. Empty when its topic is unknown or it is not CDR;
+    /// problems() then reports that.
     [[nodiscard]] std::optional<RawEvent> eventOf(std::size_t index, BagRow row);
     /// Returns the ids in part @p index of the topics with these names.
     [[nodiscard]] std::set<std::int64_t> idsOf(std::size_t index,

@@ -19,8 +19,8 @@ namespace leitstand::detail {
 /// A file of a bag that SQLite can read: rosbag2's schema, versions 1 to 4.
 class SqliteFile final : public BagFile {
 public:
-    /// Opens @p file. With @p live, a writer has it, and SQLite's own locks keep us apart. Otherwise nothing
-    /// of it is changed or locked. Error when SQLite cannot read it; the text begins with the file's name.
+    /// Opens @p file. @p live: a writer has it open, so SQLite's own locks are used. Otherwise the file is
+    /// neither changed nor locked. Error when SQLite cannot read it; the text begins with the file's name.
     [[nodiscard]] static Result<std::unique_ptr<BagFile>> open(const std::filesystem::path& file, bool live);
 
     [[nodiscard]] Outcome fetch(const RowQuery& query, std::vector<BagRow>& rows) override;

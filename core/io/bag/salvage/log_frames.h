@@ -10,14 +10,14 @@ namespace leitstand::detail {
 
 /// The frames of a write-ahead log of SQLite (https://www.sqlite.org/fileformat2.html, section 4). SQLite
 /// reads the log up to the first broken frame; here the frames behind it count too. The checksum of a frame
-/// continues the one stored in the frame before. A frame can therefore be verified without earlier frames.
+/// continues the checksum stored in the frame before. So the previous frame suffices to verify a frame.
 struct LogFrames {
     std::map<std::uint32_t, std::int64_t> pages;  ///< page -> offset of its newest committed content
-    std::size_t sound = 0;                        ///< frames of the log's present round
+    std::size_t sound = 0;                        ///< sound frames of the log's present round
     std::size_t broken = 0;                       ///< frames of the round that are not sound
-    std::size_t firstBroken = 0;                  ///< its place, from 1; 0: the header is broken
-    std::size_t hidden = 0;                       ///< committed sound frames that SQLite does not reach
-    bool cut = false;                             ///< it ends in a broken frame or within a transaction
+    std::size_t firstBroken = 0;  ///< first broken frame, from 1; 0: the header is broken, or nothing is
+    std::size_t hidden = 0;       ///< committed sound frames that SQLite does not reach
+    bool cut = false;             ///< the log ends in a broken frame or within a transaction
 
     [[nodiscard]] bool hides() const { return hidden > 0; }
 };

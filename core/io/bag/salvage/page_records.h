@@ -19,11 +19,12 @@ struct PageCell {
     std::uint32_t page = 0;            ///< page that holds the cell
     std::size_t offset = 0;            ///< of the record's local part, in the page
     std::size_t local = 0;             ///< bytes of the record in the page
-    std::uint32_t overflow = 0;        ///< page of the rest; 0: there is none
+    std::uint32_t overflow = 0;        ///< page with the rest of the record; 0: there is none
     std::span<const std::byte> begin;  ///< the local part; valid during the call
 };
 
-/// Calls @p take with every cell in the leaf pages of @p file whose bounds lie within page and file.
+/// Calls @p take with every cell of the leaf pages of @p file. Cells that reach beyond their page or the file
+/// are skipped.
 void eachCell(const PageFile& file, const std::function<void(const PageCell&)>& take);
 
 /// A column of a record: SQLite's serial type and the place of its content.
@@ -36,15 +37,16 @@ struct PageColumn {
     [[nodiscard]] bool isText() const { return type >= 13 && type % 2 == 1; }
 };
 
-/// Returns the columns that the header of a record lists. Empty when header and columns are not exactly as
-/// long as the record, or when there are more than @p most.
+/// Returns the columns that the header of a record lists. Empty when header and columns together are not
+/// exactly as long as the record, or when there are more than @p most columns.
 [[nodiscard]] std::vector<PageColumn> columnsOf(const PageCell& cell, std::size_t most = 8);
 /// Returns the number in an integer column; empty when its content is not within @p record.
 [[nodiscard]] std::optional<std::int64_t> integerIn(std::span<const std::byte> record,
                                                     const PageColumn& column);
 [[nodiscard]] std::optional<std::string> textIn(std::span<const std::byte> record, const PageColumn& column);
 
-/// Returns the whole record of @p cell, with its overflow pages; empty when they do not hold it.
+/// Returns the whole record of @p cell, with the part in overflow pages; empty when these pages do not hold
+/// all of it.
 [[nodiscard]] std::optional<std::vector<std::byte>> wholeRecord(const PageFile& file, const PageCell& cell);
 
 }  // namespace leitstand::detail

@@ -20,7 +20,8 @@ namespace leitstand::detail {
 /// a row of messages. Opening reads the whole file.
 class SalvagedFile final : public BagFile {
 public:
-    /// Searches @p file. The problems state @p why SQLite cannot read it. Error when nothing is found.
+    /// Searches @p file. @p why: the reason why SQLite cannot read it, for the problems. Error when nothing
+    /// is found.
     [[nodiscard]] static Result<std::unique_ptr<BagFile>> open(const std::filesystem::path& file,
                                                                const std::string& why);
 

@@ -36,7 +36,8 @@ struct StoreProblem {
 class BagStore {
 public:
     virtual ~BagStore() = default;
-    /// Brings @p batch to the disk (fsync). On failure nothing of it is there.
+    /// Brings @p batch to the disk (fsync). Returns why that failed, with nothing of @p batch on the disk;
+    /// empty: success.
     [[nodiscard]] virtual std::optional<StoreProblem> commit(const BagBatch& batch) = 0;
     /// Free space that an ordinary user may fill [B].
     [[nodiscard]] virtual std::uint64_t freeBytes() = 0;

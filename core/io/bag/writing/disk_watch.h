@@ -19,8 +19,8 @@ struct DiskReading {
     std::size_t queuedBytes = 0;
     double secondsBehind = 0.0;  ///< age of the oldest event that is not on the disk [s]
     bool full = false;           ///< the last attempt met a full disk
-    std::string failure;         ///< why the last attempt failed otherwise; empty: it did not
-    std::string where;           ///< file
+    std::string failure;         ///< other reason why the last attempt failed; empty: there is none
+    std::string where;           ///< the file that is written
 };
 
 /// Computes the rate, the minutes left, and when alarms begin and end. Not thread-safe.

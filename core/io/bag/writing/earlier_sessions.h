@@ -15,8 +15,8 @@ struct EarlierSessions {
     std::filesystem::path nextFile;  ///< file of the session that begins
 };
 
-/// Reads @p folder and changes nothing. Sessions that cannot be read are no error. A bag of others is one,
-/// since the next session would overwrite its metadata.
+/// Reads @p folder and changes nothing. Sessions that cannot be read are no error. A bag of another program
+/// is an error, since the next session would overwrite its metadata.
 [[nodiscard]] Result<EarlierSessions> earlierSessions(const std::filesystem::path& folder);
 
 }  // namespace leitstand::detail

@@ -13,16 +13,18 @@
 namespace leitstand::detail {
 
 /// Events that wait for the disk, bounded in bytes; pictures are dropped first. Not thread-safe. Events that
-/// take() returned count as waiting until settle().
+/// take() returned still count in bytes() and events() until settle().
 class EventQueue {
 public:
     using Clock = std::chrono::steady_clock;
-    /// @p droppableBound: bytes that may wait when a picture comes; @p bound: when another event comes [B].
+    /// @p droppableBound: size of the queue beyond which new pictures are dropped; @p bound: beyond which
+    /// other new events are dropped [B].
     EventQueue(std::size_t droppableBound, std::size_t bound)
         : m_droppableBound(droppableBound), m_bound(bound) {}
 
-    /// Queues or drops @p event. A picture is dropped beyond the first bound. Another event is dropped beyond
-    /// the second, after all waiting pictures.
+    /// Queues or drops @p event. A picture is dropped when the queue would exceed the first bound. When it
+    /// would exceed the second one, all waiting pictures are dropped, and then @p event if that is not
+    /// enough.
     void push(RawEvent event, bool droppable, Clock::time_point now);
     /// Takes the oldest events: at least one, together about @p bytes [B].
     [[nodiscard]] std::vector<RawEvent> take(std::size_t bytes);
@@ -30,7 +32,7 @@ public:
     void settle(const RawEvent& event);
     /// Sets whether pictures are dropped at once (a full disk). If so, waiting pictures are dropped too.
     void refuseDroppables(bool refuse);
-    /// Counts @p event as dropped without taking it.
+    /// Counts @p event as dropped, without queueing it.
     void drop(const RawEvent& event, bool droppable);
 
     [[nodiscard]] bool empty() const { return m_events.empty(); }

@@ -34,7 +34,8 @@ public:
     /// Reads one point per line until there are @p points. Error when there are fewer.
     [[nodiscard]] Result<void> readLines(LineReader& reader, std::size_t points);
 
-    /// Drops the labels when some are not ours; adds a warning about @p file to @p warnings then.
+    /// If some labels are not numbers of Label, drops all labels and adds a warning about @p file to
+    /// @p warnings.
     void finish(const std::string& file, std::vector<std::string>& warnings);
 
 private:

@@ -7,7 +7,8 @@
 
 namespace leitstand::detail {
 
-/// Appends point @p i with its intensity and its label (one byte per @p labelBytes) as little-endian numbers.
+/// Appends point @p i, its intensity and its label as little-endian numbers. The label takes @p labelBytes
+/// bytes.
 void appendRecord(std::string& bytes, const Scan& scan, std::size_t i, std::size_t labelBytes);
 
 /// Appends point @p i with its intensity and label as a line of text that reads back exactly.

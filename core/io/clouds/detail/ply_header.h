@@ -21,7 +21,7 @@ struct PlyHeader {
     std::uint64_t verticesAt = 0;  ///< binary only: first byte of the vertices
 };
 
-/// Reads the header from the first line on; leaves the reader behind it.
+/// Reads the header from the first line on; leaves the reader right after the header.
 [[nodiscard]] Result<PlyHeader> readPlyHeader(LineReader& reader);
 
 }  // namespace leitstand::detail

@@ -10,13 +10,14 @@
 
 namespace leitstand::detail {
 
-/// Scans end well below this, where float32 still resolves 8 mm [m].
+/// Largest coordinate of a point [m]. There, float32 still resolves 8 mm. Real scans end well below.
 inline constexpr double MaxCoordinate = 100'000.0;
 
 /// Returns the point that stands for "no echo".
 [[nodiscard]] Eigen::Vector3f noEcho();
 
-/// Fills a scan with what a reader finds. A function that refuses a value returns what was expected instead.
+/// Fills a scan with what a reader finds. A function that refuses a value returns what was expected instead;
+/// empty: it took the value.
 class PointSink {
 public:
     explicit PointSink(Scan& scan) : m_scan(scan) {}
@@ -29,7 +30,7 @@ public:
     [[nodiscard]] std::optional<std::string_view> addIntensity(double value);
     /// Appends the label of the last point, a number of Label. Other numbers are noted as foreign.
     void addLabel(double value);
-    /// Drops the labels when some are foreign; adds a warning about @p file to @p warnings then.
+    /// If some labels are foreign, drops all labels and adds a warning about @p file to @p warnings.
     void finish(const std::string& file, std::vector<std::string>& warnings);
 
 private:

@@ -10,7 +10,7 @@
 
 namespace leitstand::detail {
 
-/// Format of the lines of a text of points. Three coordinates come first; a fourth number is the intensity;
+/// Format of a text with one point per line. Three coordinates come first; a fourth number is the intensity;
 /// other fields are ignored. Every line has as many fields as the first.
 struct PointTextFormat {
     Separators separators = Separators::Blanks;

@@ -12,15 +12,15 @@
 
 namespace leitstand {
 
-/// What an answer to a question makes of a map.
+/// How a map changes by an answer to a question about a loop.
 struct LoopPreview {
-    std::map<std::uint64_t, Pose> moved;  ///< key scans that would visibly move, and where to in the map
+    std::map<std::uint64_t, Pose> moved;  ///< new poses in the map of key scans that visibly move, by id
     double largest = 0.0;                 ///< the farthest of these moves [m]
-    std::size_t parted = 0;  ///< other links of loops that would contradict it, and no longer count
+    std::size_t parted = 0;  ///< number of other loop links that contradict the answer, and do not count then
 };
 using LoopPreviewPtr = std::shared_ptr<const LoopPreview>;
 
-/// Returns the preview of @p map, whose LiveMapper::problemWith() has @p solution.
+/// Returns the preview for @p map. @p solution: that of its LiveMapper::problemWith().
 [[nodiscard]] LoopPreview previewOf(const LiveMap& map, const MapSolution& solution,
                                     const LoopSettings& settings);
 

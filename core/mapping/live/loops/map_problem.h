@@ -23,10 +23,10 @@ struct MapSolution {
     std::uint64_t revision = 0;
 };
 
-/// Returns poses that depend on @p problem's links alone, bit for bit, and not on where the scans stand.
+/// Solves @p problem. The poses depend on its links alone, bit for bit, and not on where the scans are now.
 [[nodiscard]] MapSolution solve(const MapProblem& problem, const Progress& progress = {});
 
-/// Returns whether a scan that moved from @p before to @p after has moved so far that it is reported.
+/// Returns whether the move of a scan from @p before to @p after is large enough to be reported.
 [[nodiscard]] bool isNoticed(const Pose& before, const Pose& after, const LoopSettings& settings);
 
 }  // namespace leitstand

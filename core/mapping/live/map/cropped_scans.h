@@ -12,15 +12,15 @@
 
 namespace leitstand {
 
-/// Returns @p scan without points outside @p crop or on @p others, seen from @p scanInMap: finite points
+/// Returns @p scan, which is at @p scanInMap, without points outside @p crop or on @p others: finite points
 /// only, unorganised. Returns @p scan itself if all of it is kept.
 [[nodiscard]] ScanPtr insideCrop(const ScanPtr& scan, const MapCrop& crop, const Pose& scanInMap,
                                  std::span<const PlacedBody> others = {});
 
-/// The points of a map's key scans that are inside the map's area, as the area is now. They are not on other
-/// robots, as far as the robots' poses are known now. Spectators may have been scanned before the area was
-/// drawn, and a robot before it was placed. Points that are left out are kept, so that a wider area brings
-/// them back. Scans of a part whose pose relative to the area is unknown are wholly inside.
+/// Chooses which points of its key scans a map has: those inside the present area, and not on other robots as
+/// far as their poses are known now. Spectators may have been scanned before the area was drawn, and a robot
+/// before it was placed. Points that are left out are kept, so that a wider area brings them back. The area
+/// leaves nothing out of a part of the map whose pose relative to it is unknown.
 class CroppedScans {
 public:
     void setCrop(MapCrop crop);
@@ -29,9 +29,10 @@ public:
     void setBodies(std::uint64_t id, std::vector<BodyInScan> bodies);
     /// Returns the bodies that were set for the key scan @p id.
     [[nodiscard]] std::vector<BodyInScan> bodies(std::uint64_t id) const;
-    /// Sets the points of @p scan to those that are inside, from where it stands now. Also sets its cloud for
-    /// matching, if it has one, which is then one of @p clouds. The same key scan at the same place gets the
-    /// same pointers again. A scan that is wholly inside is complete, point for point.
+    /// Sets the points of @p scan to those that belong in the map, by its present pose. Sets its cloud for
+    /// matching, if it has one, to the same part; @p clouds keeps that cloud. The same key scan at the same
+    /// place gets the same pointers again. If all of a scan belongs in the map, it stays whole, point for
+    /// point.
     void fit(LiveKeyScan& scan, const MatchedClouds& clouds = MatchedClouds());
 
     /// Forgets the key scan @p id: the next scan with its number is another one.
@@ -44,7 +45,7 @@ private:
         MatchedCloudPtr wholeReduced, reduced;
         Pose scanInMap = Pose::Identity();  ///< pose for which the points inside were found
         std::uint64_t part = 0;             ///< LiveKeyScan::part at that time
-        bool stale = true;                  ///< what is inside has changed
+        bool stale = true;                  ///< the area or the bodies changed since then
     };
 
     MapCrop m_crop;

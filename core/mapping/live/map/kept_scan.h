@@ -20,8 +20,8 @@ public:
     [[nodiscard]] ScanPtr inside() const;
     [[nodiscard]] std::size_t leftOut() const;  ///< number of points
 
-    /// Leaves out all points of @p whole, which is whole(), except @p kept, rising: inside() has these,
-    /// unorganised.
+    /// Leaves out all points except those at the indices @p kept, which rise; inside() has these,
+    /// unorganised. @p whole: whole().
     void leaveOutAllBut(const std::vector<std::size_t>& kept, const ScanPtr& whole);
     void putAllBack();
 
@@ -31,7 +31,7 @@ private:
     mutable std::mutex m_mutex;
     ScanPtr m_inside;
     Scan m_leftOut;
-    std::vector<std::uint32_t> m_which;  ///< the whole scan's points that are left out, rising
+    std::vector<std::uint32_t> m_which;  ///< places of the left-out points in the whole scan, rising
     int m_rows = 0, m_columns = 0;       ///< of the whole scan, where points are left out
 };
 

@@ -16,15 +16,15 @@ struct LiveScan {
     Pose sensorInBase = Pose::Identity();
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< against gravity, in the scan's frame
     bool levelKnown = false;                        ///< whether an inertial unit or the odometry measures up
-    bool levelByUnit = false;                       ///< whether an inertial unit does
+    bool levelByUnit = false;                       ///< whether an inertial unit measures up
     TurnEnd end = TurnEnd::Turn;
     bool extrapolated = false;  ///< odometry was late: the motion at the end of the scan is guessed
     bool bridged = false;       ///< odometry is missing within the scan
     double guessed = 0.0;       ///< share of its motion that is extrapolated, 0 to 1
-    int odometryFrame = 0;      ///< scans of another number have another origin of sensorInOdom
+    int odometryFrame = 0;  ///< number of the odometry; with another number, sensorInOdom has another origin
     double way = 0.0,
            turn = 0.0;         ///< of the robot since the end of the scan before, in total [m, rad]
-    bool motionKnown = false;  ///< whether velocity and yawRate are
+    bool motionKnown = false;  ///< whether velocity and yawRate are known
     /// Velocity of the base by odometry, in the base: the mean over the scan [m/s, rad/s].
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
     double yawRate = 0.0;

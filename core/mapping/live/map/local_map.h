@@ -21,20 +21,21 @@ struct LocalMap {
 
 /// Settings of localMap().
 struct LocalMapSettings {
-    int scans = 12;       ///< the nearest, of those that count
+    int scans = 12;       ///< largest number of scans; the nearest of those that count
     double voxel = 0.08;  ///< edge of the voxels that thin the cloud [m]
 };
 
-/// Returns how far two poses are from each other for the map [m]. Heights count four times, since nobody sees
-/// the storey below through a floor.
+/// Returns the distance between two poses [m]. Their difference in height counts four times, since nobody
+/// sees the storey below through a floor.
 [[nodiscard]] double mapDistance(const Pose& a, const Pose& b);
 
-/// Returns LiveKeyScan::part of the scan that counts nearest to @p place; 0: none.
+/// Returns LiveKeyScan::part of the scan nearest to @p place, among those that count. Also 0 if there is
+/// none.
 [[nodiscard]] std::uint64_t partAt(std::span<const LiveKeyScan> scans, const Pose& place);
 /// Returns those of @p scans that are of @p part.
 [[nodiscard]] std::vector<LiveKeyScan> ofPart(std::span<const LiveKeyScan> scans, std::uint64_t part);
 
-/// Returns the local map around @p place.
+/// Returns the local map of those of @p scans that count and are nearest to @p place.
 [[nodiscard]] LocalMap localMap(std::span<const LiveKeyScan> scans, const Pose& place,
                                 const LocalMapSettings& settings = {});
 

@@ -34,19 +34,19 @@ struct MapUpdate {
     std::optional<KeyScanSample> keyScan;
     std::optional<ScanLinksSample> links;  ///< to the scans that it was registered against
     std::optional<ScanPosesSample> poses;
-    /// Links of a loop that closed with it; poses follow by LiveMapper::problem(). Links that are not active
-    /// are a question to the operator.
+    /// Links of a loop that closed at this scan; poses change only later, by LiveMapper::problem(). Links
+    /// that are not active are a question to the operator.
     std::optional<ScanLinksSample> loop;
     Localisation localisation;
-    ScanPtr ready;  ///< as it would enter: cleaned, labelled and thinned; null: it was not processed ...
-    Pose scanInMap = Pose::Identity();  ///< ... and where it was taken
+    ScanPtr ready;  ///< the scan as it would enter: cleaned, labelled and thinned; null: it was not processed
+    Pose scanInMap = Pose::Identity();  ///< where `ready` was taken
 };
 
 /// Where a robot was at its newest scan, in the map as it is now: decisions move it too.
 struct RobotFix {
     Time stamp{};                       ///< end of that scan, robot's clock
     Pose baseInMap = Pose::Identity();  ///< at that time
-    double certainty = 0.0;   ///< 0 to 1: by the share that meets the map, and by its least certain direction
+    double certainty = 0.0;   ///< 0 to 1: by the scan's overlap with the map and its least certain direction
     std::uint8_t doubts = 0;  ///< bits of ScanDoubt
     double spinning = 0.0;    ///< SpinningWheels::way() [m]
     std::uint64_t part = 0;   ///< LiveKeyScan::part that it is in
@@ -68,7 +68,7 @@ struct Settled {
 /// Settings for registering a scan again.
 struct RetrySettings {
     MatchSettings match;             ///< its wide schedule is used
-    std::optional<Pose> guessInMap;  ///< of the scan; empty: where it is
+    std::optional<Pose> guessInMap;  ///< start of the search; empty: the scan's present pose
 };
 
 }  // namespace leitstand

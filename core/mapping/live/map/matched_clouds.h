@@ -32,7 +32,7 @@ private:
     friend class MatchedClouds;
     struct Shelf;
     struct Place;
-    /// @p cloud: null: it is made on first use.
+    /// @p cloud may be null: then @p again makes the cloud on first use.
     MatchedCloud(const PointCloud* cloud, std::shared_ptr<Shelf> shelf, std::function<PointCloud()> again);
 
     std::unique_ptr<Place> m_place;
@@ -40,16 +40,16 @@ private:
 };
 using MatchedCloudPtr = std::shared_ptr<const MatchedCloud>;
 
-/// Keeps the clouds of a map's key scans for matching. Those used lately, which are around the robots, are in
-/// memory, the others in a store. An hour's map has more than a thousand key scans; a scan is matched against
-/// a dozen.
+/// Keeps the clouds of a map's key scans for matching. Clouds used lately, which are around the robots, are
+/// in memory, the others in a store. An hour's map has more than a thousand key scans; a scan is matched
+/// against a dozen.
 class MatchedClouds {
 public:
-    /// A robot's local map, twice, and the next one that it reaches: a dozen each, and as much for another
-    /// robot.
+    /// Enough for two robots: the local map of each and the next one that it reaches, a dozen clouds each.
     static constexpr std::size_t Usual = 48;
 
-    /// @p store: null: all stay in memory. @p inMemory: number of clouds; the others are in the store.
+    /// @p store may be null: then all clouds stay in memory. @p inMemory: number of clouds in memory if there
+    /// is a store.
     explicit MatchedClouds(std::shared_ptr<PageStore> store = nullptr, std::size_t inMemory = Usual);
     ~MatchedClouds();
     MatchedClouds(MatchedClouds&&) noexcept;

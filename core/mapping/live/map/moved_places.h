@@ -13,11 +13,11 @@ namespace leitstand {
 /// that one saw it best.
 class MovedPlaces {
 public:
-    /// Finds scans of @p before that stand elsewhere in @p after; scans that are set aside move nothing.
+    /// Compares the poses of scans in @p before and @p after. Only scans that count in both move places.
     MovedPlaces(const LiveMap& before, const LiveMap& after);
 
     [[nodiscard]] bool any() const { return m_any; }
-    /// Returns the correction to put before poses at @p place, map's frame before the move [m].
+    /// Returns the correction at @p place (map's frame before the move [m]). It is put before poses there.
     [[nodiscard]] Pose at(const Eigen::Vector3d& place) const;
 
 private:

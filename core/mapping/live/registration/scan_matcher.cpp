@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/time.h"
-#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/loops/places/free_space.h"
 
 namespace leitstand {
 namespace {
@@ -47,7 +47,7 @@ const LocalMap& ScanMatcher::localAt(const Pose& place, const RobotTrack& robot)
         m_local = localMap(ofPart(m_map.scans, put ? partAt(m_map.scans, place) : partOf(robot)), place,
                            m_settings.local);
     } else {
-        const std::map<std::uint64_t, double> together = m_loops.sameAge(robot.key);
+        const std::map<std::uint64_t, double> together = m_graph.sameAge(robot.key);
         std::vector<LiveKeyScan> scans;
         for (const LiveKeyScan& scan : m_map.scans) {
             if (together.contains(scan.id) && scan.counts()) scans.push_back(scan);

@@ -5,7 +5,7 @@
 
 #include "core/base/pose.h"
 #include "core/mapping/live/live_settings.h"
-#include "core/mapping/live/loops/loop_closer.h"
+#include "core/mapping/live/loops/links/map_graph.h"
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/live/map/live_scan.h"
 #include "core/mapping/live/map/local_map.h"
@@ -23,8 +23,9 @@ struct ExpectedScan {
 /// Returns where @p live is expected, by what is known of @p robot's motion.
 [[nodiscard]] ExpectedScan expectedAt(const LiveScan& live, const RobotTrack& robot);
 
-/// Returns whether @p live, which came to lie at @p found instead of @p guess, was taken while something
-/// pushed or held the robot. Its points were assembled by odometry's motion within the turn.
+/// Returns whether something pushed or held the robot while @p live was taken: the scan fits at @p found, too
+/// far from @p guess. Its points are bent then, since they were assembled by odometry's motion within the
+/// turn.
 [[nodiscard]] bool wasPushed(const LiveScan& live, const Pose& guess, const Pose& found, const Step& step,
                              const KeyScanRule& rule);
 
@@ -38,42 +39,45 @@ struct ScanToMatch {
     const LiveSettings& preparing;       ///< settings by which it is cleaned
 };
 
-/// Registers scans against the key scans around them. Also tries what may keep a scan from fitting: a turn
-/// that the wheels bent, or a robot that stood while they spun.
+/// Registers scans against the key scans around them. Also tries to correct a turn whose motion the wheels
+/// measured wrong, and a robot that stood while its wheels spun.
 class ScanMatcher {
 public:
     /// All arguments must outlive it.
-    ScanMatcher(const LiveMap& map, const LoopCloser& loops, const LiveSettings& settings)
-        : m_map(map), m_loops(loops), m_settings(settings) {}
+    ScanMatcher(const LiveMap& map, const MapGraph& graph, const LiveSettings& settings)
+        : m_map(map), m_graph(graph), m_settings(settings) {}
 
-    void mapChanged() { m_stale = true; }  ///< the surroundings of robots are looked up again
-    /// Returns the scans around @p place that @p robot's newest scans are connected with; valid until the
-    /// next call.
+    void mapChanged() { m_stale = true; }  ///< the local map is made again at its next use
+    /// Returns the local map around @p place, of scans that @p robot's newest key scan is connected with;
+    /// valid until the next call.
     [[nodiscard]] const LocalMap& localAt(const Pose& place, const RobotTrack& robot);
-    /// Returns how @p scan fits. @p ready: the scan as it was expected; after the call, the scan as it fits.
+    /// Returns how @p scan fits. @p ready: the scan prepared at its expected pose; after the call, as
+    /// corrected to fit best.
     [[nodiscard]] Match match(const ScanToMatch& scan, ReadyScan& ready);
-    /// Returns whether @p scan, which does not fit, was taken at its pose by odometry. It sees new ground,
-    /// and neither fills what the scans around it looked through, nor do they fill what it looked through.
+    /// Returns whether @p scan, which does not fit, may enter at its pose by odometry. It must see new
+    /// ground. Neither may it fill what the scans around it looked through, nor may they fill what it looked
+    /// through.
     [[nodiscard]] bool isHeldByOdometry(const ScanToMatch& scan, const ReadyScan& ready);
 
 private:
     [[nodiscard]] Match matched(const ScanToMatch& scan, const PointCloud& cloud);
-    /// Takes the drift within the turn out of @p ready, if it then fits better than by @p match.
+    /// Takes odometry's drift within the turn out of @p ready and updates @p match, if the scan then fits
+    /// better.
     void refine(const ScanToMatch& scan, ReadyScan& ready, Match& match);
     /// Tries whether the wheels spun, for a @p scan that does not fit, or fits away from odometry's pose. Its
     /// points were assembled as if the robot had moved as its wheels did. Here they are assembled as if it
-    /// had only turned. The wheels spun if that fits, or fits better, where the robot was last.
+    /// had only turned. The wheels spun if the scan then fits, or fits better, where the robot was last.
     void stand(const ScanToMatch& scan, ReadyScan& ready, Match& match);
     [[nodiscard]] const LiveKeyScan* find(std::uint64_t id) const;
     /// Returns LiveKeyScan::part of @p robot's newest key scan.
     [[nodiscard]] std::uint64_t partOf(const RobotTrack& robot) const;
 
     const LiveMap& m_map;
-    const LoopCloser& m_loops;
+    const MapGraph& m_graph;
     const LiveSettings& m_settings;
     LocalMap m_local;
-    Pose m_place = Pose::Identity();  ///< of the local map
-    std::uint64_t m_key = 0;          ///< RobotTrack::key of its robot
+    Pose m_place = Pose::Identity();  ///< where `m_local` was made ...
+    std::uint64_t m_key = 0;          ///< ... and RobotTrack::key of its robot
     bool m_stale = true;
 };
 

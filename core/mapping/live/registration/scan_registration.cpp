@@ -197,7 +197,7 @@ void ScanRegistration::link(MapUpdate& update, const RobotTrack& robot,
             });
         if (counts != m_map.map.scans.rend()) before = &*counts;
     }
-    std::vector<Link> links = m_map.loops.add({key, before, others, match});
+    std::vector<Link> links = m_map.graph.add({key, before, others, match});
     if (!links.empty()) update.links = ScanLinksSample{now, m_map.station, std::move(links)};
     if (!key.counts()) return;
     std::vector<Link> loop = m_map.loops.close(key, m_map.map);

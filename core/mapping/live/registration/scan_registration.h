@@ -23,15 +23,15 @@ public:
 private:
     /// How a robot's newest scan fits the map, before it is decided whether it enters.
     struct Registered {
-        bool first = false, begins = false;  ///< first of a part; of one beside those that exist
+        bool first = false, begins = false;  ///< the first scan of a part; of a part beside those that exist
         Pose guess = Pose::Identity();
         Step step;
         ReadyScan ready;
         Match match;
         double fresh = 1.0;                  ///< share of its points that see new ground
         std::vector<std::uint64_t> against;  ///< ids of scans that it was matched with, nearest first
-        bool held = false;                   ///< it does not fit, but is held by odometry
-        bool lost = false;                   ///< it does not fit, nor is it held
+        bool held = false;                   ///< it does not fit, but ScanMatcher::isHeldByOdometry()
+        bool lost = false;                   ///< it does not fit, and is not `held`
         bool pushed = false;                 ///< wasPushed()
     };
     /// Registers @p live. Returns the doubt if it cannot be registered at all: too few points to begin with,
@@ -39,8 +39,8 @@ private:
     [[nodiscard]] std::variant<Registered, ScanDoubt> registered(const LiveScan& live,
                                                                  const RobotTrack& robot,
                                                                  std::span<const PlacedBody> others);
-    /// Returns whether @p found is a key scan of @p robot, which remembers whether it was left out for the
-    /// next one.
+    /// Returns whether @p found becomes a key scan. Sets RobotTrack::waited of @p robot: whether it is left
+    /// out for the next one.
     [[nodiscard]] bool isKeyScan(RobotTrack& robot, const LiveScan& live, const Registered& found) const;
     /// Enters @p found into the map. Adds to @p update what is to be logged.
     void enter(MapUpdate& update, RobotTrack& robot, const LiveScan& live, const Registered& found, Time now);
@@ -50,11 +50,13 @@ private:
     void link(MapUpdate& update, const RobotTrack& robot, std::span<const std::uint64_t> against,
               const Match& match, Time now);
     [[nodiscard]] bool enters(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
-    /// Returns whether the map can do without this scan, if the next one enters.
+    /// Returns whether the map can do without the scan at @p scanInMap, if the next one enters.
     [[nodiscard]] bool canWait(const RobotTrack& robot, const Pose& scanInMap, double fresh) const;
-    /// Returns where a scan with the up direction @p up begins a part of its own.
+    /// Returns the pose of a scan that begins a part of its own, aside from the map. @p up: against gravity,
+    /// in the scan's frame.
     [[nodiscard]] Pose aside(const Eigen::Vector3d& up) const;
-    /// Returns whether no scan counts in the part of @p robot, which nobody has placed.
+    /// Returns whether no scan counts in the part of @p robot; false if the operator has placed the robot, or
+    /// it has no key scan.
     [[nodiscard]] bool isAlone(const RobotTrack& robot);
     /// Returns whether the next scan of @p robot, if it is whole enough, begins a part beside those that
     /// exist. Also true if its part is gone, since all of it was set aside.

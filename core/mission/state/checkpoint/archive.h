@@ -27,9 +27,9 @@ void append(std::vector<std::byte>& to, const void* bytes, std::size_t size);
 /// Moves the first @p size bytes of @p from to @p into; false when there are fewer.
 [[nodiscard]] bool extract(std::span<const std::byte>& from, void* into, std::size_t size);
 
-/// Turns values into bytes, or bytes into values. A type describes itself once for both by a free function
-/// `describe(archive, value)` that names its fields: `archive(value.a, value.b)`. Reading trusts nothing:
-/// after the first thing that makes no sense, ok() is false and values stay as they are.
+/// Turns values into bytes, or bytes into values. For both, a type lists its fields once, in a free function
+/// `describe(archive, value)`: `archive(value.a, value.b)`. Reading trusts nothing: after the first bytes
+/// that make no sense, ok() is false and values stay as they are.
 template <bool Writing>
 class Archive {
 public:
@@ -42,7 +42,8 @@ public:
     [[nodiscard]] std::span<const std::byte> rest() const { return m_rest; }
     [[nodiscard]] std::vector<std::byte> take() { return std::move(m_bytes); }
     void fail() { m_ok = false; }
-    /// The version of the bytes, which lack fields that are newer: since() in checkpoint_fields.h.
+    /// The version of the bytes. Bytes of an older version lack newer fields; see since() in
+    /// checkpoint_fields.h.
     [[nodiscard]] std::uint32_t version() const { return m_version; }
     void setVersion(std::uint32_t version) { m_version = version; }
 
@@ -64,7 +65,7 @@ private:
         }
     }
 
-    /// Reads or writes the count of things that take at least a byte each.
+    /// Reads or writes the number of elements of a container; each takes at least one byte.
     std::size_t count(std::size_t size) {
         auto number = static_cast<std::uint32_t>(size);
         raw(&number, sizeof number);
@@ -83,7 +84,7 @@ private:
         if constexpr (!Writing) value = byte == 1;
     }
 
-    /// Enumerations end with the value that lastOf() returns.
+    /// Refuses numbers above the last value of the enumeration, which lastOf() returns.
     template <class T>
     requires std::is_enum_v<T>
     void one(T& value) {

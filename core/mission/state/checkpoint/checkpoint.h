@@ -15,12 +15,12 @@ struct CheckpointSample;
 
 /// CheckpointSample::version of the bytes that this program writes.
 inline constexpr std::uint32_t CheckpointVersion = 8;
-/// Oldest version that it reads. Fields that were added since come after the older ones.
+/// Oldest version that this program reads. Fields that were added since then come after the older ones.
 inline constexpr std::uint32_t OldestCheckpointVersion = 6;
 
 /// Returns @p state as bytes; equal states make equal bytes.
 [[nodiscard]] std::vector<std::byte> serialised(const MissionState& state);
-/// Returns the state that @p bytes hold. Whatever they are, the worst result is an error.
+/// Returns the state that @p bytes hold. Any input is safe: bytes that make no sense give an error.
 [[nodiscard]] Result<MissionState> deserialised(std::span<const std::byte> bytes);
 
 /// Returns a checkpoint of @p state for the log.

@@ -15,7 +15,7 @@
 
 namespace leitstand {
 
-/// Reads or writes @p fields, which checkpoints hold from version @p Version on.
+/// Reads or writes @p fields, which only checkpoints of version @p Version and later hold.
 template <std::uint32_t Version, class A, class... T>
 void since(A& a, T&... fields) {
     static_assert(Version <= CheckpointVersion, "a new field raises CheckpointVersion (checkpoint.h)");

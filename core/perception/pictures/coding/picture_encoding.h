@@ -25,10 +25,10 @@ struct PictureEncoding {
     std::string_view name;         ///< "bgr8"
     Layout layout = Layout::Grey;  ///< order of the channels
     std::size_t pixelSize = 1;     ///< bytes a pixel
-    std::size_t valueSize = 1;     ///< bytes that the byte order swaps
+    std::size_t valueSize = 1;     ///< bytes of one value, which the byte order applies to
 };
 
-/// The encoding of that name; null when Leitstand cannot show it.
+/// Returns the encoding with @p name; null when Leitstand cannot show it.
 [[nodiscard]] const PictureEncoding* findPictureEncoding(std::string_view name);
 
 }  // namespace leitstand

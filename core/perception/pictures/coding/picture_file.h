@@ -18,7 +18,7 @@ struct PictureFileSize {
     std::int64_t width = 0, height = 0;
 };
 
-/// Reads only the header of a JPEG or PNG file. Error when it is neither or has no size.
+/// Reads the size from the header of a JPEG or PNG file. Error when it is neither or has no size.
 [[nodiscard]] Result<PictureFileSize> pictureFileSize(std::span<const std::byte> bytes);
 
 }  // namespace leitstand

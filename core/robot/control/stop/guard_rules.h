@@ -24,16 +24,18 @@ struct GuardPulse {
 [[nodiscard]] Result<GuardPulse> guardPulseFrom(std::string_view text);
 
 struct GuardTiming {
-    std::chrono::nanoseconds silence = std::chrono::milliseconds(200);  ///< of a pipe whose station drives
-    std::chrono::nanoseconds zeros = std::chrono::seconds(2);           ///< sent for this long, then no more
-    std::chrono::nanoseconds period = std::chrono::milliseconds(50);    ///< between zeros
-    std::chrono::nanoseconds others = std::chrono::seconds(1);  ///< others drive this long after a command
+    /// Longest pause between pulses while the station drives.
+    std::chrono::nanoseconds silence = std::chrono::milliseconds(200);
+    std::chrono::nanoseconds zeros = std::chrono::seconds(2);         ///< how long zeros are sent
+    std::chrono::nanoseconds period = std::chrono::milliseconds(50);  ///< between zeros
+    /// Another sender counts as driving for this long after a command.
+    std::chrono::nanoseconds others = std::chrono::seconds(1);
 };
 
-/// Decides when the guard of a robot without a watchdog sends zeros. It sends them for two seconds, once the
-/// station that drives the robot sends nothing through its pipe for 0.2 s, or closes its end. It never sends
-/// beside somebody else who drives: neither while another station holds the grant, nor where others' commands
-/// are heard. It stops when the station sends again. Pure: no clock, no thread.
+/// Decides when the guard of a robot without a watchdog sends zeros. Zeros are sent for two seconds, once a
+/// station that drives sent nothing through its pipe for 0.2 s, or closed its end. None is sent beside
+/// another driver: while another station holds the grant, or while commands of others are heard. The guard
+/// stops sending when the station sends again. Pure: no clock, no thread.
 class GuardRules {
 public:
     /// @p station: identity of the guarded station.
@@ -45,8 +47,8 @@ public:
     void receive(const GrantSample& grant, const Sender& from, SteadyTime now);
 
     struct Step {
-        bool zero = false;                    ///< send one now
-        bool over = false;                    ///< nothing more is ever to be done
+        bool zero = false;                    ///< send a zero now
+        bool over = false;                    ///< the guard has nothing more to do, ever
         std::optional<SteadyTime> next = {};  ///< when to call step() again; empty: when something is heard
     };
     [[nodiscard]] Step step(SteadyTime now);

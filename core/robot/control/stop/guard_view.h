@@ -8,10 +8,10 @@ namespace leitstand {
 /// State of a robot's guard: the process that sends it zeros when its station hangs or dies.
 struct GuardView {
     enum class State : std::uint8_t {
-        None,      ///< the robot needs none, or is not driven
-        Starting,  ///< not yet heard by the robot, which is not driven before
-        Ready,     ///< the robot hears its commands
-        Failed,    ///< the robot is not driven
+        None,      ///< the robot needs no guard, or is not driven
+        Starting,  ///< the robot does not hear it yet, and must not be driven until then
+        Ready,     ///< the robot hears the guard's commands
+        Failed,    ///< it does not work: the robot must not be driven
     };
     State state = State::None;
     std::string problem = {};  ///< for Failed, in words

@@ -17,29 +17,31 @@ namespace leitstand {
 
 /// Timing of a stop at the station.
 struct StopTiming {
-    std::chrono::nanoseconds repeat = std::chrono::milliseconds(100);  ///< until it is acknowledged
-    std::chrono::nanoseconds release = std::chrono::seconds(2);        ///< taken back if still unanswered
+    /// Between repeats, until the stop is acknowledged.
+    std::chrono::nanoseconds repeat = std::chrono::milliseconds(100);
+    /// An unanswered release is taken back after this long.
+    std::chrono::nanoseconds release = std::chrono::seconds(2);
     StandingRules standing = {};
 };
 
 /// Stops and releases one robot, on the station's side (docs/design.md, "The wire"). Pure.
 ///
 /// A stop is repeated until the robot's answer carries its number, however long that takes. Numbers begin
-/// with the nanoseconds of the wall clock and rise by one at least, so that a restarted station is above its
-/// earlier self. If its clock was set back, the robot obeys nevertheless (StopLatch). Stamps are for the log;
-/// nothing depends on the robot's clock. A release that the robot does not answer within 2 s is taken back by
-/// another stop, so that it surprises nobody when the link is back.
+/// with the nanoseconds of the wall clock and rise by one at least, so that a restarted station uses higher
+/// numbers than before. If the clock was set back, the robot obeys nevertheless (StopLatch). Stamps are for
+/// the log; nothing depends on the robot's clock. A release that the robot does not answer within 2 s is
+/// taken back by another stop. So the robot does not start by surprise when the link is back.
 class StopControl {
 public:
     explicit StopControl(std::string station, bool supported = true, const StopTiming& timing = {});
 
     void stop(SteadyTime now, Time wall);
-    /// Releases the robot. Errors: the grant to drive is not @p held, the robot's stop is unknown, or a stop
-    /// of this station is not acknowledged yet.
+    /// Releases the robot. Errors: this station does not hold the drive grant (@p held), the robot has not
+    /// reported its stop, or it has not acknowledged a stop of this station yet.
     Result<void> release(bool held, SteadyTime now, Time wall);
 
     void receive(const StopStateSample& state);
-    /// @p speed [m/s], @p turnRate [rad/s] by the robot's odometry.
+    /// Takes the robot's odometry: @p speed [m/s], @p turnRate [rad/s].
     void moved(double speed, double turnRate, SteadyTime now);
 
     /// Returns what must be sent now, if anything; call it about every 20 ms while a command is unanswered.
@@ -61,7 +63,7 @@ private:
     StopTiming m_timing;
     std::uint64_t m_number = 0;
     std::optional<StopCommandSample> m_pending;
-    SteadyTime m_since = {}, m_next = {};  ///< of the pending command
+    SteadyTime m_since = {}, m_next = {};  ///< when the pending command was made; when to send it next
     bool m_wanted = false, m_acknowledged = false;
     std::optional<StopStateSample> m_state;
     std::string m_refused;

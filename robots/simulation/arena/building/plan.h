@@ -48,7 +48,7 @@ public:
     std::vector<double> shaftsAt;  ///< where each storey's ramp begins along its strip [m]
 
     [[nodiscard]] static double rounded(double value);
-    /// Draws a rounded length [m]. @p dice belong to the plan or to one room.
+    /// Draws a length, rounded to millimetres [m]. @p dice belong to the plan or to one room.
     [[nodiscard]] static double length(Random& dice, double least, double most);
 
     /// Adds @p element under a unique name at x, y of @p spot, @p up above its floor [m], turned by @p turn

@@ -36,9 +36,10 @@ public:
 
     /// Opens walls between cells that @p among accepts, until exactly one way leads from @p first to each.
     void carve(Random& random, const Cell& first, const std::function<bool(const Cell&)>& among);
-    /// Opens each remaining wall between such cells with @p probability; this makes loops.
+    /// With @p probability, opens each remaining wall between cells that @p among accepts; this makes loops.
     void loosen(Random& random, double probability, const std::function<bool(const Cell&)>& among);
-    /// Returns whether all cells are still connected when @p cell has a wall at @p side.
+    /// Returns whether all cells are still connected when @p cell has a wall at @p side. Curtains count as
+    /// walls.
     [[nodiscard]] bool connectedWithout(const Cell& cell, Side side) const;
 
 private:

@@ -37,8 +37,8 @@ public:
 
     /// Returns the middle of a cell's floor [m].
     [[nodiscard]] Eigen::Vector3d middle(const Cell& cell);
-    /// Returns a frame @p distance in front of a cell's side, shifted by @p along it and @p up above the
-    /// floor [m]. Its y axis points to the wall.
+    /// Returns a frame @p distance in front of the wall at @p side of a cell, shifted by @p along the wall
+    /// and @p up above the floor [m]. Its y axis points to the wall.
     [[nodiscard]] Pose before(const Cell& cell, Side side, double distance, double along = 0.0,
                               double up = 0.0);
     [[nodiscard]] static Pose upright(const Eigen::Vector3d& position, double inDegrees);

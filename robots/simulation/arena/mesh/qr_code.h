@@ -20,7 +20,7 @@ struct QrCode {
 inline constexpr std::size_t LongestQrText = 62;  ///< [B]
 
 /// Encodes @p text as a QR code by libqrencode (ISO/IEC 18004: model 2, versions 1 to 4, byte mode, error
-/// correction M). An empty text becomes a blank. Error when the text is longer than LongestQrText.
+/// correction M). An empty text is encoded as one space. Error when the text is longer than LongestQrText.
 [[nodiscard]] Result<QrCode> encodeQr(std::string_view text);
 
 }  // namespace leitstand::simulation

@@ -37,7 +37,7 @@ struct CameraModel {
 /// Infrared camera of Kurt3D: 160 x 120, 40 degrees across.
 [[nodiscard]] CameraModel infraredOptics();
 /// Camera below a mirror on the Crawler; its z axis points down. It sees all around, from 12 degrees off its
-/// axis (itself) to 15 degrees above the horizon.
+/// axis (nearer, it would see itself) to 15 degrees above the horizon.
 [[nodiscard]] CameraModel omnidirectionalCamera();
 
 }  // namespace leitstand::simulation

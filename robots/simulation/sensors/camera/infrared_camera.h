@@ -24,8 +24,8 @@ struct InfraredSettings {
 };
 
 /// Returns the temperature that an infrared camera shows for @p hit [K]; the camera takes everything for a
-/// black body. Foil lets through what is @p behind it; null: nothing. Mirrored surroundings, and no hit, have
-/// temperature @p ambient [K].
+/// black body. @p behind: what is behind a foil that was hit; null: nothing shines through. @p ambient:
+/// temperature of mirrored surroundings, and of a ray without a hit [K].
 [[nodiscard]] double apparentTemperature(const Hit& hit, const Hit* behind, double ambient);
 
 /// A camera that measures temperature and publishes it as 16-bit PNG, in centikelvin by default.

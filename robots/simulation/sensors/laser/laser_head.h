@@ -35,8 +35,8 @@ class LaserHead {
 public:
     LaserHead(const LaserSettings& settings, const Noise& noise) : m_settings(settings), m_noise(noise) {}
 
-    /// Measures along @p rays (arena's frame), with neighbours next to each other, and sets their near and
-    /// far. The echoes stay valid until the next call.
+    /// Measures along @p rays (arena's frame) and sets their near and far. Rays that follow each other must
+    /// be neighbours in the scan. The echoes stay valid until the next call.
     [[nodiscard]] std::span<const LaserEcho> measure(std::span<Ray> rays, const CastRays& cast);
     [[nodiscard]] const LaserSettings& settings() const { return m_settings; }
 

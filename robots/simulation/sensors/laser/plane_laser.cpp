@@ -22,6 +22,20 @@ PlaneLaserSettings hokuyoUrg() {
     return settings;
 }
 
+PlaneLaserSettings rplidarA1() {
+    PlaneLaserSettings settings;
+    settings.laser.nearest = 0.15;
+    settings.laser.farthest = 12.0;
+    settings.laser.deviation = 0.003;
+    settings.laser.deviationOfRange = 0.01;
+    settings.laser.divergence = 0.004;
+    settings.points = 1'060;
+    settings.first = degrees(-180.0);
+    settings.step = degrees(360.0 / settings.points);
+    settings.rate = 7.5;
+    return settings;
+}
+
 PlaneLaser::PlaneLaser(const PlaneLaserSettings& settings, const Noise& noise, Time start)
     : m_settings(settings),
       m_head(settings.laser, noise),

@@ -24,6 +24,10 @@ struct PlaneLaserSettings {
 /// Hokuyo URG: 240 degrees, 4 m, 10 Hz, 0.36 degrees, deviation 5 mm + 1 %.
 [[nodiscard]] PlaneLaserSettings hokuyoUrg();
 
+/// Slamtec RPLIDAR A1M8: all around, 0.15 to 12 m, 8,000 shots a second, 7.5 turns a second; deviation 1 % of
+/// the range (data sheet, rev. 2.3).
+[[nodiscard]] PlaneLaserSettings rplidarA1();
+
 /// A laser that scans its own xy plane.
 class PlaneLaser final : public Sensor {
 public:

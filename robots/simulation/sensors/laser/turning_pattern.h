@@ -10,8 +10,8 @@
 namespace leitstand::simulation {
 
 /// Times and directions of the shots of an upright plane scanner that turns about the vertical axis without
-/// end, always to the left. Raw scans are numbered from 0 at the start. The one that closes a turn (paper,
-/// section 2: 181 x 161 points) is the first of the next and belongs to both.
+/// end, always to the left. Raw scans are numbered from 0 at the start. The raw scan that closes a turn is
+/// also the first one of the next turn (paper, section 2: 181 x 161 points).
 struct TurningPattern {
     int rawScans = 180;            ///< different headings per turn; one more raw scan repeats the first
     int points = 161;              ///< per raw scan
@@ -25,8 +25,8 @@ struct TurningPattern {
     [[nodiscard]] std::chrono::nanoseconds startOf(std::int64_t rawScan) const;
     /// Returns the time from the raw scan's first shot to that of @p point.
     [[nodiscard]] std::chrono::nanoseconds shotAfter(int point) const;
-    /// Returns the direction of a shot in the frame of the mount, which does not turn; unit length. A raw
-    /// scan has one heading.
+    /// Returns the direction of a shot, unit length, in the frame of the mount, which does not turn. All
+    /// shots of a raw scan have the same heading.
     [[nodiscard]] Eigen::Vector3d direction(std::int64_t rawScan, int point) const;
     [[nodiscard]] double heading(std::int64_t rawScan) const;  ///< from 0 up to below 2 pi [rad]
     [[nodiscard]] int row(std::int64_t rawScan) const;         ///< within its turn

@@ -27,7 +27,8 @@ struct GasSettings {
 class GasLag {
 public:
     explicit GasLag(double timeConstant, double value) : m_timeConstant(timeConstant), m_value(value) {}
-    /// Returns the value @p seconds later, with @p ppm around the sensor all that time [ppm].
+    /// Returns the value after @p seconds in which the air around the sensor had @p ppm [ppm]. The next step
+    /// starts from there.
     double step(double ppm, double seconds);
     [[nodiscard]] double value() const { return m_value; }
 

@@ -10,8 +10,8 @@
 
 namespace leitstand::simulation {
 
-/// Adds up the turning of wheels or chains along the attitude of an inertial unit. It does not see slip and
-/// overestimates the way by it. While the wheels stand, the heading holds.
+/// Adds up the turning of wheels or chains along the attitude of an inertial unit. Slip is not seen and makes
+/// the way too long. While the wheels stand, the heading holds.
 class DeadReckoning {
 public:
     /// Adds one step: how far each side has turned since the last one [m].

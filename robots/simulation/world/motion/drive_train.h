@@ -18,7 +18,7 @@ struct Push {
 
 /// What acts on a robot during a step.
 struct DriveInput {
-    double leftVoltage = 0.0, rightVoltage = 0.0;  ///< -1 to 1
+    double leftVoltage = 0.0, rightVoltage = 0.0;  ///< share of the full voltage, -1 to 1
     bool brake = false;
     Eigen::Vector2d gravity = Eigen::Vector2d::Zero();        ///< along base_link's x and y [m/s2]
     double leftLoad = 0.0, rightLoad = 0.0, bellyLoad = 0.0;  ///< normal to the ground [N]
@@ -33,7 +33,8 @@ struct DriveState {
 };
 
 /// Changes a robot's speeds by its motors, the ground and obstacles. Each constraint gets an impulse within
-/// its limit of friction, found by projected Gauss-Seidel (Catto 2005). A held robot does not creep.
+/// its limit of friction, found by projected Gauss-Seidel (Catto 2005). A robot at a standstill does not
+/// creep.
 class DriveTrain {
 public:
     explicit DriveTrain(const BodySpec& spec);

@@ -17,10 +17,11 @@ struct Obstacle {
     Eigen::Vector2d normalInArena = Eigen::Vector2d::Zero();  ///< out of the obstacle
     int element = -1;                                         ///< of the arena; -1: none
     int body = -1;                                            ///< a robot; -1: none
-    bool victim = false;                                      ///< a person, not the box around it
+    bool victim = false;                                      ///< skin or clothes of a victim, not its box
 };
 
-/// Returns whether @p surface is a victim's skin or clothes. Boards on it and its box are not.
+/// Returns whether @p surface is a victim's skin or clothes. Boards on a victim and the box around it are
+/// not.
 [[nodiscard]] bool isOfVictim(const Arena& arena, const Surface& surface);
 
 /// Rays that find what a robot runs against: from its middle to its outline at some heights, and upwards

@@ -12,7 +12,7 @@ namespace leitstand::simulation {
 struct RestingPlane {
     double height = 0.0;                              ///< at x = y = 0 [m]
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< along x and y
-    std::array<int, 3> feet = {0, 1, 2};              ///< the points that carry
+    std::array<int, 3> feet = {0, 1, 2};              ///< indices of the points that carry
     std::array<double, 3> shares = {};                ///< of the weight on each; sum 1
 
     [[nodiscard]] double at(const Eigen::Vector2d& place) const { return height + slope.dot(place); }

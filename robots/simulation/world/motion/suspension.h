@@ -37,7 +37,8 @@ private:
 
     const BodySpec& m_spec;
     std::vector<Eigen::Vector3d> m_under;   ///< points of the underside, contacts first [m]
-    std::vector<Eigen::Vector3d> m_ground;  ///< under each, from base_link's origin, less its height [m]
+    std::vector<Eigen::Vector3d> m_ground;  ///< ground under each, from base_link's origin; its height less
+                                            ///< that of the point [m]
     std::vector<int> m_victims;             ///< elements of the arena, under each; -1: none
     std::vector<Ray> m_rays;
     std::vector<Hit> m_hits;

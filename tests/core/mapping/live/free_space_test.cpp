@@ -1,4 +1,4 @@
-#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/loops/places/free_space.h"
 
 #include <vector>
 

@@ -208,11 +208,13 @@ TEST_F(Preflight, WhatIsAMatterOfTasteIsNotLoud) {
     facts.gamepad.clear();
     facts.secured = false;
     facts.strangers = {"rover"};
+    facts.environment = {"ROS_DOMAIN_ID=7"};
     EXPECT_EQ(worstOf(preflight(facts)), CheckState::Note) << "neither wrong nor ticked as in order";
     expect(Kind::GamepadNone, CheckState::Note);
     expect(Kind::Open, CheckState::Note);
     expect(Kind::Stranger, CheckState::Note);
-    EXPECT_TRUE(has(Kind::GamepadNone) && has(Kind::Open) && has(Kind::Stranger));
+    expect(Kind::Environment, CheckState::Note);
+    EXPECT_TRUE(has(Kind::GamepadNone) && has(Kind::Open) && has(Kind::Stranger) && has(Kind::Environment));
 }
 
 }  // namespace

@@ -41,14 +41,16 @@ struct MapColours {
 /// Returns the paper's blue, yellow or red; grey for points without a label.
 [[nodiscard]] Rgba labelColour(Label label);
 
-/// Returns the @p scan-th colour of Okabe and Ito's cycle, which colour-blind people can distinguish.
+/// Returns the colour for the scan with index @p scan. It is from Okabe and Ito's cycle, which colour-blind
+/// people can distinguish.
 [[nodiscard]] Rgba scanColour(std::size_t scan);
 
-/// Returns the colour of the @p place -th robot of the team, as in its pane and its mark; grey when negative.
+/// Returns the colour of the robot at @p place in the team, from 0, as in its pane and its mark; grey when
+/// negative.
 [[nodiscard]] Rgba robotColour(int place, Theme theme);
 
-/// Returns the colour map viridis at @p t, clamped to 0..1. Its darkest end, invisible on a dark screen, is
-/// left out.
+/// Returns the colour of the colour map viridis at @p t, clamped to 0..1. Its darkest end, invisible on a
+/// dark screen, is left out.
 [[nodiscard]] Rgba viridis(double t);
 
 /// Returns @p colour mixed with @p other. @p share: of @p other, 0 to 1.

@@ -30,13 +30,13 @@ struct PointPaint {
     bool paleFloor = false;  ///< as in the paper's top view
     ColourRamp ramp;         ///< used when a value decides the colour
     Rgba one;                ///< colour of all points, when the scan decides it
-    bool alike = false;      ///< all points have that colour, whatever the colouring
+    bool alike = false;      ///< all points have the colour `one`, whatever the colouring
     bool dim = false;        ///< another scan is in question, or changes are shown
     Eigen::RowVector3d up =
         Eigen::RowVector3d::Zero();  ///< map's z axis in the scan's frame; used when height decides
     double height = 0.0;  ///< of the scan's origin in the map's frame [m]; used when height decides
 
-    /// Returns the colour of the @p point -th of @p points.
+    /// Returns the colour of the point with index @p point in @p points.
     [[nodiscard]] Rgba colourOf(const ScanPoints& points, std::size_t point) const;
     bool operator==(const PointPaint&) const = default;
 
@@ -48,13 +48,13 @@ private:
 struct PointCloudLook {
     PointPaint paint;
     bool withCeiling = true;
-    std::size_t among = 0;  ///< the drawn points are among this many first ones of ScanPoints::order ...
-    std::size_t shown = 0;  ///< ... and this is their number
+    std::size_t among = 0;  ///< number of points, the first in ScanPoints::order, that may be drawn
+    std::size_t shown = 0;  ///< number of points that are drawn
 
     bool operator==(const PointCloudLook&) const = default;
 };
 
-/// Returns the look of all points of a scan, or of a part of them when @p thinned.
+/// Returns the look of a scan's points. @p thinned: only a third of them is drawn, as for an uncertain scan.
 [[nodiscard]] PointCloudLook lookOf(const ScanPoints& points, const PointPaint& paint, bool withCeiling,
                                     bool thinned);
 

@@ -42,19 +42,19 @@ struct ScanPoints {
     /// fewer runs than points.
     std::vector<PointRun> runs;
 
-    /// Returns the @p i-th point of the random order.
+    /// Returns the point at index @p i of the random order.
     [[nodiscard]] const Eigen::Vector3f& sample(std::size_t i) const { return points[(*order)[i]]; }
     [[nodiscard]] Label labelOfSample(std::size_t i) const { return labels[(*order)[i]]; }
     [[nodiscard]] std::uint8_t shadeOfSample(std::size_t i) const {
         return shades ? (*shades)[(*order)[i]] : std::uint8_t{0};
     }
-    /// Returns its memory use besides the scan's own [bytes].
+    /// Returns the memory used besides that of @p scan [bytes].
     [[nodiscard]] std::size_t memory(const Scan& scan) const;
 };
 using ScanPointsPtr = std::shared_ptr<const ScanPoints>;
 
-/// Returns the finite points of @p scan between @p minRange and @p maxRange from its sensor [m]. The order of
-/// a scan is always the same. The result owns @p scan when it shares its points.
+/// Returns the finite points of @p scan between @p minRange and @p maxRange from its sensor [m]. Their random
+/// order is the same at every call. The result keeps @p scan alive if it shares the scan's memory.
 [[nodiscard]] ScanPoints drawablePoints(const ScanPtr& scan, double minRange, double maxRange);
 
 }  // namespace leitstand

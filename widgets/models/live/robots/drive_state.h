@@ -31,15 +31,15 @@ struct Figure {
 
 struct AttitudeFigures {
     bool known = false;                    ///< measured recently
-    double roll = 0.0, pitch = 0.0;        ///< right side down, nose down [rad]
+    double roll = 0.0, pitch = 0.0;        ///< positive: right side down, nose down [rad]
     double maxRoll = 0.0, maxPitch = 0.0;  ///< where the robot tips over; 0: unknown [rad]
-    QString text;                          ///< "roll 6° · pitch -3°", in signs
+    QString text;                          ///< "roll 6° · pitch −3°"; "no attitude" when unknown
     QString limits;                        ///< "tips at 25°"
     Tone tone = Tone::Normal;              ///< Attention from 70 % of a limit, Act from 90 %
 };
 
 struct BatteryFigures {
-    Figure charge;  ///< as loud as the share or the time left, whichever is worse
+    Figure charge;  ///< its tone is that of the charge or of the time left, whichever is worse
     double fraction = std::numeric_limits<double>::quiet_NaN();  ///< 0 to 1
     QString left;                                                ///< "38 min at this load"; may be empty
     QString leftBrief;                                           ///< "38 min", where there is little room
@@ -48,16 +48,16 @@ struct BatteryFigures {
 
 struct GasFigures {
     double alarm = 2000.0;  ///< AlarmLimits::gas [ppm]
-    bool fitted = false;    ///< the robot measures it
+    bool fitted = false;    ///< the robot measures CO2
     Figure value;
-    QString arrow;                                   ///< rising, falling; may be empty
+    QString arrow;                                   ///< "↑" rises, "↓" falls; empty: steady or unknown
     QString caption;                                 ///< "last 2 min · alarm at 2,000"
-    std::vector<std::pair<double, double>> samples;  ///< as in GasTrend
+    std::vector<std::pair<double, double>> samples;  ///< as from GasTrend::samples()
 };
 
 /// Speeds of the chains of a tracked robot, as measured and as commanded.
 struct TrackFigures {
-    QString text;   ///< "chains 0.21 of 0.25 · 0.20 of 0.25 m/s", left first; empty: it has none
+    QString text;   ///< "chains 0.21 of 0.25 · 0.20 of 0.25 m/s", left first; empty: none or unknown
     QString brief;  ///< "0.21 of 0.25 · 0.20 of 0.25 m/s", where there is little room
     QString note;   ///< "the left chain does not follow"; may be empty
     Tone tone = Tone::Muted;
@@ -68,8 +68,8 @@ struct GrantFigures {
         None,
         Ask,
         Asked,   ///< waits for the answer
-        GiveUp,  ///< this station has it
-        Answer,  ///< another station asks for it
+        GiveUp,  ///< this station has the grant
+        Answer,  ///< another station asks this one for the grant
     };
     Choice choice = Choice::None;
     QString text;
@@ -80,20 +80,21 @@ struct GrantFigures {
 struct DriveState {
     RobotFace face;
     ModeLabel mode;
-    QString hint;  ///< what must be known or done before it moves
+    QString hint;  ///< what the driver must know or do before the robot moves
     Tone hintTone = Tone::Muted;
     Figure speed, turn, nearest;
     TrackFigures tracks;
     AttitudeFigures attitude;
     BatteryFigures battery;
-    QStringList link;  ///< its state, or its figures, the most important first
+    QStringList link;  ///< figures of the link, the most important first; without any: its state
     QString linkReason;
     Tone linkTone = Tone::Normal;
     GasFigures gas;
     GrantFigures grant;
 };
 
-/// Returns what the strip shows. @p now: station's clock; @p limits: from which figures are loud.
+/// Returns what the strip shows. @p now: station's clock. @p limits: values at which figures get a tone of
+/// alarm.
 [[nodiscard]] DriveState driveStateOf(const RobotFace& face, const RobotDescription& description,
                                       const RobotView& robot, const RobotState& reported, const GasTrend& gas,
                                       Time now, const AlarmLimits& limits = {});

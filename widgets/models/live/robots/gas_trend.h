@@ -13,12 +13,12 @@ class GasTrend {
 public:
     static constexpr double Span = 120.0;  ///< [s]
 
-    /// Adds @p ppm at @p at, of one clock. An earlier moment starts the trend again; the same moment counts
-    /// once.
+    /// Adds the concentration @p ppm at the time @p at; all times are of one clock. A time before the last
+    /// one starts the trend again; a time equal to the last one is ignored.
     void add(Time at, double ppm);
     void clear() { m_samples.clear(); }
 
-    /// Returns age [s] and value [ppm], oldest first.
+    /// Returns the samples as pairs of age [s] and value [ppm], oldest first.
     [[nodiscard]] std::vector<std::pair<double, double>> samples(Time now) const;
     /// Returns the rise over the last 20 s of samples [ppm/min]; 0 while it is unknown.
     [[nodiscard]] double risePerMinute() const;

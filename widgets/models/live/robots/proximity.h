@@ -19,11 +19,11 @@ enum class Nearness {
     Touching  ///< act now
 };
 
-/// When something is near.
+/// Distances and ages by which Nearness is judged.
 struct ProximityLimits {
-    double near = 0.30;      ///< around the standing body [m]
-    double touching = 0.12;  ///< [m]
-    double ahead = 1.5;      ///< in the direction of motion, Near begins this many seconds farther out [s]
+    double near = 0.30;      ///< Near up to this distance from a standing body [m]
+    double touching = 0.12;  ///< Touching up to this distance [m]
+    double ahead = 1.5;      ///< Near reaches farther by the approach speed times this [s]
     double maxAge = 12.0;    ///< what was seen longer ago is unknown [s]
 };
 
@@ -31,11 +31,11 @@ struct ProximityLimits {
 struct Proximity {
     double from = 0.0, to = 0.0;                                ///< counter-clockwise, base_link [rad]
     double distance = std::numeric_limits<double>::infinity();  ///< from the body's edge [m]
-    std::optional<Eigen::Vector2d> where;                       ///< base_link [m]
+    std::optional<Eigen::Vector2d> where;  ///< of the obstacle, base_link [m]; empty: none
     Nearness nearness = Nearness::Unknown;
 };
 
-/// Returns the distance of @p point from the edge of @p body; 0 within [m].
+/// Returns the distance of @p point from the edge of @p body [m]; 0 within the body.
 [[nodiscard]] double distanceFrom(const BodyBox& body, const Eigen::Vector2d& point);
 
 /// Returns eight parts around the robot, the first ahead, then counter-clockwise. @p velocity: as commanded.

@@ -14,13 +14,14 @@ struct RobotState;
 /// A robot in the bar on top.
 struct RobotChip {
     RobotFace face;
-    LinkState link = LinkState::NeverSeen;  ///< its mark: circle, square, cross, ring
+    LinkState link = LinkState::NeverSeen;  ///< shown as a circle, square, cross or ring
     ModeKind mode = ModeKind::Stopped;
     Tone tone = Tone::Muted;  ///< Attention when the link is lost; the mark shows lesser faults
-    /// Its link and battery, the longest first. Each next one leaves out more: that nothing is lost, what is
-    /// lost, how slow it is. All contain the battery; when the robot is not heard, all contain for how long.
+    /// Texts about link and battery, the longest first. Each next one leaves out more: first a loss of 0 %,
+    /// then any loss, then the round trip or the fault of the link. With a lost link there are two: the time
+    /// of silence with the battery, and the time alone. Empty: the robot was never heard.
     QStringList figures;
-    QStringList modes;  ///< what it does, the longest first: "teleoperation", "teleop"
+    QStringList modes;  ///< what the robot does, the longest text first: "teleoperation", "teleop"
     QString details;    ///< the full text, for tooltips and screen readers
 
     friend bool operator==(const RobotChip&, const RobotChip&) = default;

@@ -9,30 +9,32 @@
 
 namespace leitstand {
 
-/// The robots of a team in a bar that has no room for all, by their places in the team, ascending.
+/// Which robots a bar shows when it has no room for the whole team: their places in the team, ascending.
 struct RobotRow {
-    std::vector<int> before;  ///< scrolled out at its beginning
+    std::vector<int> before;  ///< scrolled out at the beginning of the bar
     std::vector<int> shown;   ///< the selected one is always among them
-    std::vector<int> after;   ///< scrolled out at its end
+    std::vector<int> after;   ///< scrolled out at the end of the bar
 };
 
-/// Returns the row of @p capacity robots out of @p count that begins with the @p first, from 0. The robot @p
-/// selected keeps the slot at the end where it was scrolled out; less than 0: none is selected.
+/// Returns the row of a bar that has room for @p capacity of @p count robots and begins at place @p first,
+/// from 0. If the robot @p selected is scrolled out, it takes the slot at that end. Negative: none is
+/// selected.
 [[nodiscard]] RobotRow robotRowOf(int count, int capacity, int first, int selected);
-/// Returns the first robot of the row of @p capacity that contains @p robot and is nearest to the row from @p
-/// first.
+/// Returns the new first place of a row of @p capacity robots that begins at @p first: the nearest one with
+/// which the row contains @p robot.
 [[nodiscard]] int firstToReveal(int robot, int capacity, int first);
 
 /// What a bar shows of its hidden robots.
 struct HiddenRobots {
     int count = 0;
-    LinkState link = LinkState::Connected;  ///< the worst of theirs
-    StopLine stop;    ///< the most urgent one: not answered, moves, stands; no stage: none is stopped
-    QString details;  ///< a line for each: its name and all of its state
+    LinkState link = LinkState::Connected;  ///< the worst link among them
+    StopLine stop;    ///< most urgent one: not answered, moves, stands; stage None: no stop
+    QString details;  ///< robotDetails(), one line per robot
 
     friend bool operator==(const HiddenRobots&, const HiddenRobots&) = default;
 };
-/// Returns the state of the robots at @p places. @p chips and @p stops are of the team; stops may be fewer.
+/// Returns what a bar shows of the hidden robots at @p places. @p chips and @p stops: of the whole team, by
+/// place. Robots beyond the end of @p stops are not stopped.
 [[nodiscard]] HiddenRobots hiddenRobotsOf(const std::vector<int>& places, const std::vector<RobotChip>& chips,
                                           const std::vector<StopLine>& stops);
 

@@ -23,8 +23,11 @@ bool isSettable(const RobotDescription& robot, StreamRole role) {
 }  // namespace
 
 void appendStreamRows(std::vector<StreamRow>& rows, const RobotFace& face, const RobotDescription& robot,
-                      const LinkStatus& link,
+                      const LinkStatus& link, const std::string& mapsWith,
                       const std::function<StreamSetting(const std::string& topic)>& settings) {
+    const auto clouds =
+        std::count_if(robot.streams.begin(), robot.streams.end(),
+                      [](const StreamDescription& one) { return one.role == StreamRole::Points; });
     for (const StreamStatus& stream : link.streams) {
         const auto described =
             std::find_if(robot.streams.begin(), robot.streams.end(),
@@ -36,7 +39,9 @@ void appendStreamRows(std::vector<StreamRow>& rows, const RobotFace& face, const
                         .type = shortType(described->type),
                         .own = setting.own,
                         .effective = setting.effective,
-                        .settable = isSettable(robot, stream.role)});
+                        .settable = isSettable(robot, stream.role),
+                        .mayMap = clouds > 1 && stream.role == StreamRole::Points,
+                        .maps = clouds > 1 && stream.topic == mapsWith});
     }
 }
 

@@ -74,7 +74,9 @@ QString columnHint(StreamTable::Column column) {
 }  // namespace
 
 QString streamNameText(const StreamRow& row) {
-    return QStringLiteral("%1  %2").arg(row.face.letter, streamText(row.stream.role, row.stream.sensor));
+    const QString name = streamText(row.stream.role, row.stream.sensor);
+    return QStringLiteral("%1  %2").arg(row.face.letter,
+                                        row.maps ? StreamTexts::tr("%1 (map)").arg(name) : name);
 }
 
 QString streamRateText(const StreamStatus& stream) {

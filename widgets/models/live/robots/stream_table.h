@@ -13,38 +13,42 @@
 
 namespace leitstand {
 
-/// One stream of one robot, and the wishes for it.
+/// One stream of one robot, and the requests for it.
 struct StreamRow {
     RobotFace face;
     StreamStatus stream;
     QString type;             ///< "PointCloud2"
     StreamRequest own;        ///< of the operator
     StreamRequest effective;  ///< after the limits of a thin link
-    bool settable = false;    ///< the robot accepts wishes for it
+    bool settable = false;    ///< the robot accepts requests for this stream
+    bool mayMap = false;      ///< a cloud of a robot that sends several: one of them makes the map
+    bool maps = false;        ///< this one does
 };
 
-/// Returns the name of a stream after its robot's letter: "K left pictures".
+/// Returns the letter of the robot and the name of the stream: "K left pictures".
 [[nodiscard]] QString streamNameText(const StreamRow& row);
-/// Returns the rate as received and as sent: "12.0 / 15 Hz"; "on change" when it has no rate.
+/// Returns the rate as received and as sent [Hz]: "12 / 15". "on change" for a stream without a steady rate,
+/// "off" while it is paused, a dash before the first sample.
 [[nodiscard]] QString streamRateText(const StreamStatus& stream);
-/// Returns the wish: "5 Hz, quality 40, 320 px", "off"; empty: as the robot likes.
+/// Returns the text of a request: "5 Hz, quality 40, 320 px", "off". Empty: the robot may choose everything.
 [[nodiscard]] QString requestText(const StreamRequest& requested);
-/// Returns the text of the setting column: the wish, what a thin link makes of it ("thin: 5 Hz"), and that
-/// the robot does not follow it.
+/// Returns the text of the setting column: the request in effect. It begins with "thin:" when a thin link
+/// limits the request, and ends with "not yet" while the robot does not follow it.
 [[nodiscard]] QString settingText(const StreamRow& row);
-/// Loud when a stream is stale or loses samples without a request to be slow.
+/// Returns Attention when the stream is stale or loses more than 2 % of its samples, Muted when it is paused
+/// or nothing arrived yet.
 [[nodiscard]] Tone toneOf(const StreamRow& row);
 /// Returns the total of all robots: "5.6 Mbit/s"; with the budget of a thin link: "1.8 of 2.0 Mbit/s".
 [[nodiscard]] QString linkTotalText(double megabits, bool thin, double budget);
 
-/// Streams of all robots, a row each. Rows that stay the same keep their selection.
+/// Streams of all robots, a row each. The selection is kept as long as the rows are about the same streams.
 class StreamTable final : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum Column { Name, Type, Rate, Age, Load, Loss, Setting, ColumnCount };
     enum class Of : std::uint8_t {
-        Link,  ///< as it arrives now
-        Log,   ///< as it was recorded: a log holds neither what never arrived nor the load on the link
+        Link,  ///< streams as they arrive now
+        Log,   ///< streams as recorded, without load, loss and setting: a log does not hold these
     };
 
     explicit StreamTable(Of of = Of::Link, QObject* parent = nullptr)

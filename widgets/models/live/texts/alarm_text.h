@@ -11,8 +11,8 @@
 
 namespace leitstand {
 
-/// Returns the text of an alarm, with its numbers: "link lost, silent for 4 s". The robot is not named. It is
-/// in English, as logged, when a log does not hold its numbers.
+/// Returns the text of an alarm, with its numbers: "link lost, silent for 4 s". It does not name the robot.
+/// When a log does not hold the numbers, the text is in English, as logged.
 [[nodiscard]] QString alarmText(const AlarmCause& cause);
 
 /// The stage of an alarm.
@@ -21,7 +21,7 @@ enum class AlarmStage { Standing, Acknowledged, Over };
 /// One alarm as it is shown.
 struct AlarmLine {
     AlarmId id;
-    RobotFace face;  ///< without a letter: of the station
+    RobotFace face;  ///< empty for an alarm of the station
     AlarmSeverity severity = AlarmSeverity::Attention;
     AlarmStage stage = AlarmStage::Standing;
     bool acknowledged = false;
@@ -36,9 +36,9 @@ struct AlarmLine {
 [[nodiscard]] std::vector<AlarmLine> alarmLinesOf(const std::vector<Alarm>& alarms,
                                                   const std::vector<RobotFace>& faces, Time now);
 
-/// "muted for 48 s"; empty when it is not.
+/// "muted for 48 s"; empty when tones are not muted.
 [[nodiscard]] QString muteText(Time mutedUntil, Time now);
-/// The same where there is little room: "48 s".
+/// The same for little room: "48 s".
 [[nodiscard]] QString muteBrief(Time mutedUntil, Time now);
 
 }  // namespace leitstand

@@ -18,8 +18,8 @@ struct ClockText {
     friend bool operator==(const ClockText&, const ClockText&) = default;
 };
 
-/// Returns the clock in words. It counts down when the mission has a length: attention for the last two
-/// minutes, act when they are over. The caption of a stopped clock shows that.
+/// Returns the clock in words. It counts down when the mission has a length; the tone is Attention for the
+/// last two minutes and Act after the end. A stopped clock has the caption "paused".
 [[nodiscard]] ClockText clockText(const MissionClock& clock);
 
 /// Returns every possible ClockText::caption.

@@ -12,7 +12,7 @@ namespace leitstand {
 enum class Freshness {
     Live,
     Stale,  ///< greyed: too old to act on
-    Lost,   ///< not shown as if they were live
+    Lost,   ///< too old to be shown like live data
     Never,  ///< nothing arrived yet
 };
 
@@ -24,7 +24,8 @@ struct FreshnessLimits {
 /// The age of what a pane shows.
 struct DataAge {
     double arrival = std::numeric_limits<double>::infinity();  ///< since it arrived [s]; infinite: never
-    /// Since its content changed: a frozen sender repeats itself under new stamps [s].
+    /// Since the content last changed [s]. It grows while a frozen sender repeats one sample under new
+    /// stamps.
     double content = 0.0;
 
     [[nodiscard]] double seconds() const { return arrival > content ? arrival : content; }

@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// The age of a stream of pictures by their arrival and by their content. It detects a driver that hangs and
-/// stamps one picture again and again.
+/// Measures the age of a stream of pictures: since the last arrival, and since the content last changed. The
+/// second reveals a hanging driver that stamps one picture again and again.
 class PictureAge {
 public:
     /// A picture with @p content (contentHash()) arrived.

@@ -171,6 +171,8 @@ QString checkText(const PreflightCheck& check) {
             return Words::tr("network: %1").arg(detail);
         case Kind::NetworkNone:
             return Words::tr("network: this computer only");
+        case Kind::Environment:
+            return Words::tr("network set by ROS's environment: %1").arg(detail);
         case Kind::Disk:
             return check.other > 0.0 ? Words::tr("disk: room for %1, writes %2")
                                            .arg(hours(check.number), megabytes(check.other))
@@ -242,6 +244,7 @@ QString remedyText(const PreflightCheck& check) {
         case Kind::BrakePassed:
         case Kind::Stranger:
         case Kind::Network:
+        case Kind::Environment:
         case Kind::Limits:
         case Kind::Disk:
         case Kind::Gamepad:

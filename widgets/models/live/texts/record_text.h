@@ -12,7 +12,7 @@ struct RecordState {
     QString folder = {};          ///< of the mission
     double megabytes = 0.0;       ///< written in this session
     double minutesLeft = 0.0;     ///< until the disk is full; infinite: nothing is written
-    unsigned long long lost = 0;  ///< events other than pictures that will never be written
+    unsigned long long lost = 0;  ///< events that will never be written; pictures do not count
     QString problem = {};         ///< why nothing can be written; empty: all is well
 };
 
@@ -25,7 +25,8 @@ struct RecordText {
     friend bool operator==(const RecordText&, const RecordText&) = default;
 };
 
-/// Calm while all is written, attention when the disk lasts less than 10 minutes, act when something is lost.
+/// Returns the log in words. The tone is Muted while all is written, Attention when the disk lasts less than
+/// 10 min, and Act when something was lost or nothing is written.
 [[nodiscard]] RecordText recordText(const RecordState& state);
 
 /// Returns every possible RecordText::value, with figures at their widest.

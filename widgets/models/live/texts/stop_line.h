@@ -13,7 +13,7 @@ namespace leitstand {
 enum class StopStage {
     None,          ///< no stop stands
     Sent,          ///< not answered yet
-    Acknowledged,  ///< accepted; it still moves, or its motion is unknown
+    Acknowledged,  ///< accepted; the robot still moves, or its motion is unknown
     Standing,
     Releasing,  ///< the release is on its way
 };
@@ -24,7 +24,7 @@ struct StopLine {
     StopStage stage = StopStage::None;
     QString text;     ///< "confirmed · moves"
     QString brief;    ///< the same where there is little room: "moves", "? 4.2 s"
-    QString details;  ///< whose stop it is, why a release was refused; may be empty
+    QString details;  ///< who stopped the robot, or why a release was refused; may be empty
     Tone tone = Tone::Normal;
     bool releasable = false;  ///< this station may release it now
 
@@ -33,8 +33,8 @@ struct StopLine {
 
 [[nodiscard]] StopLine stopLineOf(const RobotFace& face, const RobotView& robot);
 
-/// Returns every possible StopLine::brief, with figures at their widest: a place with room for all never cuts
-/// one.
+/// Returns every possible StopLine::brief, with figures at their widest. A place with room for each of these
+/// never cuts a text.
 [[nodiscard]] QStringList stopBriefs();
 
 }  // namespace leitstand

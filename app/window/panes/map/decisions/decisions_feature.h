@@ -23,8 +23,8 @@ class MapView;
 class RobotsOnMap;
 struct MissionState;
 
-/// The operator's decisions on scans ("key-scans"), and on what of the world belongs into the map. All of
-/// them are in the mission's log.
+/// Lets the operator decide on scans ("key-scans"), and on which area and heights belong in the map. All
+/// decisions are in the mission's log.
 class DecisionsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -45,13 +45,14 @@ private:
     void retry();
     void dragForRetry(bool on);
     void dragForLoop(bool on);
-    /// Lets the operator draw where the robot was at the chosen scan.
+    /// Lets the operator draw where the robot was at the chosen scan. Calls @p drawn with the id of the scan
+    /// and its pose in the map.
     void dragChosen(const QString& command, const QString& text,
                     const std::function<void(std::uint64_t, const Pose&)>& drawn);
     void rewind();
     void drawArea(bool on);
     void follow(const MissionState& mission);
-    /// @p hint: empty when there is nothing to undo or redo; disables the command then.
+    /// Updates the command @p id. An empty @p hint disables it: there is nothing to undo or redo.
     void showUndo(const QString& id, const QString& hint, const QString& text);
     void show();
     void showArea();

@@ -20,7 +20,8 @@ class MapView;
 struct LiveMoment;
 struct MissionState;
 
-/// Asks the operator about places where the map meets itself. Passes answers on, and takes closed loops back.
+/// Asks the operator about places where the map may meet itself: whether both are the same place. Passes
+/// answers on, and takes closed loops back.
 class LoopsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -35,7 +36,7 @@ private:
     /// Returns whether the parts of the map that @p loop would join are still apart.
     [[nodiscard]] bool areApart(const OpenLoop& loop) const;
     void ask(const std::optional<OpenLoop>& loop);
-    /// Shows what would move, as soon as that is computed.
+    /// Shows what closing the loop in question would move, as soon as that is computed.
     void showPreview(const MissionState& mission);
     [[nodiscard]] QString question(const MissionState& mission) const;
 

@@ -20,7 +20,8 @@ public:
     explicit StoreyRow(QWidget* parent);
 
     void setStoreys(const std::vector<Storey>& storeys);
-    /// @p all: nothing is hidden. Neither @p number nor @p all: heights that are no storey are shown.
+    /// Checks the button of storey @p number or, with @p all, that of all storeys. Neither: the heights shown
+    /// are no storey's.
     void setChosen(std::optional<int> number, bool all);
 
 signals:

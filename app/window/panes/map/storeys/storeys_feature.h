@@ -20,12 +20,12 @@ class ViewState;
 class StoreysFeature final : public QObject {
     Q_OBJECT
 public:
-    /// Changes @p state; all must outlive it.
+    /// Changes @p state. All arguments must outlive this object.
     StoreysFeature(const ViewContext& context, ViewState& state, MapPane& pane, QObject* parent);
 
 private:
     void setMap(const Map& map);
-    /// Shows the storey @p number, or all of them.
+    /// Shows the storey @p number. Empty: all storeys.
     void choose(std::optional<int> number);
     void step(int by);
     void follow();
@@ -37,7 +37,7 @@ private:
     ViewState& m_state;
     StoreyRow* m_row;
     QAction *m_above = nullptr, *m_below = nullptr;
-    std::vector<Storey> m_storeys;  ///< storeys of the shown map, as far as they are on the row
+    std::vector<Storey> m_storeys;  ///< storeys of the shown map, as the row has them
     std::optional<int> m_chosen;    ///< by number; empty: all
     StoreyHeights m_heights;        ///< heights of the view for the chosen storey
 };

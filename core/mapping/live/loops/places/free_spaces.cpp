@@ -1,4 +1,4 @@
-#include "core/mapping/live/loops/free_spaces.h"
+#include "core/mapping/live/loops/places/free_spaces.h"
 
 #include <algorithm>
 

@@ -11,12 +11,12 @@
 
 namespace leitstand {
 
-/// Returns the link between @p from and @p to as they stand in the map.
+/// Returns the link between @p from and @p to by their present poses in the map.
 [[nodiscard]] Link linkBetween(const LiveKeyScan& from, const LiveKeyScan& to, LinkKind kind);
 
-/// Returns the information of a match on the pose of a scan at @p scanInMap, in the scan's frame. It is that
-/// of LoopSettings::matchDeviation along directions that surfaces hold, less along those that they hold less,
-/// and zero along open ones.
+/// Returns the information (inverse covariance) of a match on the pose of a scan at @p scanInMap, in the
+/// scan's frame. Along directions that surfaces hold, it is that of LoopSettings::matchDeviation. It is less
+/// along directions that surfaces hold weakly, and zero along open ones.
 [[nodiscard]] Information informationOf(const IcpResult& icp, const Pose& scanInMap,
                                         const LoopSettings& loops, const MatchSettings& match);
 
@@ -28,9 +28,9 @@ struct Entry {
     const Match& match;
 };
 
-/// Returns the link to its predecessor, and links to the scans that it was matched with, if it fitted.
-/// Odometry adds only what the match leaves open. Otherwise a corridor would be as long as the wheels measure
-/// it.
+/// Returns the link from the scan's predecessor, by odometry. If the scan fits, also returns links from the
+/// scans that it was matched with. Then odometry holds only what the match leaves open. Otherwise a corridor
+/// would be as long as the wheels measure it.
 [[nodiscard]] std::vector<Link> linksOf(const Entry& entry, const LoopSettings& loops,
                                         const MatchSettings& match);
 

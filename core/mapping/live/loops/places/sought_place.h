@@ -11,8 +11,9 @@ namespace leitstand {
 struct SoughtPlace {
     std::uint64_t scan = 0;                  ///< id
     LiveMapPtr map;                          ///< the map with that scan
-    std::map<std::uint64_t, double> lately;  ///< scans whose relative pose is nearly certain: not searched
-    bool elsewhere = false;                  ///< searches only parts of the map that have not met its own yet
+    std::map<std::uint64_t, double> lately;  ///< not searched: scans whose pose relative to it is nearly
+                                             ///< certain, with the distance over the graph [m]
+    bool elsewhere = false;  ///< search only parts of the map that have not met the scan's own part
 };
 
 }  // namespace leitstand

@@ -5,18 +5,18 @@
 #include <map>
 
 #include "core/cloud/scan.h"
-#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/loops/places/free_space.h"
 
 namespace leitstand {
 
-/// The free space of scans, computed once for each, and kept for those used last: 0.2 MB a scan.
+/// Computes the free space of each scan once, and keeps that of the scans used last: 0.2 MB a scan.
 class FreeSpaces {
 public:
     explicit FreeSpaces(const FreeSpaceSettings& settings, std::size_t most = 128)
         : m_settings(settings), m_most(most) {}
 
-    /// Returns the free space of @p scan, which is the key scan @p id in all calls; valid until the next
-    /// call.
+    /// Returns the free space of @p scan, valid until the next call. @p id: the scan's id, always the same
+    /// for it.
     [[nodiscard]] const FreeSpace& of(std::uint64_t id, const Scan& scan);
 
 private:

@@ -1,11 +1,11 @@
-#include "core/mapping/live/loops/place_verifier.h"
+#include "core/mapping/live/loops/places/place_verifier.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-#include "core/mapping/live/loops/found_links.h"
-#include "core/mapping/live/loops/free_space.h"
+#include "core/mapping/live/loops/links/found_links.h"
+#include "core/mapping/live/loops/places/free_space.h"
 #include "core/mapping/live/scan_work.h"
 #include "core/mapping/walls/wall_raster.h"
 #include "core/mapping/walls/walls_from_above.h"

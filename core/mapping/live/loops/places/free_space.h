@@ -30,14 +30,16 @@ enum class SeenThere : std::uint8_t {
 
 /// How carefully a scan decides that it looked through a place.
 struct FreeSpaceSettings {
-    /// A place so far before what was seen there is free space: for noise, and motion within the turn.
+    /// A place is free space if what was seen in its direction is farther by more than both of these. They
+    /// allow for noise, and for motion within the turn.
     float margin = 0.3F;          ///< [m] ...
     float marginOfRange = 0.05F;  ///< ... and share of the range
     /// Least range [m]: nearer, a cell is smaller than the robot's motion in a turn.
     float nearest = 1.0F;
-    /// Whether what was seen 2 degrees beside counts, too; else only what lies near a cell's border.
+    /// Whether what was seen in all neighbouring cells (2 degrees) counts, too; else only in those across a
+    /// near border of the cell.
     bool beside = true;
-    std::uint32_t rays = 1;  ///< least number for at() to decide: between few there is room
+    std::uint32_t rays = 1;  ///< least number of rays in a cell for at() to decide: between few there is room
 };
 
 /// How far a scan saw in each direction, from the origin of its frame.
@@ -45,7 +47,8 @@ class FreeSpace {
 public:
     /// @p points of a scan, in its own frame [m].
     explicit FreeSpace(std::span<const Eigen::Vector3f> points, const FreeSpaceSettings& settings = {});
-    /// Returns how @p points fit, in their own frame, which is at @p pose in this scan's.
+    /// Returns how @p points fit the space that this scan saw. @p pose: pose of the points' frame in this
+    /// scan's frame.
     [[nodiscard]] FreeSpaceFit fit(std::span<const Eigen::Vector3f> points, const Pose& pose) const;
     /// Returns what the scan shows at @p place, in this scan's frame [m].
     [[nodiscard]] SeenThere at(const Eigen::Vector3f& place) const;
@@ -57,12 +60,12 @@ private:
     };
     [[nodiscard]] static std::size_t cellOf(const Eigen::Vector3f& direction);
     FreeSpaceSettings m_settings;
-    std::vector<Cell> m_cells;  ///< with their neighbours if that is set: borders belong to both sides
+    std::vector<Cell> m_cells;  ///< each with its neighbours if `beside` is set: borders belong to both sides
 };
 
-/// Returns the larger share of two scans' points that lie where the other one looked through; @p second is at
-/// @p secondInFirst. It is small if both see the same place. A wall or shelf that only one of them shows
-/// stands in the other's free space.
+/// Returns the share of a scan's points that lie where the other scan looked through; of both scans, the
+/// larger share. @p secondInFirst: pose of @p second in the frame of @p first. The share is small if both see
+/// the same place. A wall or shelf that only one of them shows stands in the other's free space.
 [[nodiscard]] double filledShare(const Scan& first, const Scan& second, const Pose& secondInFirst);
 
 }  // namespace leitstand

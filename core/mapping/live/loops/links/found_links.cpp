@@ -1,4 +1,4 @@
-#include "core/mapping/live/loops/found_links.h"
+#include "core/mapping/live/loops/links/found_links.h"
 
 #include <algorithm>
 #include <cassert>

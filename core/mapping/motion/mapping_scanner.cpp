@@ -1,0 +1,87 @@
+#include "core/mapping/motion/mapping_scanner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "core/event/cloud_sample.h"
+#include "core/event/stream_role.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+namespace {
+
+constexpr std::size_t LookedAt = 2'000;    ///< points of a cloud, at most
+constexpr double UnsteadyCountsFor = 0.1;  ///< of a steady scanner that sees as much
+
+}  // namespace
+
+MappingScanner::MappingScanner(const RobotDescription& robot, const MappingScannerSettings& settings)
+    : m_settings(settings) {
+    for (const StreamDescription& stream : robot.streams) {
+        if (stream.role != StreamRole::Points) continue;
+        m_topics.push_back(stream.topic);
+        if (stream.maps) m_chosen = stream.topic;
+    }
+    if (m_topics.size() == 1) m_chosen = m_topics.front();
+}
+
+bool MappingScanner::takes(const std::string& topic, const CloudSample& cloud, const Pose& sensorInBase,
+                           Time received) {
+    if (!m_chosen.empty() || m_topics.empty()) return topic == m_chosen || m_topics.empty();
+    if (!m_began) m_began = received;
+    look(m_seen[topic], cloud, sensorInBase, received);
+    if (received - *m_began < m_settings.compare) return false;
+    decide(received);
+    return topic == m_chosen;
+}
+
+void MappingScanner::decide(Time now) {
+    if (!m_chosen.empty()) return;
+    double best = 0.0;
+    for (const std::string& one : m_topics) {  // in the order of the robot's file, of two alike the first
+        const auto seen = m_seen.find(one);
+        if (seen == m_seen.end()) continue;
+        const double worth = this->worth(seen->second, now);
+        if (!m_chosen.empty() && worth <= best) continue;
+        best = worth;
+        m_chosen = one;
+    }
+    m_seen.clear();
+}
+
+void MappingScanner::look(Seen& seen, const CloudSample& cloud, const Pose& sensorInBase,
+                          Time received) const {
+    if (seen.clouds > 0) seen.gap = std::max(seen.gap, received - seen.last);
+    seen.last = received;
+    ++seen.clouds;
+    std::vector<double> ranges;
+    const std::size_t step = cloud.points.size() / LookedAt + 1;
+    for (std::size_t i = 0; i < cloud.points.size(); i += step) {
+        const Eigen::Vector3d point = cloud.points[i].cast<double>();
+        const double range = point.norm();
+        if (!std::isfinite(range) || range < m_settings.nearest) continue;
+        ranges.push_back(std::min(range, m_settings.farEnough));
+        const Eigen::Vector3d inBase = sensorInBase.linear() * point;
+        const double direction = std::atan2(inBase.y(), inBase.x()) / (2.0 * std::numbers::pi) + 0.5;
+        const auto sectors = double(seen.directions.size());
+        seen.directions.set(std::min(std::size_t(direction * sectors), seen.directions.size() - 1));
+    }
+    if (ranges.empty()) return;
+    const auto ninth = ranges.begin() + std::ptrdiff_t(ranges.size() * 9 / 10);
+    std::nth_element(ranges.begin(), ninth, ranges.end());
+    seen.reaches.push_back(*ninth);
+}
+
+double MappingScanner::worth(const Seen& seen, Time now) const {
+    if (seen.reaches.empty()) return 0.0;
+    std::vector<double> reaches = seen.reaches;
+    const auto middle = reaches.begin() + std::ptrdiff_t(reaches.size() / 2);
+    std::nth_element(reaches.begin(), middle, reaches.end());
+    const bool steady =
+        seen.clouds > 1 && std::max(seen.gap, std::chrono::nanoseconds(now - seen.last)) <= m_settings.steady;
+    return double(seen.directions.count()) * *middle * (steady ? 1.0 : UnsteadyCountsFor);
+}
+
+}  // namespace leitstand

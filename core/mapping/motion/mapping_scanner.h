@@ -1,0 +1,65 @@
+#pragma once
+
+#include <bitset>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/pose.h"
+#include "core/base/time.h"
+
+namespace leitstand {
+
+struct CloudSample;
+struct RobotDescription;
+
+/// Settings of MappingScanner.
+struct MappingScannerSettings {
+    std::chrono::nanoseconds compare = std::chrono::seconds(3);  ///< how long clouds are compared
+    std::chrono::nanoseconds steady = std::chrono::seconds(1);   ///< longest gap between steady clouds
+    double nearest = 0.5;     ///< points this near may be of the robot itself [m]
+    double farEnough = 30.0;  ///< what is seen farther makes no difference [m]
+};
+
+/// Decides which 3D scanner of a robot makes the map. Scanners differ in place, rate and error: the scans of
+/// two of them are never registered in one chain. Where no stream is named (StreamDescription::maps), clouds
+/// are compared first: the scanner that sees most directions, and farthest in them, is chosen among those
+/// that send steadily. Without clock and thread.
+class MappingScanner {
+public:
+    explicit MappingScanner(const RobotDescription& robot, const MappingScannerSettings& settings = {});
+
+    /// Takes a cloud of @p topic that was received at @p received. Returns whether it is of the scanner that
+    /// makes the map; false while scanners are compared.
+    [[nodiscard]] bool takes(const std::string& topic, const CloudSample& cloud, const Pose& sensorInBase,
+                             Time received);
+    void choose(const std::string& topic) { m_chosen = topic; }
+    /// Ends the comparison at @p now with what was seen so far.
+    void decide(Time now);
+    /// Returns the topic of the scanner that makes the map; empty: scanners are still compared, or there is
+    /// none.
+    [[nodiscard]] const std::string& chosen() const { return m_chosen; }
+    [[nodiscard]] bool hasChoice() const { return m_topics.size() > 1; }  ///< the robot has several scanners
+
+private:
+    /// What one scanner's clouds showed so far.
+    struct Seen {
+        int clouds = 0;
+        std::bitset<36> directions;      ///< about z of the base, 10 degrees each
+        std::vector<double> reaches;     ///< of each cloud: nine of ten of its points are nearer [m]
+        Time last{};                     ///< when its newest cloud was received
+        std::chrono::nanoseconds gap{};  ///< longest time without one
+    };
+    void look(Seen& seen, const CloudSample& cloud, const Pose& sensorInBase, Time received) const;
+    [[nodiscard]] double worth(const Seen& seen, Time now) const;
+
+    MappingScannerSettings m_settings;
+    std::vector<std::string> m_topics;
+    std::string m_chosen;
+    std::optional<Time> m_began;
+    std::map<std::string, Seen> m_seen;  ///< by topic
+};
+
+}  // namespace leitstand

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "robots/simulation/stock/stock_profile.h"
+#include "transport/dds/node.h"
+
+namespace leitstand::simulation {
+
+/// Publishes the topics of a stock robot that the simulation has nothing for: empty messages at their rates.
+class StockOthers {
+public:
+    /// Errors name the topic.
+    [[nodiscard]] static Result<StockOthers> create(Node& node, const StockProfile& profile,
+                                                    const std::string& nameSpace);
+    void publish(Time now);  ///< what is due
+
+private:
+    struct Lane {
+        std::unique_ptr<Publisher> publisher;
+        std::chrono::nanoseconds every{};  ///< 0: once
+        Time next{};
+    };
+    std::vector<Lane> m_lanes;
+};
+
+}  // namespace leitstand::simulation

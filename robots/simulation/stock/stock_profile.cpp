@@ -1,0 +1,125 @@
+#include "robots/simulation/stock/stock_profile.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/io/robot/robot_file.h"
+#include "core/io/settings/folders.h"
+
+namespace leitstand::simulation {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Qos qos(Qos::Reliability reliability, Qos::Durability durability, int depth) {
+    return {reliability, durability, depth, 0.0, 0.0};
+}
+constexpr Qos SensorData = qos(Qos::Reliability::BestEffort, Qos::Durability::Volatile, 5);
+constexpr Qos Default = qos(Qos::Reliability::Reliable, Qos::Durability::Volatile, 10);
+constexpr Qos Latched = qos(Qos::Reliability::Reliable, Qos::Durability::TransientLocal, 1);
+
+// TurtleBot 4 user manual, tutorials/multiple_robots.md (names) and software/turtlebot4_robot.md (types);
+// create3_docs, "ROS 2 interfaces"; depthai_ros_driver; nav2_bringup.
+constexpr StockTopic Turtlebot4[] = {
+    {"/rosout", "rcl_interfaces/msg/Log", Latched, 1.0},
+    {"/parameter_events", "rcl_interfaces/msg/ParameterEvent", Default, 0.0},
+    {"robot_description", "std_msgs/msg/String", Latched, 0.0},
+    {"joint_states", "sensor_msgs/msg/JointState", SensorData, 20.0},
+    {"dock_status", "irobot_create_msgs/msg/DockStatus", SensorData, 1.0},
+    {"hazard_detection", "irobot_create_msgs/msg/HazardDetectionVector", SensorData, 20.0},
+    {"interface_buttons", "irobot_create_msgs/msg/InterfaceButtons", SensorData, 1.0},
+    {"ip", "std_msgs/msg/String", Default, 1.0},
+    {"ir_intensity", "irobot_create_msgs/msg/IrIntensityVector", SensorData, 20.0},
+    {"ir_opcode", "irobot_create_msgs/msg/IrOpcode", SensorData, 0.0},
+    {"kidnap_status", "irobot_create_msgs/msg/KidnapStatus", SensorData, 1.0},
+    {"mouse", "irobot_create_msgs/msg/Mouse", SensorData, 20.0},
+    {"slip_status", "irobot_create_msgs/msg/SlipStatus", SensorData, 1.0},
+    {"stop_status", "irobot_create_msgs/msg/StopStatus", SensorData, 1.0},
+    {"wheel_status", "irobot_create_msgs/msg/WheelStatus", SensorData, 10.0},
+    {"wheel_ticks", "irobot_create_msgs/msg/WheelTicks", SensorData, 20.0},
+    {"wheel_vels", "irobot_create_msgs/msg/WheelVels", SensorData, 20.0},
+    {"joy", "sensor_msgs/msg/Joy", Default, 0.0},
+    {"diagnostics_agg", "diagnostic_msgs/msg/DiagnosticArray", Default, 1.0},
+    {"robot_state/transition_event", "lifecycle_msgs/msg/TransitionEvent", Default, 0.0},
+    {"oakd/stereo/image_raw", "sensor_msgs/msg/Image", Default, 5.0},
+    {"oakd/stereo/image_raw/compressedDepth", "sensor_msgs/msg/CompressedImage", Default, 5.0},
+    {"oakd/stereo/camera_info", "sensor_msgs/msg/CameraInfo", Default, 5.0},
+    {"map", "nav_msgs/msg/OccupancyGrid", Latched, 0.0},
+    {"map_updates", "map_msgs/msg/OccupancyGridUpdate", Default, 0.0},
+    {"plan", "nav_msgs/msg/Path", Default, 0.0},
+    {"global_costmap/costmap", "nav_msgs/msg/OccupancyGrid", Latched, 0.0},
+    {"local_costmap/costmap", "nav_msgs/msg/OccupancyGrid", Latched, 0.0},
+    {"amcl_pose", "geometry_msgs/msg/PoseWithCovarianceStamped", Latched, 0.0},
+    {"navigate_to_pose/_action/status", "action_msgs/msg/GoalStatusArray", Latched, 0.0},
+};
+
+// docs.clearpathrobotics.com: ROS 2 platform API and MCU API; velodyne_driver, velodyne_laserscan;
+// twist_mux; robot_localization.
+constexpr StockTopic Husky[] = {
+    {"/rosout", "rcl_interfaces/msg/Log", Latched, 1.0},
+    {"/parameter_events", "rcl_interfaces/msg/ParameterEvent", Default, 0.0},
+    {"robot_description", "std_msgs/msg/String", Latched, 0.0},
+    {"platform/cmd_vel", "geometry_msgs/msg/TwistStamped", Default, 10.0},
+    {"joy_teleop/cmd_vel", "geometry_msgs/msg/TwistStamped", Default, 0.0},
+    {"joy_teleop/joy", "sensor_msgs/msg/Joy", Default, 20.0},
+    {"platform/dynamic_joint_states", "control_msgs/msg/DynamicJointState", Default, 50.0},
+    {"platform/joint_states", "sensor_msgs/msg/JointState", Default, 50.0},
+    {"platform/emergency_stop", "std_msgs/msg/Bool", SensorData, 1.0},
+    {"platform/mcu/status", "clearpath_platform_msgs/msg/Status", SensorData, 1.0},
+    {"platform/mcu/status/power", "clearpath_platform_msgs/msg/Power", SensorData, 10.0},
+    {"platform/mcu/status/stop", "clearpath_platform_msgs/msg/StopStatus", SensorData, 1.0},
+    {"platform/motors/feedback", "clearpath_platform_msgs/msg/DriveFeedback", SensorData, 20.0},
+    {"platform/odom/filtered", "nav_msgs/msg/Odometry", Default, 50.0},
+    {"platform/wifi_connected", "std_msgs/msg/Bool", SensorData, 1.0},
+    {"diagnostics_agg", "diagnostic_msgs/msg/DiagnosticArray", Default, 1.0},
+    {"sensors/gps_0/fix", "sensor_msgs/msg/NavSatFix", SensorData, 5.0},
+    {"sensors/imu_0/data_raw", "sensor_msgs/msg/Imu", SensorData, 50.0},
+    {"sensors/imu_0/magnetic_field", "sensor_msgs/msg/MagneticField", SensorData, 50.0},
+    {"sensors/lidar3d_0/velodyne_packets", "velodyne_msgs/msg/VelodyneScan", SensorData, 10.0},
+    {"twist_marker_server/cmd_vel", "geometry_msgs/msg/TwistStamped", Default, 0.0},
+};
+
+constexpr StockProfile Profiles[] = {
+    // The Create 3 stops half a second after the last command.
+    {"turtlebot4", "crawler", "", 500ms, Turtlebot4},
+    // cmd_vel_timeout of diff_drive_controller.
+    {"husky", "kurt3d", "a200_0000", 500ms, Husky},
+};
+
+}  // namespace
+
+std::vector<std::string> stockProfiles() {
+    std::vector<std::string> names;
+    for (const StockProfile& profile : Profiles) names.emplace_back(profile.name);
+    return names;
+}
+
+const StockProfile* stockProfile(std::string_view name) {
+    const auto* const found = std::find_if(std::begin(Profiles), std::end(Profiles),
+                                           [&](const StockProfile& one) { return one.name == name; });
+    return found == std::end(Profiles) ? nullptr : found;
+}
+
+std::string topicIn(const std::string& nameSpace, std::string_view name) {
+    if (name.starts_with('/')) return std::string(name);
+    return nameSpace.empty() ? fmt::format("/{}", name) : fmt::format("/{}/{}", nameSpace, name);
+}
+
+Result<RobotDescription> describe(const StockProfile& profile, const std::string& nameSpace) {
+    const std::filesystem::path file = shippedFolder("stock") / (std::string(profile.name) + ".yaml");
+    auto read = readRobot(file);
+    if (!read) return read.error();
+    RobotDescription robot = std::move(read).value();
+    const std::string shipped = profile.nameSpace.empty() ? "/" : fmt::format("/{}/", profile.nameSpace);
+    for (StreamDescription& stream : robot.streams) {
+        if (stream.topic.starts_with(shipped))
+            stream.topic = topicIn(nameSpace, stream.topic.substr(shipped.size()));
+    }
+    if (!nameSpace.empty()) robot.name = nameSpace;
+    return robot;
+}
+
+}  // namespace leitstand::simulation

@@ -1,0 +1,140 @@
+// Robots as their makers ship them: what they publish and take, and what the programs make of it unasked.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <string>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/event/command_samples.h"
+#include "core/event/stream_role.h"
+#include "tests/app/recording.h"
+#include "tests/app/robots/robot_process.h"
+#include "tests/support/temporary_folder.h"
+#include "transport/convert/encode.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// What `probe` says of a domain: robots, and what each topic is used for.
+struct Probed {
+    std::map<std::string, std::string> files;                         ///< robot -> file
+    std::map<std::string, std::pair<std::string, std::string>> uses;  ///< topic -> robot, role
+    std::set<std::string> types;
+    std::string text;
+};
+
+Probed probed(const TestDomain& domain, const std::filesystem::path& folder) {
+    const auto probe = leitstandctl({"probe", "--domain", std::to_string(domain.number()), "--seconds", "4",
+                                     "--out", folder.string(), "--json"});
+    EXPECT_EQ(probe.exitCode, 0) << probe.err;
+    Probed all{{}, {}, {}, probe.out + probe.err};
+    const json report = json::parse(probe.out);
+    for (const json& robot : report["robots"]) all.files[robot["name"]] = robot["file"];
+    for (const json& topic : report["topics"]) {
+        all.uses[topic["topic"]] = {topic["robot"], topic["role"]};
+        all.types.insert(topic["type"]);
+    }
+    return all;
+}
+
+TEST(StockRobots, ATurtleBot4IsOneRobotWithWhatTheStationCanUse) {
+    const TemporaryFolder folder;
+    const TestDomain domain;
+    const RobotProcess robot(domain, "stock", {"turtlebot4"});
+    const Probed found = probed(domain, folder.path());
+    ASSERT_EQ(found.files.size(), 1U) << found.text;
+    const auto use = [&](const std::string& topic) { return found.uses.at(topic).second; };
+    EXPECT_EQ(use("/scan"), "ranges");
+    EXPECT_EQ(use("/odom"), "odometry");
+    EXPECT_EQ(use("/cmd_vel"), "drive_command");
+    EXPECT_EQ(use("/oakd/rgb/preview/image_raw/compressed"), "picture");
+    EXPECT_EQ(use("/oakd/rgb/preview/image_raw"), "") << "it is the same camera";
+    EXPECT_EQ(use("/oakd/stereo/image_raw"), "") << "depths";
+    EXPECT_EQ(use("/battery_state"), "battery");
+    EXPECT_EQ(use("/tf"), "transforms");
+    for (const std::string& type : found.types) EXPECT_FALSE(type.starts_with("leitstand_msgs/")) << type;
+    const RobotDescription written = must(readRobot(found.files.begin()->second));
+    EXPECT_EQ(written.stream(StreamRole::DriveCommand)->type, "geometry_msgs/msg/TwistStamped");
+    EXPECT_GT(written.stream(StreamRole::DriveCommand)->qos.lifespan, 0.0);
+}
+
+TEST(StockRobots, TwoOfOneKindAreToldApartByTheirNamespaces) {
+    const TemporaryFolder folder;
+    const TestDomain domain;
+    const RobotProcess one(domain, "stock", {"turtlebot4", "--namespace", "tb1"});
+    const RobotProcess two(domain, "stock", {"turtlebot4"});
+    const Probed found = probed(domain, folder.path());
+    ASSERT_EQ(found.files.size(), 2U) << found.text;
+    EXPECT_EQ(found.uses.at("/tb1/scan").first, "tb1");
+    EXPECT_EQ(found.uses.at("/tb1/tf").first, "tb1");
+    EXPECT_NE(found.uses.at("/scan").first, "tb1");
+    EXPECT_EQ(found.uses.at("/scan").first, found.uses.at("/cmd_vel").first);
+}
+
+TEST(StockRobots, AHuskyIsMappedFromWhatProbeWroteOfIt) {
+    const TemporaryFolder folder;
+    const auto mission = folder / "mission";
+    const TestDomain domain;
+    Truth truth(domain, "yellow_7", "");
+    const RobotProcess husky(domain, "stock", {"husky", "--seed", "7"});
+    ASSERT_TRUE(truth.listener().receives(truth.topic("kurt3d")));
+    const Probed found = probed(domain, folder.path());
+    ASSERT_EQ(found.files.size(), 1U) << found.text;
+    ASSERT_EQ(found.files.begin()->first, "a200_0000");
+    const std::string file = found.files.begin()->second;
+    const RobotDescription robot = must(readRobot(file));
+    ASSERT_NE(robot.mappingStream(), nullptr) << found.text;
+    Recording recording(domain, mission, {"--robot", file});
+    ASSERT_TRUE(
+        waitUntil([&] { return recordedOn(mission, robot.mappingStream()->topic).size() > 30; }, 90s));
+    ASSERT_EQ(recording.stop(), 0) << recording.out();
+    const Registered registered = registerAgainst(truth, mission, shippedRobot("husky"));
+    EXPECT_THAT(registered.problems, testing::IsEmpty());
+    std::printf("standing: %d scans, worst %.1f mm and %.2f degrees off\n", registered.scans,
+                1e3 * registered.worstPosition, inDegrees(registered.worstTurn));
+    EXPECT_GE(registered.scans, 20) << "each revolution is a scan";
+    EXPECT_LT(registered.worstPosition, 0.03);
+    EXPECT_LT(registered.worstTurn, degrees(1.0));
+}
+
+TEST(StockRobots, ItObeysWhoeverDrivesItAndStopsHalfASecondAfterTheLastCommand) {
+    const TestDomain domain;
+    const RobotProcess robot(domain, "stock", {"turtlebot4"});
+    const auto node = nodeIn(domain);
+    const RobotDescription described = shippedRobot("turtlebot4");
+    RobotListener listener(*node, {*described.stream(StreamRole::Odometry)});
+    const auto wheel = must(node->publisher({.topic = "/cmd_vel",
+                                             .type = "geometry_msgs/msg/TwistStamped",
+                                             .qos = described.stream(StreamRole::DriveCommand)->qos}));
+    ASSERT_TRUE(listener.receives("/odom"));
+    ASSERT_TRUE(waitUntil([&] { return wheel->matched() > 0; }));
+    const auto speed = [&] { return listener.all<OdometrySample>("/odom").back().linear.norm(); };
+    TwistSample turn;
+    turn.angular.z() = 0.6;
+    const Payload command = must(encode(turn, "geometry_msgs/msg/TwistStamped"));
+    const auto turning = [&] {
+        const auto odometry = listener.all<OdometrySample>("/odom");
+        return !odometry.empty() && std::abs(odometry.back().angular.z()) > 0.3;
+    };
+    const bool obeyed = waitUntil([&] {
+        (void)wheel->write(command);
+        std::this_thread::sleep_for(50ms);
+        return turning();
+    });
+    EXPECT_TRUE(obeyed);
+    EXPECT_TRUE(waitUntil([&] { return !turning(); }, 3s)) << "nobody commands any more";
+    EXPECT_LT(speed(), 0.1);
+}
+
+}  // namespace
+}  // namespace leitstand::test

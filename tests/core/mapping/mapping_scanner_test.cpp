@@ -1,0 +1,147 @@
+#include "core/mapping/motion/mapping_scanner.h"
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/event/cloud_sample.h"
+#include "core/event/stream_role.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char *Lidar = "/rover/lidar", *Camera = "/rover/camera/points";
+constexpr Time Began{std::chrono::seconds(1'000)};
+
+RobotDescription rover(bool cameraMaps = false) {
+    RobotDescription robot;
+    robot.name = "rover";
+    for (const char* topic : {Camera, Lidar}) {
+        StreamDescription stream;
+        stream.role = StreamRole::Points;
+        stream.topic = topic;
+        stream.maps = cameraMaps && topic == Camera;
+        robot.streams.push_back(stream);
+    }
+    return robot;
+}
+
+/// Points on a wall @p range away, in @p degrees about straight ahead.
+CloudSample wall(double range, int degrees) {
+    CloudSample cloud;
+    for (int i = -degrees / 2; i < degrees / 2; ++i) {
+        const double direction = i * std::numbers::pi / 180.0;
+        cloud.points.emplace_back(range * std::cos(direction), range * std::sin(direction), 0.0);
+    }
+    cloud.points.emplace_back(std::nanf(""), 0.0F, 0.0F);  // no echo
+    return cloud;
+}
+
+/// What two scanners send: every @p step one cloud each, for ten seconds.
+class Both {
+public:
+    CloudSample lidar = wall(8.0, 360), camera = wall(4.0, 90);
+    std::chrono::milliseconds lidarStep = 100ms, cameraStep = 30ms;
+
+    /// Returns the topic that makes the map in the end.
+    std::string chosenBy(MappingScanner& scanner) {
+        for (auto after = 0ms; after < 10s; after += 10ms) {
+            if (after % lidarStep == 0ms) take(scanner, Lidar, lidar, after);
+            if (after % cameraStep == 0ms) take(scanner, Camera, camera, after);
+        }
+        return scanner.chosen();
+    }
+    int lidarTaken = 0, cameraTaken = 0;
+    std::chrono::milliseconds firstTaken = 10s;
+
+private:
+    void take(MappingScanner& scanner, const char* topic, const CloudSample& cloud,
+              std::chrono::milliseconds after) {
+        if (!scanner.takes(topic, cloud, Pose::Identity(), Began + after)) return;
+        firstTaken = std::min(firstTaken, after);
+        ++(topic == std::string(Lidar) ? lidarTaken : cameraTaken);
+    }
+};
+
+std::string chosenOf(Both both) {
+    MappingScanner scanner(rover());
+    return both.chosenBy(scanner);
+}
+
+TEST(MappingScanner, TheOneThatSeesAllAroundMakesTheMapAndTheOtherNever) {
+    MappingScanner scanner(rover());
+    Both both;
+    EXPECT_EQ(both.chosenBy(scanner), Lidar);
+    EXPECT_EQ(both.cameraTaken, 0);
+    EXPECT_GE(both.firstTaken, 3s) << "they are compared first";
+    EXPECT_LE(both.firstTaken, 3100ms);
+    EXPECT_GT(both.lidarTaken, 60);
+}
+
+TEST(MappingScanner, OfTwoThatLookTheSameWayTheOneThatSeesFartherDoes) {
+    Both both;
+    both.lidar = wall(20.0, 90);
+    EXPECT_EQ(chosenOf(both), Lidar);
+    both.camera = wall(25.0, 90);
+    EXPECT_EQ(chosenOf(both), Camera);
+    both.lidar = wall(60.0, 90);
+    both.camera = wall(90.0, 90);
+    EXPECT_EQ(chosenOf(both), Camera) << "so far off it makes no difference: the first of the file";
+}
+
+TEST(MappingScanner, OneThatComesRarelyCountsLess) {
+    Both both;
+    both.lidarStep = 2500ms;
+    EXPECT_EQ(chosenOf(both), Camera);
+}
+
+TEST(MappingScanner, OneThatSendsNothingOrSeesNothingDoesNotMap) {
+    Both both;
+    both.lidar.points.clear();
+    EXPECT_EQ(chosenOf(both), Camera);
+    both.lidar = wall(0.2, 360);  // the robot itself
+    EXPECT_EQ(chosenOf(both), Camera);
+    both.lidarStep = 1h;
+    EXPECT_EQ(chosenOf(both), Camera);
+}
+
+TEST(MappingScanner, TheFileAndTheOperatorGoBeforeWhatIsMeasured) {
+    MappingScanner scanner(rover(true));
+    Both both;
+    EXPECT_EQ(both.chosenBy(scanner), Camera);
+    EXPECT_EQ(both.firstTaken, 0ms) << "nothing is compared";
+    scanner.choose(Lidar);
+    Both later;
+    EXPECT_EQ(later.chosenBy(scanner), Lidar);
+    EXPECT_EQ(later.cameraTaken, 0);
+}
+
+TEST(MappingScanner, AnOnlyScannerMapsFromItsFirstCloudOn) {
+    RobotDescription robot = rover();
+    robot.streams.pop_back();
+    MappingScanner scanner(robot);
+    EXPECT_FALSE(scanner.hasChoice());
+    EXPECT_EQ(scanner.chosen(), Camera);
+    EXPECT_TRUE(scanner.takes(Camera, wall(4.0, 90), Pose::Identity(), Began));
+    EXPECT_TRUE(rover().streams.size() == 2 && MappingScanner(rover()).hasChoice());
+}
+
+TEST(MappingScanner, AShortRecordingIsDecidedWithWhatThereIs) {
+    MappingScanner scanner(rover());
+    EXPECT_FALSE(scanner.takes(Camera, wall(4.0, 90), Pose::Identity(), Began));
+    EXPECT_FALSE(scanner.takes(Lidar, wall(8.0, 360), Pose::Identity(), Began + 100ms));
+    scanner.decide(Began + 200ms);
+    EXPECT_EQ(scanner.chosen(), Lidar);
+    MappingScanner silent(rover());
+    silent.decide(Began);
+    EXPECT_EQ(silent.chosen(), "") << "nothing came at all";
+}
+
+}  // namespace
+}  // namespace leitstand::test
