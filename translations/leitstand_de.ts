@@ -4376,6 +4376,10 @@ Apache License 2.0</translation>
         <comment>a camera and what it sends: left pictures</comment>
         <translation>%2 %1</translation>
     </message>
+    <message>
+        <source>fixed transforms</source>
+        <translation>feste Transformationen</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinksOnMap</name>
@@ -6252,6 +6256,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>network set by ROS&apos;s environment: %1</source>
         <translation>Netz nach der Umgebung von ROS: %1</translation>
+    </message>
+    <message>
+        <source>STOP is a zero command: it has no stop of its own, and obeys others, too</source>
+        <translation>STOP ist ein Nullbefehl: er hat keinen eigenen Halt und gehorcht auch anderen</translation>
     </message>
 </context>
 <context>

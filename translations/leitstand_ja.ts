@@ -3121,7 +3121,7 @@ Link: %4 %5</source>
     </message>
     <message>
         <source>expected one stream that makes the map, found {} of line {} again</source>
-        <translation>地図を作るストリームは 1 つだけですが、{1} 行目の {0} がもう一度あります</translation>
+        <translation>地図を作るストリームは 1 つだけですが、{} が {} 行目にもあります</translation>
     </message>
     <message>
         <source>environment variable {}: expected {}, found &quot;{}&quot;</source>
@@ -4375,6 +4375,10 @@ Apache License 2.0</translation>
         <source>%1 %2</source>
         <comment>a camera and what it sends: left pictures</comment>
         <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>fixed transforms</source>
+        <translation>固定の座標変換</translation>
     </message>
 </context>
 <context>
@@ -6252,6 +6256,10 @@ F1 でキー一覧</translation>
     <message>
         <source>network set by ROS&apos;s environment: %1</source>
         <translation>ROS の環境変数によるネットワーク: %1</translation>
+    </message>
+    <message>
+        <source>STOP is a zero command: it has no stop of its own, and obeys others, too</source>
+        <translation>STOP は速度ゼロの指令です。独自の停止機能はなく、他の指令にも従います</translation>
     </message>
 </context>
 <context>

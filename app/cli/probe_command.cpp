@@ -80,7 +80,8 @@ std::string probeTable(const ProbeReport& report) {
     return textTable(rows);
 }
 
-std::string probeJson(const ProbeReport& report, const std::map<std::string, std::string>& files) {
+std::string probeJson(const ProbeReport& report, const std::map<std::string, std::string>& files,
+                      const std::vector<std::string>& environment) {
     using Json = nlohmann::ordered_json;
     const auto uses = usesOf(report);
     Json topics = Json::array(), robots = Json::array();
@@ -104,8 +105,11 @@ std::string probeJson(const ProbeReport& report, const std::map<std::string, std
         const auto file = files.find(guess.robot.name);
         robots.push_back({{"name", guess.robot.name}, {"file", file == files.end() ? "" : file->second}});
     }
-    return jsonText(
-        {{"seconds", report.seconds}, {"robots", robots}, {"topics", topics}, {"warnings", report.warnings}});
+    return jsonText({{"seconds", report.seconds},
+                     {"robots", robots},
+                     {"topics", topics},
+                     {"environment", environment},
+                     {"warnings", report.warnings}});
 }
 
 /// Writes a first file for each robot into @p folder and never overwrites one. Returns the files by robot.
@@ -149,7 +153,7 @@ int runProbe(const ProbeOptions& options) {
     line.clear();
     bool ok = true;
     const auto files = writeRobotFiles(report, options.out, line, ok);
-    print(options.json ? probeJson(report, files) : probeTable(report));
+    print(options.json ? probeJson(report, files, domain->fromEnvironment) : probeTable(report));
     if (!options.json) {
         if (const std::string by = environmentLine(*domain); !by.empty()) print("{}\n", printable(by));
         print("{}\n", securityLine(*domain));

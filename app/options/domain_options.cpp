@@ -1,7 +1,5 @@
 #include "app/options/domain_options.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "core/settings/ros_environment.h"
@@ -36,11 +34,6 @@ Result<DomainSettings> withEnvironment(const DomainOptions& options) {
     const auto environment = rosEnvironment();
     if (!environment) return environment.error();
     return domainSettings(options, *environment);
-}
-
-std::string environmentLine(const DomainSettings& settings) {
-    if (settings.fromEnvironment.empty()) return {};
-    return fmt::format("by ROS's environment: {}", fmt::join(settings.fromEnvironment, ", "));
 }
 
 }  // namespace leitstand

@@ -19,7 +19,4 @@ void addDomainOptions(CLI::App& command, DomainOptions& options, const std::stri
 /// Errors name the variable whose value is invalid.
 [[nodiscard]] Result<DomainSettings> withEnvironment(const DomainOptions& options);
 
-/// Returns a line for the user on what ROS's variables decided; empty: nothing.
-[[nodiscard]] std::string environmentLine(const DomainSettings& settings);
-
 }  // namespace leitstand

@@ -72,6 +72,7 @@ int runStation(int argc, char** argv) {
     const auto parsed = parseOptions(argc, argv);
     if (const int* status = std::get_if<int>(&parsed)) return *status;
     const Options& options = std::get<Options>(parsed);
+    const auto environment = rosEnvironment();  // before anything has threads
     const bool picture = !options.screenshot.empty();
     if (picture) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -89,17 +90,15 @@ int runStation(int argc, char** argv) {
     useLanguage(languageOf(options));
     std::optional<OrderlyEnd> end;
     if (!picture) end.emplace();
-    const auto environment = rosEnvironment();
-    if (options.live || argc == 1 || options.resume) {
-        if (!environment && !options.demo) {
-            printProblem(environment.error().text);
-            return 1;
-        }
-    }
-    if (options.live) return runLive(options, environment ? *environment : RosEnvironment{});
+    const auto onRobots = [&](const Options& chosen) {
+        if (environment || chosen.demo) return runLive(chosen, environment ? *environment : RosEnvironment{});
+        printProblem(environment.error().text);
+        return 1;
+    };
+    if (options.live) return onRobots(options);
     if (argc == 1 || options.resume) {
         const auto last = lastOptions();
-        if (last || options.resume) return runLive(withLast(options, last.value_or(Options{})), *environment);
+        if (last || options.resume) return onRobots(withLast(options, last.value_or(Options{})));
     }
     if (wantsReview(options)) return runReview(options);
     return picture ? takeScreenshot(options) : showWindow(options);

@@ -39,5 +39,7 @@ struct DomainSettings {
 /// keeps the program from finding anybody; it names the variable.
 [[nodiscard]] Result<DomainSettings> domainSettings(const DomainOptions& options,
                                                     const RosEnvironment& environment);
+/// Returns a line for the user on what the variables of ROS decided; empty: nothing.
+[[nodiscard]] std::string environmentLine(const DomainSettings& settings);
 
 }  // namespace leitstand

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "core/base/words.h"
 #include "core/settings/domain_settings.h"
 
@@ -24,7 +27,9 @@ std::optional<int> domainFrom(std::string_view text) {
     int number = 0;
     const char* const end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, number);
-    const bool whole = read.ec == std::errc() && read.ptr == end;
+    // ROS reads 010 as 8.
+    const bool whole =
+        read.ec == std::errc() && read.ptr == end && (text.size() == 1 || !text.starts_with('0'));
     return whole && number >= 0 && number <= LastDomain ? std::optional(number) : std::nullopt;
 }
 
@@ -83,6 +88,7 @@ private:
         }
         const std::string only = value(LocalhostOnly);
         if (only == "1") {  // goes before the two others, as in ROS
+            m_read.localhostOnly = true;
             m_read.range = Range::Localhost;
             m_read.peers.clear();
         } else if (!only.empty() && only != "0") {
@@ -148,10 +154,15 @@ private:
         decided(DiscoveryServer);
         m_settings.initialPeers = m_environment.peers;
         if (!m_environment.peers.empty()) decided(StaticPeers);
-        if (m_environment.range != RosEnvironment::Range::Localhost) return;
-        decided(LocalhostOnly);
+        if (m_environment.localhostOnly) {
+            m_settings.interfaces = {"lo"};
+            decided(LocalhostOnly);
+            return;
+        }
+        // A server says who is there, whatever the range.
+        if (m_environment.range != RosEnvironment::Range::Localhost || !m_environment.discoveryServer.empty())
+            return;
         decided(DiscoveryRange);
-        if (!m_environment.discoveryServer.empty()) return;
         if (m_environment.peers.empty()) {
             m_settings.interfaces = {"lo"};
             return;
@@ -176,12 +187,19 @@ Result<DomainSettings> domainSettings(const DomainOptions& options, const RosEnv
     return Settling(options, environment).settled();
 }
 
+std::string environmentLine(const DomainSettings& settings) {
+    if (settings.fromEnvironment.empty()) return {};
+    return fmt::format("by ROS's environment: {}", fmt::join(settings.fromEnvironment, ", "));
+}
+
 Result<RosEnvironment> rosEnvironment(const EnvironmentReader& variable) {
     return Reading(variable).all();
 }
 
 Result<RosEnvironment> rosEnvironment() {
-    return rosEnvironment([](const char* name) { return std::getenv(name); });
+    auto environment = rosEnvironment([](const char* name) { return std::getenv(name); });
+    unsetenv(DiscoveryServer);
+    return environment;
 }
 
 }  // namespace leitstand

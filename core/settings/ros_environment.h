@@ -19,7 +19,8 @@ struct RosEnvironment {
     enum class Range : std::uint8_t { Subnet, Localhost, Off };
 
     std::optional<int> domain;                     ///< ROS_DOMAIN_ID, 0 to 232
-    Range range = Range::Subnet;                   ///< ROS_LOCALHOST_ONLY=1 counts as Localhost without peers
+    Range range = Range::Subnet;                   ///< Localhost also with ROS_LOCALHOST_ONLY=1
+    bool localhostOnly = false;                    ///< ROS_LOCALHOST_ONLY=1; the peers are then empty
     std::vector<std::string> peers;                ///< ROS_STATIC_PEERS
     std::string discoveryServer;                   ///< ROS_DISCOVERY_SERVER
     std::filesystem::path keys;                    ///< folder of the enclave, if ROS_SECURITY_ENABLE is true
@@ -33,7 +34,8 @@ using EnvironmentReader = std::function<const char*(const char* name)>;
 /// Reads the environment through @p variable. Errors name the environment variable, what it holds, and what
 /// was expected.
 [[nodiscard]] Result<RosEnvironment> rosEnvironment(const EnvironmentReader& variable);
-/// Reads the environment of this process.
+/// Reads the environment of this process. Removes ROS_DISCOVERY_SERVER from it, also for child processes:
+/// Fast DDS would read it, too, whatever the options say. Call it before other threads begin.
 [[nodiscard]] Result<RosEnvironment> rosEnvironment();
 
 }  // namespace leitstand

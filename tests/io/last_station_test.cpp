@@ -22,7 +22,11 @@ TEST(LastStation, WhatWasRememberedComesBack) {
                               "/keys/one"};
     ASSERT_TRUE(writeLastStation(file, station).ok());
     EXPECT_EQ(readLastStation(file), station);
+    const LastStation zero{{"kurt3d"}, 0};
+    ASSERT_TRUE(writeLastStation(file, zero).ok());
+    EXPECT_EQ(readLastStation(file)->domain, 0) << "somebody chose it against ROS_DOMAIN_ID";
     ASSERT_TRUE(writeLastStation(file, {{"crawler"}}).ok());
+    EXPECT_FALSE(readLastStation(file)->domain.has_value()) << "ROS's environment counts the next time, too";
     EXPECT_EQ(readLastStation(file)->robots, std::vector<std::string>{"crawler"});
 }
 
@@ -33,6 +37,8 @@ TEST(LastStation, AFileOfBeforePeersIsRead) {
     const auto station = readLastStation(file);
     ASSERT_TRUE(station.has_value());
     EXPECT_EQ(station->domain, 7);
+    std::ofstream(file) << "robots: [\"kurt3d\"]\ndomain: 0\ninterfaces: []\nkeys: \"\"\n";
+    EXPECT_FALSE(readLastStation(file)->domain.has_value()) << "nobody had chosen it";
     EXPECT_TRUE(station->initialPeers.empty() && station->discoveryServer.empty());
 }
 

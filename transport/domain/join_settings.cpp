@@ -1,5 +1,6 @@
 #include "transport/domain/join_settings.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -8,11 +9,25 @@
 #include "transport/security/enclave.h"
 
 namespace leitstand {
+namespace {
+
+/// What to look at where the environment chose the keys.
+std::string enclaveHint(const DomainSettings& settings) {
+    const bool chosen = std::any_of(settings.fromEnvironment.begin(), settings.fromEnvironment.end(),
+                                    [](const std::string& one) { return one.starts_with("ROS_SECURITY_"); });
+    return chosen ? " (ROS_SECURITY_ENCLAVE_OVERRIDE=/NAME chooses another enclave)" : "";
+}
+
+}  // namespace
 
 bool isSecured(const DomainSettings& settings) {
-    std::error_code problem;
-    return !settings.keys.empty() &&
-           (!settings.openWithoutKeys || std::filesystem::exists(settings.keys, problem));
+    if (settings.keys.empty() || !settings.openWithoutKeys) return !settings.keys.empty();
+    // A keystore's folder of enclaves is there without an enclave of its own.
+    const auto holds = [&](const char* file) {
+        std::error_code problem;
+        return std::filesystem::exists(settings.keys / file, problem);
+    };
+    return holds("cert.pem") && holds("key.pem");
 }
 
 Result<NodeSettings> nodeSettings(const DomainSettings& settings, const std::string& name) {
@@ -25,7 +40,7 @@ Result<NodeSettings> nodeSettings(const DomainSettings& settings, const std::str
     network.discoveryServer = settings.discoveryServer;
     if (!isSecured(settings)) return network;
     auto files = securityFiles(settings.keys);
-    if (!files) return files.error();
+    if (!files) return Error{files.error().text + enclaveHint(settings)};
     network.security = std::move(files).value();
     return network;
 }

@@ -232,6 +232,38 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
     return role;
 }
 
+namespace {
+
+/// Leaves out what is said of cameras whose pictures the station does not use, as of depths.
+void leaveOutBlindCameras(RobotGuess& guess) {
+    std::vector<StreamDescription>& streams = guess.robot.streams;
+    const auto isBlind = [&](const StreamDescription& stream) {
+        return stream.role == StreamRole::CameraInfo &&
+               std::none_of(streams.begin(), streams.end(), [&](const StreamDescription& other) {
+                   return streamFacts(other.role).picture && other.sensor == stream.sensor;
+               });
+    };
+    std::vector<StreamDescription> seeing;
+    for (const StreamDescription& stream : streams) {
+        if (!isBlind(stream)) {
+            seeing.push_back(stream);
+            continue;
+        }
+        for (TopicVerdict& verdict : guess.topics) {
+            if (verdict.topic.name != stream.topic) continue;
+            verdict.role.reset();
+            verdict.remark = "of a camera whose pictures the station does not use";
+        }
+    }
+    streams = std::move(seeing);
+    std::erase_if(guess.robot.sensors, [&](const auto& sensor) {
+        return std::none_of(streams.begin(), streams.end(),
+                            [&](const StreamDescription& stream) { return stream.sensor == sensor.first; });
+    });
+}
+
+}  // namespace
+
 std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
     const std::set<std::string> spaces = robotSpaces(topics);
     std::set<std::string> letters;
@@ -265,6 +297,7 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
             // Named robots share it with others that are here, or will be.
             if (!space.empty() && stream.topic == "/diagnostics") stream.hardwareId = space;
         }
+        leaveOutBlindCameras(guess);
         if (!guess.topics.empty()) result.push_back(std::move(guess));
     }
     return result;

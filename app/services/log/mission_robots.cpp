@@ -87,11 +87,14 @@ std::vector<RobotDescription> robotsOf(const fs::path& mission, const BagReader&
 void carryMapping(const fs::path& folder, std::vector<RobotDescription>& robots) {
     const auto maps = [](const StreamDescription& stream) { return stream.maps; };
     for (RobotDescription& robot : robots) {
-        if (std::any_of(robot.streams.begin(), robot.streams.end(), maps)) continue;
         const auto before = readRobot(folder / "robots" / (robot.name + ".yaml"));
         if (!before) continue;
         const auto mapping = std::find_if(before->streams.begin(), before->streams.end(), maps);
-        if (mapping == before->streams.end()) continue;
+        const bool there = mapping != before->streams.end() &&
+                           std::any_of(robot.streams.begin(), robot.streams.end(), [&](const auto& stream) {
+                               return stream.role == StreamRole::Points && stream.topic == mapping->topic;
+                           });
+        if (!there) continue;
         for (StreamDescription& stream : robot.streams)
             stream.maps = stream.role == StreamRole::Points && stream.topic == mapping->topic;
     }

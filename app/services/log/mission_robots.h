@@ -24,8 +24,8 @@ class BagReader;
 [[nodiscard]] std::vector<RobotDescription> robotsOf(const std::filesystem::path& mission,
                                                      const BagReader& bag,
                                                      std::vector<std::string>& warnings);
-/// Sets which of several clouds makes the map as the mission in @p folder had it, for each of @p robots whose
-/// own file names none.
+/// Sets in each of @p robots which of several clouds makes the map, as the mission in @p folder chose last.
+/// The robot's own file counts where the mission has no choice, or the robot no such clouds any more.
 void carryMapping(const std::filesystem::path& folder, std::vector<RobotDescription>& robots);
 
 }  // namespace leitstand

@@ -168,7 +168,11 @@ void LiveMapping::lookFor(const std::string& robot) {
 }
 
 void LiveMapping::mapWith(const std::string& robot, const std::string& topic) {
-    post([this, robot, topic](LiveMapper&) { m_robots.mapWith(robot, topic); });
+    post([this, robot, topic](LiveMapper& mapper) {
+        m_scanners.erase(robot);  // what was found and left as it is was about another scanner
+        mapper.recalibrate(robot);
+        m_robots.mapWith(robot, topic);
+    });
 }
 
 void LiveMapping::work(const Event& event) {

@@ -80,15 +80,14 @@ bool ScannerAdvice::follow(const std::string& robot, const ScannerFinding& findi
 }
 
 Result<void> ScannerAdvice::mapWith(const std::string& robot, const std::string& topic) {
-    RobotDescription chosen;
-    {
-        const std::lock_guard lock(m_mutex);
-        const auto described = find(robot);
-        if (described == m_robots.end()) return {};
-        for (StreamDescription& stream : described->streams) stream.maps = stream.topic == topic;
-        chosen = *described;
-    }
-    return m_mission.empty() ? Result<void>() : keepRobots(m_mission, {chosen});
+    const std::lock_guard lock(m_mutex);  // also over the file, which use() writes, too
+    const auto described = find(robot);
+    if (described == m_robots.end()) return {};
+    for (StreamDescription& stream : described->streams) stream.maps = stream.topic == topic;
+    // What was advised of the scanner before is not about this one.
+    m_advised.erase(robot);
+    std::erase_if(m_reported, [&](const auto& one) { return one.first == robot; });
+    return m_mission.empty() ? Result<void>() : keepRobots(m_mission, {*described});
 }
 
 bool ScannerAdvice::hasClouds(const std::string& robot, const std::string& topic) const {
@@ -137,9 +136,10 @@ ScannerAdvice::Used ScannerAdvice::use(const ScannerQuestion& question) {
             robot->sensors.try_emplace(sensor, SensorDescription{.frame = sensor}).first->second;
         used.total = described.correction = described.correction.with(question.more);
         corrected = *robot;
-    }
-    if (!m_mission.empty()) {
-        if (const auto kept = keepRobots(m_mission, {corrected}); !kept) used.notWritten = kept.error().text;
+        if (!m_mission.empty()) {
+            if (const auto kept = keepRobots(m_mission, {corrected}); !kept)
+                used.notWritten = kept.error().text;
+        }
     }
     if (corrected.file.empty()) return used;
     const auto file = written(corrected.file, sensor, used.total);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "app/services/log/live_mission.h"
+#include "app/services/log/mission_robots.h"
 #include "app/services/log/sequencer.h"
 #include "app/services/places/mission_map.h"
 #include "app/services/recorded/new_folder.h"
@@ -154,6 +155,7 @@ Result<std::size_t> carry(const RecordedMap& map, const CarriedInto& into, const
     LiveMissionSettings settings;
     settings.folder = into.folder;
     settings.robots = into.robots;
+    carryMapping(map.folder, settings.robots);  // the map goes on with the scanners that made it
     settings.station = CarriedStation;
     settings.title = berth.name;
     settings.version = into.version;

@@ -350,9 +350,9 @@ int runLive(const Options& options, const RosEnvironment& environment) {
             }
         }
         if (!options.demo && options.screenshot.empty())
-            rememberStation(lastFile(), {files, settings.domain.domain, settings.domain.interfaces,
-                                         settings.domain.initialPeers, settings.domain.discoveryServer,
-                                         settings.domain.keys.string()});
+            rememberStation(lastFile(), {files, options.network.domain, options.network.interfaces,
+                                         options.network.initialPeers, options.network.discoveryServer,
+                                         options.network.keys.string()});
         const Ended ended = showStation(settings, options, demo ? &*demo : nullptr, earlier,
                                         std::exchange(hint, {}), printed);
         const bool opened = ended.problem.isEmpty();

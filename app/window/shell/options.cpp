@@ -111,7 +111,8 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
         ->check(CLI::Range(0, 3600))
         ->type_name("SECONDS");
     addDomainOptions(app, options.network, LiveGroup);
-    app.get_option("--keys")->excludes(demo);
+    for (const char* option : {"--keys", "--peer", "--discovery-server"})
+        app.get_option(option)->excludes(demo);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {

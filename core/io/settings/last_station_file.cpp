@@ -37,12 +37,14 @@ std::optional<LastStation> readLastStation(const std::filesystem::path& file) {
     try {
         LastStation station;
         station.robots = wordsOf((*root)["robots"]);
-        station.domain = (*root)["domain"].as<int>();
+        // Files of before 0.3 name the domain always; 0 there was nobody's choice.
+        const int domain = (*root)["domain"].as<int>();
+        if ((*root)["domain_chosen"].as<bool>(domain != 0)) station.domain = domain;
         station.interfaces = wordsOf((*root)["interfaces"]);
-        station.initialPeers = wordsOf((*root)["peers"]);  // not in files of before 0.9
+        station.initialPeers = wordsOf((*root)["peers"]);  // not in files of before 0.3
         station.discoveryServer = (*root)["discovery_server"].as<std::string>("");
         station.keys = (*root)["keys"].as<std::string>();
-        const bool sound = !station.robots.empty() && station.domain >= 0 && station.domain <= LastDomain;
+        const bool sound = !station.robots.empty() && domain >= 0 && domain <= LastDomain;
         return sound ? std::optional(station) : std::nullopt;
     } catch (const YAML::Exception&) {
         return std::nullopt;
@@ -54,10 +56,13 @@ Result<void> writeLastStation(const std::filesystem::path& file, const LastStati
     out << YAML::Comment("With what the station was opened last: `leitstand` opens it so again.");
     out << YAML::BeginMap;
     write(out, "robots", station.robots);
-    out << YAML::Key << "domain" << YAML::Value << station.domain;
+    out << YAML::Key << "domain" << YAML::Value << station.domain.value_or(0);
+    if (station.domain == 0) out << YAML::Key << "domain_chosen" << YAML::Value << true;
     write(out, "interfaces", station.interfaces);
-    write(out, "peers", station.initialPeers);
-    out << YAML::Key << "discovery_server" << YAML::Value << YAML::DoubleQuoted << station.discoveryServer;
+    if (!station.initialPeers.empty()) write(out, "peers", station.initialPeers);
+    if (!station.discoveryServer.empty())
+        out << YAML::Key << "discovery_server" << YAML::Value << YAML::DoubleQuoted
+            << station.discoveryServer;
     out << YAML::Key << "keys" << YAML::Value << YAML::DoubleQuoted << station.keys;
     out << YAML::EndMap << YAML::Newline;
     std::error_code problem;

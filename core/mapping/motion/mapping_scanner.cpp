@@ -13,7 +13,22 @@ namespace leitstand {
 namespace {
 
 constexpr std::size_t LookedAt = 2'000;    ///< points of a cloud, at most
+constexpr std::size_t CellsAcross = 6;     ///< a side of the cube of directions
 constexpr double UnsteadyCountsFor = 0.1;  ///< of a steady scanner that sees as much
+
+/// Returns the cell of a direction on a cube about the scanner. Its sides have 6 x 6 cells each, some 15
+/// degrees wide. Which way the sensor's frame looks makes no difference.
+std::size_t cellOf(const Eigen::Vector3d& direction) {
+    Eigen::Index axis = 0;
+    const double along = direction.cwiseAbs().maxCoeff(&axis);
+    const auto cell = [&](Eigen::Index other) {
+        const double angle = std::atan(direction[other % 3] / along);  // within 45 degrees
+        return std::min(std::size_t((angle / (std::numbers::pi / 2.0) + 0.5) * double(CellsAcross)),
+                        CellsAcross - 1);
+    };
+    const std::size_t side = 2 * std::size_t(axis) + (direction[axis] < 0.0 ? 1 : 0);
+    return (side * CellsAcross + cell(axis + 1)) * CellsAcross + cell(axis + 2);
+}
 
 }  // namespace
 
@@ -27,12 +42,14 @@ MappingScanner::MappingScanner(const RobotDescription& robot, const MappingScann
     if (m_topics.size() == 1) m_chosen = m_topics.front();
 }
 
-bool MappingScanner::takes(const std::string& topic, const CloudSample& cloud, const Pose& sensorInBase,
-                           Time received) {
+bool MappingScanner::takes(const std::string& topic, const CloudSample& cloud, Time received) {
     if (!m_chosen.empty() || m_topics.empty()) return topic == m_chosen || m_topics.empty();
     if (!m_began) m_began = received;
-    look(m_seen[topic], cloud, sensorInBase, received);
-    if (received - *m_began < m_settings.compare) return false;
+    if (!m_seen.contains(topic)) m_newcomer = received;
+    look(m_seen[topic], cloud, received);
+    const bool all = m_seen.size() >= m_topics.size();
+    if (all ? received - m_newcomer < m_settings.compare : received - *m_began < m_settings.waitForAll)
+        return false;
     decide(received);
     return topic == m_chosen;
 }
@@ -51,8 +68,7 @@ void MappingScanner::decide(Time now) {
     m_seen.clear();
 }
 
-void MappingScanner::look(Seen& seen, const CloudSample& cloud, const Pose& sensorInBase,
-                          Time received) const {
+void MappingScanner::look(Seen& seen, const CloudSample& cloud, Time received) const {
     if (seen.clouds > 0) seen.gap = std::max(seen.gap, received - seen.last);
     seen.last = received;
     ++seen.clouds;
@@ -63,10 +79,7 @@ void MappingScanner::look(Seen& seen, const CloudSample& cloud, const Pose& sens
         const double range = point.norm();
         if (!std::isfinite(range) || range < m_settings.nearest) continue;
         ranges.push_back(std::min(range, m_settings.farEnough));
-        const Eigen::Vector3d inBase = sensorInBase.linear() * point;
-        const double direction = std::atan2(inBase.y(), inBase.x()) / (2.0 * std::numbers::pi) + 0.5;
-        const auto sectors = double(seen.directions.size());
-        seen.directions.set(std::min(std::size_t(direction * sectors), seen.directions.size() - 1));
+        seen.directions.set(cellOf(point));
     }
     if (ranges.empty()) return;
     const auto ninth = ranges.begin() + std::ptrdiff_t(ranges.size() * 9 / 10);

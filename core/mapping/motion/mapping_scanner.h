@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/pose.h"
 #include "core/base/time.h"
 
 namespace leitstand {
@@ -18,7 +17,9 @@ struct RobotDescription;
 /// Settings of MappingScanner.
 struct MappingScannerSettings {
     std::chrono::nanoseconds compare = std::chrono::seconds(3);  ///< how long clouds are compared
-    std::chrono::nanoseconds steady = std::chrono::seconds(1);   ///< longest gap between steady clouds
+    /// How long it is waited for scanners that have sent nothing yet, since the first cloud.
+    std::chrono::nanoseconds waitForAll = std::chrono::seconds(15);
+    std::chrono::nanoseconds steady = std::chrono::seconds(1);  ///< longest gap between steady clouds
     double nearest = 0.5;     ///< points this near may be of the robot itself [m]
     double farEnough = 30.0;  ///< what is seen farther makes no difference [m]
 };
@@ -33,8 +34,7 @@ public:
 
     /// Takes a cloud of @p topic that was received at @p received. Returns whether it is of the scanner that
     /// makes the map; false while scanners are compared.
-    [[nodiscard]] bool takes(const std::string& topic, const CloudSample& cloud, const Pose& sensorInBase,
-                             Time received);
+    [[nodiscard]] bool takes(const std::string& topic, const CloudSample& cloud, Time received);
     void choose(const std::string& topic) { m_chosen = topic; }
     /// Ends the comparison at @p now with what was seen so far.
     void decide(Time now);
@@ -47,18 +47,19 @@ private:
     /// What one scanner's clouds showed so far.
     struct Seen {
         int clouds = 0;
-        std::bitset<36> directions;      ///< about z of the base, 10 degrees each
+        std::bitset<216> directions;     ///< on a cube about the scanner, 6 x 6 a side
         std::vector<double> reaches;     ///< of each cloud: nine of ten of its points are nearer [m]
         Time last{};                     ///< when its newest cloud was received
         std::chrono::nanoseconds gap{};  ///< longest time without one
     };
-    void look(Seen& seen, const CloudSample& cloud, const Pose& sensorInBase, Time received) const;
+    void look(Seen& seen, const CloudSample& cloud, Time received) const;
     [[nodiscard]] double worth(const Seen& seen, Time now) const;
 
     MappingScannerSettings m_settings;
     std::vector<std::string> m_topics;
     std::string m_chosen;
-    std::optional<Time> m_began;
+    std::optional<Time> m_began;         ///< when the first cloud was received
+    Time m_newcomer{};                   ///< when the first cloud of the last scanner was received
     std::map<std::string, Seen> m_seen;  ///< by topic
 };
 

@@ -94,6 +94,7 @@ void addStock(CLI::App& app, int& exitCode) {
         options->stock = stockProfile(*profile);
         options->kind = options->stock->body;
         if (nameSpace->count() == 0) options->nameSpace = options->stock->nameSpace;
+        while (options->nameSpace.starts_with('/')) options->nameSpace.erase(0, 1);
         exitCode = reported(runRobot(*options));
     });
 }

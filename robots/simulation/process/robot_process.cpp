@@ -102,11 +102,14 @@ Result<std::unique_ptr<RobotAgent>> agentFor(const RobotOptions& options, RobotH
     return make<Kurt3dAgent, Kurt3dSettings>(options, hardware, robot);
 }
 
-Result<std::unique_ptr<Node>> join(const DomainSettings& domain, const std::string& name) {
+Result<std::unique_ptr<Node>> join(const DomainSettings& domain, const std::string& name,
+                                   bool stock = false) {
     auto made = nodeSettings(domain, name);
     if (!made) return made.error();
     NodeSettings network = std::move(made).value();
     network.scanLimit = ScanLimit;
+    // Drivers of others send as fast as they can.
+    if (stock) network.telemetryLimit.bytes = network.scanLimit.bytes = network.pictureLimit.bytes = 0;
     return Node::create(network);
 }
 
@@ -196,7 +199,9 @@ Result<void> runRobot(const RobotOptions& options) {
     ScreenMessages publishing;
     auto domain = domainOf(options);
     if (!domain) return domain.error();
-    const auto node = join(*domain, robot->name);
+    if (const std::string by = environmentLine(*domain); !by.empty())
+        std::fprintf(stderr, "%s\n", printable(by).c_str());
+    const auto node = join(*domain, robot->name, options.stock != nullptr);
     if (!node) return node.error();
     for (const std::string& warning : (*node)->warnings())
         std::fprintf(stderr, "%s\n", printable(warning).c_str());

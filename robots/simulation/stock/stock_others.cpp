@@ -6,15 +6,22 @@
 #include <utility>
 #include <vector>
 
-#include "core/event/raw_event.h"
+#include "core/event/motion_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/sample.h"
+#include "transport/convert/encode.h"
 
 namespace leitstand::simulation {
 namespace {
 
-/// A message without content: the encapsulation of XCDR1, little endian, and zeros, which are empty strings,
-/// empty sequences and zero stamps in whatever message has them.
-Payload nothing() {
-    constexpr std::size_t Bytes = 256;
+/// Returns a message of @p type without content. Of a type that the station does not know: the encapsulation
+/// of XCDR1, little endian, and zeros, which are empty strings and sequences in whatever message has them.
+Payload nothingOf(std::string_view type) {
+    const Sample known[] = {JointSample{}, OdometrySample{}, ImuSample{}, CameraInfoSample{}};
+    for (const Sample& sample : known) {
+        if (auto payload = encode(sample, type)) return std::move(payload).value();
+    }
+    constexpr std::size_t Bytes = 1'024;
     std::vector<std::byte> bytes(Bytes);
     bytes[1] = std::byte{1};
     return std::make_shared<const std::vector<std::byte>>(std::move(bytes));
@@ -29,7 +36,7 @@ Result<StockOthers> StockOthers::create(Node& node, const StockProfile& profile,
         auto made = node.publisher(
             {.topic = topicIn(nameSpace, topic.topic), .type = std::string(topic.type), .qos = topic.qos});
         if (!made) return made.error();
-        Lane lane{std::move(made).value(), {}, {}};
+        Lane lane{std::move(made).value(), nothingOf(topic.type), {}, {}};
         if (topic.rate > 0.0)
             lane.every = std::chrono::duration_cast<std::chrono::nanoseconds>(
                 std::chrono::duration<double>(1.0 / topic.rate));
@@ -39,10 +46,9 @@ Result<StockOthers> StockOthers::create(Node& node, const StockProfile& profile,
 }
 
 void StockOthers::publish(Time now) {
-    static const Payload Empty = nothing();
     for (Lane& lane : m_lanes) {
         if (now < lane.next) continue;
-        (void)lane.publisher->write(Empty);  // nobody misses it
+        (void)lane.publisher->write(lane.message);  // nobody misses it
         lane.next = lane.every.count() == 0 ? Time::max() : now + lane.every;
     }
 }

@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/base/time.h"
+#include "core/event/raw_event.h"
 #include "robots/simulation/stock/stock_profile.h"
 #include "transport/dds/node.h"
 
@@ -22,6 +23,7 @@ public:
 private:
     struct Lane {
         std::unique_ptr<Publisher> publisher;
+        Payload message;
         std::chrono::nanoseconds every{};  ///< 0: once
         Time next{};
     };

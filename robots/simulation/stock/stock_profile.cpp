@@ -118,8 +118,12 @@ Result<RobotDescription> describe(const StockProfile& profile, const std::string
         if (stream.topic.starts_with(shipped))
             stream.topic = topicIn(nameSpace, stream.topic.substr(shipped.size()));
     }
-    if (!nameSpace.empty()) robot.name = nameSpace;
-    return robot;
+    if (nameSpace.empty()) return robot;
+    robot.name = nameSpace;
+    std::replace(robot.name.begin(), robot.name.end(), '/', '_');
+    // Names that ROS refuses are refused here, too.
+    const auto checked = parseRobot(writeRobot(robot), "--namespace");
+    return checked ? Result<RobotDescription>(std::move(robot)) : checked.error();
 }
 
 }  // namespace leitstand::simulation

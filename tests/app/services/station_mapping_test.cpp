@@ -129,6 +129,10 @@ TEST_F(TwoScanners, TheOperatorChoosesAnotherWhichStaysChosen) {
     end();
     begin();
     EXPECT_EQ(m_mapping->mapsWith("kurt3d"), Front) << "the mission goes on with it";
+    end();
+    m_robot.streams.back().maps = true;
+    begin();
+    EXPECT_EQ(m_mapping->mapsWith("kurt3d"), Front) << "whatever the robot's file names";
 }
 
 TEST_F(StationMappingTest, TheTrailFollowsWhatIsDecidedOfScans) {

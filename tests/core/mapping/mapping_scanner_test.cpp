@@ -63,7 +63,7 @@ public:
 private:
     void take(MappingScanner& scanner, const char* topic, const CloudSample& cloud,
               std::chrono::milliseconds after) {
-        if (!scanner.takes(topic, cloud, Pose::Identity(), Began + after)) return;
+        if (!scanner.takes(topic, cloud, Began + after)) return;
         firstTaken = std::min(firstTaken, after);
         ++(topic == std::string(Lidar) ? lidarTaken : cameraTaken);
     }
@@ -90,8 +90,8 @@ TEST(MappingScanner, OfTwoThatLookTheSameWayTheOneThatSeesFartherDoes) {
     EXPECT_EQ(chosenOf(both), Lidar);
     both.camera = wall(25.0, 90);
     EXPECT_EQ(chosenOf(both), Camera);
-    both.lidar = wall(60.0, 90);
-    both.camera = wall(90.0, 90);
+    both.lidar = wall(90.0, 90);
+    both.camera = wall(60.0, 90);
     EXPECT_EQ(chosenOf(both), Camera) << "so far off it makes no difference: the first of the file";
 }
 
@@ -107,8 +107,27 @@ TEST(MappingScanner, OneThatSendsNothingOrSeesNothingDoesNotMap) {
     EXPECT_EQ(chosenOf(both), Camera);
     both.lidar = wall(0.2, 360);  // the robot itself
     EXPECT_EQ(chosenOf(both), Camera);
+}
+
+TEST(MappingScanner, OneThatStartsLateIsWaitedFor) {
+    MappingScanner scanner(rover());
+    Both both;
+    for (auto after = 0ms; after < 10s; after += 30ms)
+        EXPECT_FALSE(scanner.takes(Camera, both.camera, Began - 10s + after)) << "the other may come";
+    EXPECT_EQ(both.chosenBy(scanner), Lidar);
+    MappingScanner alone(rover());
     both.lidarStep = 1h;
-    EXPECT_EQ(chosenOf(both), Camera);
+    both.lidar.points.clear();
+    for (auto after = 0ms; after < 16s; after += 30ms) (void)alone.takes(Camera, both.camera, Began + after);
+    EXPECT_EQ(alone.chosen(), Camera) << "not for ever";
+}
+
+TEST(MappingScanner, WhichWayAFrameLooksDoesNotMatter) {
+    Both both;
+    for (Eigen::Vector3f& point : both.camera.points) point = {-point.y(), -point.z(), point.x()};  // optical
+    both.camera.points.resize(90);
+    both.lidar = wall(4.5, 360);
+    EXPECT_EQ(chosenOf(both), Lidar) << "z ahead is not all around";
 }
 
 TEST(MappingScanner, TheFileAndTheOperatorGoBeforeWhatIsMeasured) {
@@ -128,14 +147,14 @@ TEST(MappingScanner, AnOnlyScannerMapsFromItsFirstCloudOn) {
     MappingScanner scanner(robot);
     EXPECT_FALSE(scanner.hasChoice());
     EXPECT_EQ(scanner.chosen(), Camera);
-    EXPECT_TRUE(scanner.takes(Camera, wall(4.0, 90), Pose::Identity(), Began));
+    EXPECT_TRUE(scanner.takes(Camera, wall(4.0, 90), Began));
     EXPECT_TRUE(rover().streams.size() == 2 && MappingScanner(rover()).hasChoice());
 }
 
 TEST(MappingScanner, AShortRecordingIsDecidedWithWhatThereIs) {
     MappingScanner scanner(rover());
-    EXPECT_FALSE(scanner.takes(Camera, wall(4.0, 90), Pose::Identity(), Began));
-    EXPECT_FALSE(scanner.takes(Lidar, wall(8.0, 360), Pose::Identity(), Began + 100ms));
+    EXPECT_FALSE(scanner.takes(Camera, wall(4.0, 90), Began));
+    EXPECT_FALSE(scanner.takes(Lidar, wall(8.0, 360), Began + 100ms));
     scanner.decide(Began + 200ms);
     EXPECT_EQ(scanner.chosen(), Lidar);
     MappingScanner silent(rover());

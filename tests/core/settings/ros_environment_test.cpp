@@ -1,5 +1,6 @@
 #include "core/settings/ros_environment.h"
 
+#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -63,7 +64,7 @@ TEST(RosEnvironment, TheDomainCountsUnlessAnOptionNamesOne) {
 }
 
 TEST(RosEnvironment, ADomainThatIsNoneIsNamed) {
-    for (const char* text : {"233", "-1", "seven", "7 ", "0x7", "99999999999999999999"})
+    for (const char* text : {"233", "-1", "seven", "7 ", "0x7", "010", "99999999999999999999"})
         EXPECT_THAT(complaint({{"ROS_DOMAIN_ID", text}}),
                     testing::AllOf(HasSubstr("ROS_DOMAIN_ID"), HasSubstr(text), HasSubstr("0..232")));
 }
@@ -89,6 +90,26 @@ TEST(RosEnvironment, PeersAreAskedBesideAllOthersOrAlone) {
     EXPECT_THAT(joined({{"ROS_STATIC_PEERS", "192.168.0.7"}, {"ROS_LOCALHOST_ONLY", "1"}}).initialPeers,
                 IsEmpty())
         << "as in ROS";
+}
+
+TEST(RosEnvironment, AServerIsAskedWhateverTheRangeButOnThisComputerAloneIfSoSaid) {
+    const Variables server = {{"ROS_DISCOVERY_SERVER", "10.0.0.1:11811"}};
+    Variables range = server, only = server;
+    range["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST";
+    only["ROS_LOCALHOST_ONLY"] = "1";
+    EXPECT_THAT(joined(range).interfaces, IsEmpty());
+    EXPECT_THAT(joined(range).fromEnvironment, ElementsAre("ROS_DISCOVERY_SERVER=10.0.0.1:11811"))
+        << "the range decided nothing";
+    EXPECT_THAT(joined(only).interfaces, ElementsAre("lo"));
+    EXPECT_EQ(joined(only).fromEnvironment.size(), 2U);
+}
+
+TEST(RosEnvironment, TheLibraryDoesNotReadTheServerByItself) {
+    ASSERT_EQ(setenv("ROS_DISCOVERY_SERVER", "10.0.0.1:11811", 1), 0);
+    const auto environment = rosEnvironment();
+    ASSERT_TRUE(environment.ok());
+    EXPECT_EQ(environment->discoveryServer, "10.0.0.1:11811");
+    EXPECT_EQ(std::getenv("ROS_DISCOVERY_SERVER"), nullptr);
 }
 
 TEST(RosEnvironment, OptionsThatSayWhomToFindGoBeforeIt) {

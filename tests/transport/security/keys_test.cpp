@@ -1,6 +1,7 @@
 #include "transport/security/keys.h"
 
 #include <filesystem>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -200,7 +201,7 @@ TEST_F(Keys, AreRevokedForEveryone) {
 }
 
 TEST_F(Keys, SayInALineWhetherTheDomainIsSecured) {
-    EXPECT_THAT(securityLine({}), HasSubstr("OFF"));
+    EXPECT_THAT(securityLine(std::nullopt), HasSubstr("OFF"));
     ASSERT_TRUE(create(Team).ok());
     EXPECT_THAT(securityLine(*securityFiles(enclave("station1"))),
                 StartsWith("Security is on: station1 (station), valid until 20"));

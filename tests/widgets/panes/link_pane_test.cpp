@@ -63,7 +63,7 @@ TEST_P(LinkPanes, OfSeveralCloudsOneMakesTheMapAndAnotherIsChosenByAClick) {
     auto* table = pane.findChild<QTableView*>("streams");
     auto* maps = pane.findChild<QCheckBox*>("maps");
     QSignalSpy chosen(&pane, &LinkPane::mapChosen);
-    EXPECT_EQ(streamNameText(*pane.table().row(0)), "K  scanner 3D scans (map)");
+    EXPECT_EQ(streamNameText(*pane.table().row(0)), "K  3D scans scanner (map)");
     table->selectRow(0);
     EXPECT_TRUE(maps->isVisibleTo(&pane) && maps->isChecked() && !maps->isEnabled()) << "it cannot be none";
     table->selectRow(1);

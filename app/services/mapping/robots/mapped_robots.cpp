@@ -73,7 +73,7 @@ void MappedRobots::add(const Event& event) {
     } else if (const auto* cloud = event.sample.as<CloudSample>()) {
         const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
         const bool known = !robot.mapping.chosen().empty();
-        const bool maps = robot.mapping.takes(event.topic, *cloud, sensor, event.received);
+        const bool maps = robot.mapping.takes(event.topic, *cloud, event.received);
         if (!known && !robot.mapping.chosen().empty()) mapWith(event.robot, robot.mapping.chosen());
         if (!maps) return;
         if (!robot.poses.isOfScanner(cloud->header.frame)) robot.scanner.clear();

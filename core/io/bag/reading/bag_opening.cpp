@@ -111,7 +111,10 @@ std::shared_ptr<BagFile> withHiddenFrames(const fs::path& path, std::shared_ptr<
                                           bool& damaged) {
     if (broken.empty()) return opened;
     auto salvaged = SalvagedFile::open(path, broken);
-    if (!salvaged) return opened;
+    if (!salvaged) {
+        problems.push_back(broken);
+        return opened;
+    }
     const auto messages = [](const BagFile& file) {
         const BagFileFacts& facts = file.facts();
         return facts.messages().value_or(facts.lastId == 0 ? 0 : facts.lastId - facts.firstId + 1);

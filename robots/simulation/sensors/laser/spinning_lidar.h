@@ -21,8 +21,8 @@ struct SpinningLidarSettings {
     Pose lidarInBase = Pose::Identity();
 };
 
-/// Velodyne VLP-16: 16 rings over 30 degrees, 0.4 degrees apart at 10 Hz, 0.5 to 100 m, deviation 1 cm (user
-/// manual 63-9243, table 2).
+/// Velodyne VLP-16: 16 rings over 30 degrees at 10 Hz, 0.5 to 100 m, standard deviation 1 cm (user manual
+/// 63-9243). Thinned: every other shot, 0.4 degrees apart.
 [[nodiscard]] SpinningLidarSettings vlp16();
 
 /// A lidar that sends a cloud for each revolution, as velodyne_pointcloud does: unorganised, without points

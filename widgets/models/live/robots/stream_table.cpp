@@ -74,7 +74,8 @@ QString columnHint(StreamTable::Column column) {
 }  // namespace
 
 QString streamNameText(const StreamRow& row) {
-    const QString name = streamText(row.stream.role, row.stream.sensor);
+    QString name = streamText(row.stream.role, row.stream.sensor);
+    if (row.mayMap && !row.stream.sensor.empty()) name += QChar(' ') + othersText(row.stream.sensor);
     return QStringLiteral("%1  %2").arg(row.face.letter,
                                         row.maps ? StreamTexts::tr("%1 (map)").arg(name) : name);
 }
