@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/words.h"
+#include "core/event/stream_role.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
@@ -39,6 +40,15 @@ Result<std::string> writeFirstFile(RobotDescription robot, const std::vector<Rob
         return std::any_of(team.begin(), team.end(),
                            [&](const RobotDescription& one) { return one.letter == letter; });
     };
+    // Diagnostics that all share are another's, where nothing tells whose a status is.
+    std::erase_if(robot.streams, [&](const StreamDescription& stream) {
+        const auto shares = [&](const RobotDescription& one) {
+            return std::any_of(one.streams.begin(), one.streams.end(),
+                               [&](const StreamDescription& other) { return other.topic == stream.topic; });
+        };
+        return stream.role == StreamRole::Diagnostics && stream.hardwareId.empty() &&
+               std::any_of(team.begin(), team.end(), shares);
+    });
     for (char letter = 'A'; letter <= 'Z' && isTaken(robot.letter); ++letter) robot.letter = letter;
     std::filesystem::create_directories(file.parent_path(), problem);
     if (const auto written = detail::writeWhole(file, writeRobot(robot)); !written) return written.error();

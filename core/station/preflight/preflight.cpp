@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/time.h"
+#include "core/event/stream_role.h"
 #include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
@@ -101,9 +102,11 @@ void judgeClock(Page& page, const LinkStatus& link, double limit) {
              ahead);
 }
 
-void judgeDriving(Page& page, const RobotView& view) {
+void judgeDriving(Page& page, const RobotFacts& facts) {
+    const RobotView& view = facts.view;
     if (!view.drive.drivable) return;
     if (!view.drive.reachable) page.add(Kind::Deaf, CheckState::Fail);
+    if (facts.robot.stream(StreamRole::StopCommand) == nullptr) page.add(Kind::NotBound, CheckState::Note);
     if (view.stop.stopped) page.add(Kind::Stopped, CheckState::Attention);
     if (view.grant.mine) {
         page.add(Kind::Grant, CheckState::Ok);
@@ -150,7 +153,7 @@ void judgeRobot(std::vector<PreflightCheck>& checks, const RobotFacts& facts, Ti
     if (!there) return;
     judgeStreams(page, facts);
     judgeClock(page, facts.view.link, farClock);
-    judgeDriving(page, facts.view);
+    judgeDriving(page, facts);
     judgeBrake(page, facts, now);
 }
 

@@ -75,6 +75,7 @@ struct PreflightCheck {
         GrantFree,    ///< nobody's: taken when driving begins
         GrantOthers,  ///< detail: who has it
         Deaf,         ///< it receives no drive commands
+        NotBound,     ///< it has no stop of its own, and knows no grants: others may drive it
         Stopped,      ///< a stop stands
         BrakePassed,  ///< number: until standing [s]; other: way [m]; brake
         BrakeOld,     ///< as BrakePassed, more than a day ago

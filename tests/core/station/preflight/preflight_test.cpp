@@ -31,6 +31,8 @@ PreflightFacts goodFacts() {
     PreflightFacts facts;
     RobotFacts robot;
     robot.robot.name = "kurt3d";
+    robot.robot.streams.emplace_back();
+    robot.robot.streams.back().role = StreamRole::StopCommand;
     robot.view.link.state = LinkState::Connected;
     robot.view.link.silence = 0.1;
     robot.view.link.roundTrip = RoundTripStatus{.last = 0.02, .median = 0.02};
@@ -202,6 +204,14 @@ TEST_F(Preflight, AlarmsThatNobodyHearsAreLookedAt) {
     facts.soundProblem = "no device";
     EXPECT_TRUE(has(Kind::SoundNone) && !has(Kind::Sound));
     EXPECT_EQ(worstOf(preflight(facts)), CheckState::Attention);
+}
+
+TEST_F(Preflight, OfAStockRobotIsSaidWhatStopIsToItAndThatOthersMayDriveIt) {
+    EXPECT_FALSE(has(Kind::NotBound));
+    facts.robots.front().robot.streams.clear();
+    expect(Kind::NotBound, CheckState::Note);
+    facts.robots.front().view.drive.drivable = false;
+    EXPECT_FALSE(has(Kind::NotBound)) << "nobody drives it";
 }
 
 TEST_F(Preflight, WhatIsAMatterOfTasteIsNotLoud) {

@@ -137,6 +137,8 @@ QString checkText(const PreflightCheck& check) {
             return Words::tr("%1 has drive control").arg(detail);
         case Kind::Deaf:
             return Words::tr("hears no drive commands");
+        case Kind::NotBound:
+            return Words::tr("STOP is a zero command: it has no stop of its own, and obeys others, too");
         case Kind::Stopped:
             return Words::tr("stopped");
         case Kind::BrakePassed:
@@ -239,6 +241,7 @@ QString remedyText(const PreflightCheck& check) {
         case Kind::StreamsComing:
         case Kind::PicturesFresh:
         case Kind::ClockSteady:
+        case Kind::NotBound:
         case Kind::Grant:
         case Kind::GrantFree:
         case Kind::BrakePassed:
