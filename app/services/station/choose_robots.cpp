@@ -28,7 +28,7 @@ Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string
 Result<void> checkJoins(const std::string& file, std::vector<RobotDescription> team) {
     auto robots = chooseRobots({file});
     if (!robots) return robots.error();
-    team.push_back(std::move(robots->front()));
+    team.push_back(robots->front());
     return checkTeam(team);
 }
 

@@ -105,7 +105,7 @@ QString guardText(const GuardView& guard) {
 }  // namespace
 
 QString checkText(const PreflightCheck& check) {
-    const QString detail = othersText(check.detail);
+    QString detail = othersText(check.detail);
     switch (check.kind) {
         case Kind::RobotConnected:
             if (!check.reasons.empty()) return Words::tr("connected, but %1").arg(reasonsText(check.reasons));
