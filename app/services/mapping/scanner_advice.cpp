@@ -21,7 +21,7 @@ namespace {
 /// Empty: the user has no folder.
 fs::path ownFile(const fs::path& file) {
     std::error_code problem;
-    const fs::path whole = fs::weakly_canonical(file, problem);
+    fs::path whole = fs::weakly_canonical(file, problem);
     const bool comes = fs::equivalent(shippedFolder("robots"), whole.parent_path(), problem);
     if (!comes) return whole;
     const fs::path folder = userFolder("robots");

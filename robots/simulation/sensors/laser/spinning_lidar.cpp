@@ -29,6 +29,11 @@ std::chrono::nanoseconds SpinningLidar::shotAfter(int column) const {
     return std::chrono::nanoseconds(std::llround(column * 1e9 / (m_settings.rate * m_settings.columns)));
 }
 
+std::size_t SpinningLidar::indexOf(int ring, int column) const {
+    return static_cast<std::size_t>(ring) * static_cast<std::size_t>(m_settings.columns) +
+           static_cast<std::size_t>(column);
+}
+
 CloudSample SpinningLidar::revolution(const World& world, int robot, Time start) {
     std::vector<Eigen::Vector3f> directions(m_rays.size());
     for (int column = 0; column < m_settings.columns; ++column) {
@@ -39,7 +44,7 @@ CloudSample SpinningLidar::revolution(const World& world, int robot, Time start)
             const double elevation = m_settings.lowest + ring * m_settings.ringStep;
             const Eigen::Vector3d direction(std::cos(elevation) * std::cos(azimuth),
                                             std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
-            const auto i = static_cast<std::size_t>(ring * m_settings.columns + column);
+            const auto i = indexOf(ring, column);
             directions[i] = direction.cast<float>();
             m_rays[i].origin = lidar.translation().cast<float>();
             m_rays[i].direction = (lidar.linear() * direction).cast<float>();
@@ -51,7 +56,7 @@ CloudSample SpinningLidar::revolution(const World& world, int robot, Time start)
     cloud.header = {start + last, m_settings.frame};
     for (int column = 0; column < m_settings.columns; ++column) {
         for (int ring = 0; ring < m_settings.rings; ++ring) {
-            const auto i = static_cast<std::size_t>(ring * m_settings.columns + column);
+            const auto i = indexOf(ring, column);
             if (!std::isfinite(echoes[i].range)) continue;
             cloud.points.emplace_back(directions[i] * echoes[i].range);
             cloud.intensities.push_back(echoes[i].intensity);

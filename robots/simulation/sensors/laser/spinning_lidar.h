@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ public:
 
 private:
     [[nodiscard]] std::chrono::nanoseconds shotAfter(int column) const;
+    [[nodiscard]] std::size_t indexOf(int ring, int column) const;  ///< in m_rays
     [[nodiscard]] CloudSample revolution(const World& world, int robot, Time start);
 
     SpinningLidarSettings m_settings;
