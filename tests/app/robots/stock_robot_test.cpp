@@ -24,7 +24,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using nlohmann::json;
-using testing::HasSubstr;
 
 /// What `probe` says of a domain: robots, and what each topic is used for.
 struct Probed {
