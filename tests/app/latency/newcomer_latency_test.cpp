@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <QApplication>
 #include <QTest>
 #include <QTimer>
-#include <QWindow>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +16,7 @@
 #include "core/event/motion_samples.h"
 #include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
+#include "tests/app/live/exposed_window.h"
 #include "tests/support/dds/robot_listener.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
@@ -55,7 +54,7 @@ public:
 
 private:
     void look() {
-        LiveWindow* const window = exposed();
+        LiveWindow* const window = exposedWindow();
         if (window == nullptr || m_done) return;
         if (!m_appeared) {
             m_appeared = Clock::now();
@@ -92,14 +91,6 @@ private:
         m_holds = on;
         m_handMoved = Clock::now();
         on ? QTest::keyPress(&window, Qt::Key_W) : QTest::keyRelease(&window, Qt::Key_W);
-    }
-    [[nodiscard]] static LiveWindow* exposed() {
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            auto* const window = qobject_cast<LiveWindow*>(widget);
-            if (window != nullptr && window->windowHandle() != nullptr && window->windowHandle()->isExposed())
-                return window;
-        }
-        return nullptr;
     }
     [[nodiscard]] bool moved() const {
         const auto received = m_ears->all<OdometrySample>(m_topic);

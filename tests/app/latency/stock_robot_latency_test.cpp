@@ -6,12 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <QApplication>
 #include <QComboBox>
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
-#include <QWindow>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +18,7 @@
 #include "app/window/live/live_window.h"
 #include "core/event/motion_samples.h"
 #include "core/event/stream_role.h"
+#include "tests/app/live/exposed_window.h"
 #include "tests/support/child_process.h"
 #include "tests/support/dds/robot_listener.h"
 #include "tests/support/places.h"
@@ -64,7 +63,7 @@ public:
 
 private:
     void look() {
-        LiveWindow* const window = exposed();
+        LiveWindow* const window = exposedWindow();
         if (window == nullptr || m_done) return;
         if (!m_appeared) m_appeared = Clock::now();
         const double now = std::chrono::duration<double>(Clock::now() - *m_appeared).count();
@@ -114,14 +113,6 @@ private:
         m_holds = on;
         m_handMoved = Clock::now();
         on ? QTest::keyPress(&window, Qt::Key_D) : QTest::keyRelease(&window, Qt::Key_D);
-    }
-    [[nodiscard]] static LiveWindow* exposed() {
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            auto* const window = qobject_cast<LiveWindow*>(widget);
-            if (window != nullptr && window->windowHandle() != nullptr && window->windowHandle()->isExposed())
-                return window;
-        }
-        return nullptr;
     }
 
     const Stock m_stock;
