@@ -44,6 +44,16 @@ private:
 
 }  // namespace
 
+bool isPlaneScan(std::span<const Eigen::Vector3f> points) {
+    bool any = false;
+    for (const Eigen::Vector3f& point : points) {
+        if (!point.allFinite()) continue;
+        if (point.z() != 0.0F) return false;
+        any = true;
+    }
+    return any;
+}
+
 std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents,
                              std::span<const Eigen::Vector3f> normals, const LabelSettings& settings) {
     assert(normals.size() == scan.points.size());
@@ -62,6 +72,13 @@ std::vector<Label> labelScan(const Scan& scan, const LabelSettings& settings) {
     if (scan.organised()) {
         const GridTangents tangents = gridTangents(scan);
         return labelScan(scan, tangents, gridNormals(scan, tangents), settings);
+    }
+    if (isPlaneScan(scan.points)) {
+        std::vector<Label> labels;
+        labels.reserve(scan.points.size());
+        for (const Eigen::Vector3f& point : scan.points)
+            labels.push_back(point.allFinite() ? Label::Wall : Label::Unlabelled);
+        return labels;
     }
     return labelNormals(knnNormals(scan.points), settings);
 }

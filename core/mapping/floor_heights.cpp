@@ -146,6 +146,16 @@ void FloorHeights::choose(std::span<const Eigen::Vector3d> ground, double lift) 
     }
 }
 
+/// Takes the lowest height of robots in a cell for its floor, which nobody saw.
+void FloorHeights::follow(std::span<const Eigen::Vector3d> ground) {
+    for (const Eigen::Vector3d& place : ground) {
+        const auto cell = cellOf(place.x(), place.y());
+        if (cell < 0) continue;
+        float& height = m_height[static_cast<std::size_t>(cell)];
+        height = std::fmin(height, static_cast<float>(place.z()));
+    }
+}
+
 /// Fills unknown heights from the nearest cell with a known one.
 void FloorHeights::fill(std::vector<float>& heights) const {
     std::vector<std::size_t> open;
@@ -177,6 +187,12 @@ FloorHeights FloorHeights::of(std::span<const ReportScan> scans, std::span<const
         low = low.cwiseMin(point.head<2>());
         high = high.cwiseMax(point.head<2>());
     });
+    if (!(low.x() <= high.x())) {  // no scanner sees floor: it is where robots drove
+        for (const Eigen::Vector3d& place : ground) {
+            low = low.cwiseMin(place.head<2>());
+            high = high.cwiseMax(place.head<2>());
+        }
+    }
     if (!(low.x() <= high.x()) || !low.allFinite() || !high.allFinite()) return floor;
     floor.m_cell = settings.cell;
     const double extent = (high - low).maxCoeff();
@@ -188,7 +204,11 @@ FloorHeights FloorHeights::of(std::span<const ReportScan> scans, std::span<const
     floor.m_height.assign(cells, None);
     floor.m_seen.assign(cells, 0);
     floor.gather(scans, settings);
-    floor.choose(ground, floor.grow(ground, settings));
+    if (floor.m_surfaces.empty()) {
+        floor.follow(ground);
+    } else {
+        floor.choose(ground, floor.grow(ground, settings));
+    }
     floor.fill(floor.m_height);
     return floor;
 }

@@ -26,7 +26,7 @@ struct FloorSettings {
 /// measured from the floor below them. Floor is what is labelled so and can be reached from under the robots
 /// without a step; tables are not. Where floors lie above each other, the one nearest to the height at which
 /// robots drove closest by counts. If robots drove on both, it is the lower one. Where no floor was seen, the
-/// nearest one counts.
+/// nearest one counts. If scans show no floor at all, as those of a plane laser, it is where robots drove.
 class FloorHeights {
 public:
     /// @p ground: positions of the robots' base_link in the map [m].
@@ -49,6 +49,7 @@ private:
     /// Marks what can be reached. Returns how far above the floor the robots' base_link is [m].
     [[nodiscard]] double grow(std::span<const Eigen::Vector3d> ground, const FloorSettings& settings);
     void choose(std::span<const Eigen::Vector3d> ground, double lift);
+    void follow(std::span<const Eigen::Vector3d> ground);
     void fill(std::vector<float>& heights) const;
 
     double m_cell = 0.1;

@@ -8,6 +8,7 @@
 #include "core/cloud/filters/range_filter.h"
 #include "core/cloud/filters/voxel_grid.h"
 #include "core/cloud/labels.h"
+#include "core/mapping/plane/plane_scan.h"
 
 namespace leitstand {
 namespace {
@@ -16,6 +17,7 @@ constexpr int NormalNeighbours = 20;
 /// Points that hang farther off surfaces are left out before voxels are made [m]. With a smaller value, scans
 /// that start far off are registered from fewer places.
 constexpr double HangsBy = 0.15;
+constexpr double PlaneEdge = 0.05;  ///< of the squares of a plane laser's scan, which are not reduced [m]
 
 PointCloud filtered(const Scan& scan, std::span<const Eigen::Vector3f> normals,
                     const RegistrationSettings& settings) {
@@ -38,6 +40,10 @@ ScanPtr labelled(const ScanPtr& scan) {
 }
 
 PointCloud prepared(const Scan& whole, const RegistrationSettings& settings) {
+    if (isPlaneScan(whole.points)) {
+        const double edge = settings.reduce > 0.0 ? settings.reduce / 2.0 : PlaneEdge;
+        return wallsAndFloor(pointsInRange(whole, {}, settings.minRange, settings.maxRange).points, edge);
+    }
     const bool asInPaper = settings.filter != ScanFilter::None;
     std::optional<Scan> solid;
     if (!asInPaper && settings.reduce > 0.0 && whole.organised())

@@ -40,7 +40,7 @@ struct StreamDescription {
     ThermalScale thermal;                    ///< of Thermal
     std::string hardwareId;  ///< for Diagnostics: its statuses have a hardware_id that begins so
     bool record = true;      ///< whether the mission's log keeps it
-    bool maps = false;       ///< for Points: of several scanners, this one makes the map (MappingScanner)
+    bool maps = false;       ///< for Points and Ranges: of several scanners, this one makes the map
     friend bool operator==(const StreamDescription&, const StreamDescription&) = default;
 };
 

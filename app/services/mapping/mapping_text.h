@@ -28,6 +28,7 @@ namespace leitstand::mapping_words {
 /// none.
 [[nodiscard]] std::string scannerCorrected(const std::string& title, const std::string& file);
 /// The map of the robot of this @p title is made from the clouds on @p topic from now on.
+[[nodiscard]] std::string mapsByLaser(const std::string& title, const std::string& topic);
 [[nodiscard]] std::string mapsWith(const std::string& title, const std::string& topic);
 
 }  // namespace leitstand::mapping_words

@@ -21,11 +21,17 @@
 #include "core/io/bag/bag_reader.h"
 #include "core/mapping/motion/mapping_scanner.h"
 #include "core/mapping/motion/turn_assembler.h"
+#include "core/mapping/plane/plane_scan.h"
 
 namespace leitstand {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Turns of a plane laser are added where it moved or turned so far since the last one: it makes many a
+/// second.
+constexpr double LaserStep = 0.15;        ///< [m]
+constexpr double LaserTurn = degrees(5);  ///< [rad]
 
 /// Topics of @p robots with one of @p roles.
 std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots,
@@ -46,6 +52,18 @@ Progress part(const Progress& progress, double begin, double end) {
             progress.stop};
 }
 
+/// Returns @p robots without the streams of which @p bag has no messages.
+std::vector<RobotDescription> withoutSilent(std::vector<RobotDescription> robots, const BagReader& bag) {
+    for (RobotDescription& robot : robots) {
+        std::erase_if(robot.streams, [&](const StreamDescription& stream) {
+            return std::none_of(bag.topics().begin(), bag.topics().end(), [&](const BagTopic& topic) {
+                return topic.info.name == stream.topic && topic.messages != 0U;
+            });
+        });
+    }
+    return robots;
+}
+
 /// State of the clouds of one topic.
 struct CloudLane {
     TurnAssembler assembler;
@@ -58,16 +76,23 @@ struct RobotScans {
     SensorPoses poses;
     MappingScanner mapping;                  ///< which of its scanners makes the map
     std::map<std::string, CloudLane> lanes;  ///< by topic
+    std::string planeLaser = {};             ///< planeScanner() of the topics that were recorded
+    std::optional<Pose> lastTurn = {};       ///< in odom, where the plane laser's newest scan was taken
     int scans = 0, withoutPose = 0;
 };
 
 class Reading {
 public:
     Reading(BagReader& bag, std::vector<RobotDescription> robots) : m_bag(bag), m_decoder(std::move(robots)) {
+        const std::vector<RobotDescription> recorded = withoutSilent(m_decoder.robots(), bag);
         for (const RobotDescription& robot : m_decoder.robots()) {
-            m_robots.emplace(
-                robot.name,
-                RobotScans{.poses = SensorPoses(robot), .mapping = MappingScanner(robot), .lanes = {}});
+            RobotScans& of = m_robots
+                                 .emplace(robot.name, RobotScans{.poses = SensorPoses(robot),
+                                                                 .mapping = MappingScanner(robot),
+                                                                 .lanes = {}})
+                                 .first->second;
+            for (const RobotDescription& one : recorded)
+                if (one.name == robot.name) of.planeLaser = planeScanner(one, recorded);
         }
     }
     void readPoses(const Progress& progress);
@@ -78,6 +103,9 @@ public:
 private:
     void forEach(std::vector<std::string> topics, const Progress& progress,
                  const std::function<void(const Event&)>& take);
+    void addCloud(const Event& event, CloudSample cloud);
+    /// Adds a turn of a plane laser if its robot moved since the last one that was added.
+    void addTurn(const Event& event, const RangesSample& turn);
     void keep(std::optional<Scan> scan, const std::string& robot, const CloudLane& lane);
 
     BagReader& m_bag;
@@ -157,23 +185,54 @@ void Reading::chooseScanners(const Progress& progress, MissionScans& result) {
     }
 }
 
+void Reading::addCloud(const Event& event, CloudSample cloud) {
+    RobotScans& robot = m_robots.at(event.robot);
+    CloudLane& lane = robot.lanes[event.topic];
+    lane.sensor = event.sensor;
+    lane.frame = cloud.header.frame;
+    lane.newest = {event.sequence, event.received};
+    // Clouds without a stamp count as taken when they came.
+    if (cloud.header.stamp == Time{}) cloud.header.stamp = event.received;
+    robot.poses.correctionOf(event.sensor, cloud.header.frame).correct(cloud);
+    const SampleHeader header = cloud.header;
+    const auto track = [&](Time at) { return robot.poses.sensorInOdom(event, header, at); };
+    keep(lane.assembler.add(std::move(cloud), track), event.robot, lane);
+}
+
+void Reading::addTurn(const Event& event, const RangesSample& turn) {
+    RobotScans& robot = m_robots.at(event.robot);
+    const Pose laser = robot.poses.inBase(event.sensor, turn.header.frame);
+    CloudSample cloud = cloudOf(turn, laser);
+    if (cloud.header.stamp == Time{}) cloud.header.stamp = event.received;
+    const SampleHeader header = cloud.header;
+    const Pose upright = laser.inverse() * uprightLaser(laser);
+    const auto track = [&](Time at) -> std::optional<Pose> {
+        const auto inOdom = robot.poses.sensorInOdom(event, header, at);
+        return inOdom ? std::optional(*inOdom * upright) : std::nullopt;
+    };
+    const auto now = track(endOf(cloud));
+    if (now && robot.lastTurn && distanceBetween(*now, *robot.lastTurn) < LaserStep &&
+        angleBetween(*now, *robot.lastTurn) < LaserTurn)
+        return;
+    robot.lastTurn = now;
+    CloudLane& lane = robot.lanes[event.topic];
+    lane.sensor = event.sensor;
+    lane.frame = header.frame;
+    lane.newest = {event.sequence, event.received};
+    keep(lane.assembler.add(std::move(cloud), track), event.robot, lane);
+}
+
 void Reading::readClouds(const Progress& progress, MissionScans& result) {
-    forEach(topicsOf(m_decoder.robots(), {StreamRole::Points}), progress, [&](const Event& event) {
-        const auto* cloud = event.sample.as<CloudSample>();
-        if (cloud == nullptr) return;
-        RobotScans& robot = m_robots.at(event.robot);
-        if (robot.mapping.hasChoice() && event.topic != robot.mapping.chosen()) return;
-        CloudLane& lane = robot.lanes[event.topic];
-        lane.sensor = event.sensor;
-        lane.frame = cloud->header.frame;
-        lane.newest = {event.sequence, event.received};
-        CloudSample corrected = *cloud;
-        // Clouds without a stamp count as taken when they came.
-        if (corrected.header.stamp == Time{}) corrected.header.stamp = event.received;
-        robot.poses.correctionOf(event.sensor, cloud->header.frame).correct(corrected);
-        const auto track = [&](Time at) { return robot.poses.sensorInOdom(event, cloud->header, at); };
-        keep(lane.assembler.add(std::move(corrected), track), event.robot, lane);
-    });
+    forEach(topicsOf(m_decoder.robots(), {StreamRole::Points, StreamRole::Ranges}), progress,
+            [&](const Event& event) {
+                const RobotScans& robot = m_robots.at(event.robot);
+                if (const auto* turn = event.sample.as<RangesSample>()) {
+                    if (event.topic == robot.planeLaser) addTurn(event, *turn);
+                } else if (const auto* cloud = event.sample.as<CloudSample>()) {
+                    const bool other = robot.mapping.hasChoice() && event.topic != robot.mapping.chosen();
+                    if (!other && robot.planeLaser.empty()) addCloud(event, *cloud);
+                }
+            });
     for (auto& [name, robot] : m_robots) {
         for (auto& [topic, lane] : robot.lanes) keep(lane.assembler.finish(), name, lane);
         if (robot.withoutPose > 0) {
@@ -220,7 +279,8 @@ Result<MissionScans> readMissionScans(const fs::path& mission, const Progress& p
     if (result.scans.empty() && !progress.cancelled()) {
         return Error{leitstand::fill(
             translate("leitstand::Error",
-                      "{}: no 3D scans in it, expected a topic of sensor_msgs/msg/PointCloud2{}"),
+                      "{}: no scans in it, expected a topic of sensor_msgs/msg/PointCloud2, or of "
+                      "sensor_msgs/msg/LaserScan with odometry{}"),
             mission.string(), result.warnings.empty() ? "" : "; " + result.warnings.front())};
     }
     return result;

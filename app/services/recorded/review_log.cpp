@@ -64,6 +64,13 @@ bool holds(const BagReader& bag, const std::vector<RobotDescription>& robots,
     });
 }
 
+/// Whether @p bag holds scans from which a map can be made: of a 3D scanner, or of a plane laser with
+/// odometry.
+bool holdsScans(const BagReader& bag, const std::vector<RobotDescription>& robots) {
+    return holds(bag, robots, {StreamRole::Points}) ||
+           (holds(bag, robots, {StreamRole::Ranges}) && holds(bag, robots, {StreamRole::Odometry}));
+}
+
 }  // namespace
 
 /// The bag's past, merged with the events of makeMap().
@@ -268,7 +275,7 @@ std::optional<Time> ReviewLog::firstOf(const std::string& topic) {
 }
 
 bool ReviewLog::lacksMap() const {
-    return m_made.empty() && !hasKeyScans(*m_bag) && holds(*m_bag, robots(), {StreamRole::Points});
+    return m_made.empty() && !hasKeyScans(*m_bag) && holdsScans(*m_bag, robots());
 }
 
 void ReviewLog::makeMap(const Progress& progress) {
@@ -285,7 +292,7 @@ bool isReviewable(const fs::path& mission) {
     if (hasKeyScans(**bag)) return (*bag)->ours();
     std::vector<std::string> warnings;
     const auto robots = robotsOf(mission, **bag, warnings);
-    return holds(**bag, robots, {StreamRole::Points}) &&
+    return holdsScans(**bag, robots) &&
            holds(**bag, robots, {StreamRole::Odometry, StreamRole::Picture, StreamRole::Thermal});
 }
 

@@ -148,7 +148,9 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     };
     listening.onMapsWith = [&state](const std::string& robot, const std::string& topic) {
         const auto kept = state.scanners.mapWith(robot, topic);
-        state.notify(mapping_words::mapsWith(state.log.titleOf(robot), topic));
+        const std::string title = state.log.titleOf(robot);
+        state.notify(state.scanners.hasClouds(robot, topic) ? mapping_words::mapsWith(title, topic)
+                                                            : mapping_words::mapsByLaser(title, topic));
         if (!kept) state.notify(kept.error().text);
     };
     listening.makesMap = [&state] { return state.mayMap(); };

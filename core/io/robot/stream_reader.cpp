@@ -168,9 +168,9 @@ private:
                  translatable("leitstand::Error",
                               "expected it only for diagnostics, found it for {} of type {}")))
             fields.text("hardware_id", stream.hardwareId, true);
-        if (only("maps", stream.role == StreamRole::Points,
+        if (only("maps", stream.role == StreamRole::Points || stream.role == StreamRole::Ranges,
                  translatable("leitstand::Error",
-                              "expected it only for points, found it for {} of type {}"))) {
+                              "expected it only for points and ranges, found it for {} of type {}"))) {
             fields.flag("maps", stream.maps);
             if (stream.maps)
                 once(fields, m_maps, "true", "maps",

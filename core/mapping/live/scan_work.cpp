@@ -17,6 +17,7 @@
 #include "core/cloud/labels.h"
 #include "core/cloud/shades.h"
 #include "core/event/scan_pose.h"
+#include "core/mapping/plane/plane_scan.h"
 
 namespace leitstand {
 
@@ -63,6 +64,13 @@ PointCloud onMatchGrid(const PointCloud& cloud, double edge) {
     return reduced.size() < Few ? onOwnGrid(cloud, Finer * edge) : reduced;
 }
 
+/// Returns the cloud for matching of the plane laser's @p scan. Its squares are smaller than the cubes of
+/// other scans, since it has few points.
+PointCloud planeForMatching(const Scan& scan, const MatchSettings& settings) {
+    return wallsAndFloor(pointsInRange(scan, {}, settings.minRange, settings.maxRange).points,
+                         Finer * settings.reduce);
+}
+
 /// Turns @p normals of the organised @p scan towards where each point was seen from. Its rows follow each
 /// other in time, and its sensor came in a straight line from @p began. A robot that drove through a door
 /// within the turn saw the wall around it from both sides.
@@ -74,6 +82,21 @@ void faceSensor(std::vector<Eigen::Vector3f>& normals, const Scan& scan, const E
         const Eigen::Vector3f sensor = (left * began).cast<float>();
         if (normals[i].dot(scan.points[i] - sensor) > 0.0F) normals[i] = -normals[i];
     }
+}
+
+/// Labels @p scan, which @p live holds. Returns its normals if it is organised.
+std::vector<Eigen::Vector3f> label(Scan& scan, const LiveScan& live) {
+    LabelSettings labels;
+    labels.up = live.up;
+    if (!scan.organised()) {
+        scan.labels = labelScan(scan, labels);
+        return {};
+    }
+    const GridTangents tangents = gridTangents(scan);
+    std::vector<Eigen::Vector3f> normals = gridNormals(scan, tangents);
+    scan.labels = labelScan(scan, tangents, normals, labels);
+    if (live.end != TurnEnd::Sweep) faceSensor(normals, scan, live.began);
+    return normals;
 }
 
 /// Returns the prior by odometry after @p step, for the match.
@@ -108,22 +131,17 @@ Scan cleaned(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
 
 ReadyScan readyScan(const LiveScan& live, const RobotBody& body, const Pose& scanInMap,
                     const LiveSettings& settings, std::span<const PlacedBody> others) {
-    Scan scan = withoutMixedPixels(cleaned(live, body, scanInMap, settings, others));
-    LabelSettings labels;
-    labels.up = live.up;
-    std::vector<Eigen::Vector3f> normals;
-    if (scan.organised()) {
-        const GridTangents tangents = gridTangents(scan);
-        normals = gridNormals(scan, tangents);
-        scan.labels = labelScan(scan, tangents, normals, labels);
-        if (live.end != TurnEnd::Sweep) faceSensor(normals, scan, live.began);
-    } else {
-        scan.labels = labelScan(scan, labels);
-    }
     const MatchSettings& match = settings.match;
+    Scan scan = withoutMixedPixels(cleaned(live, body, scanInMap, settings, others));
+    const std::vector<Eigen::Vector3f> normals = label(scan, live);
     ReadyScan ready;
-    ready.reduced = onMatchGrid(pointsInRange(scan, normals, match.minRange, match.maxRange), match.reduce);
-    if (ready.reduced.normals.empty()) ready.reduced.normals = knnNormals(ready.reduced.points);
+    if (live.plane) {
+        ready.reduced = planeForMatching(scan, match);
+    } else {
+        ready.reduced =
+            onMatchGrid(pointsInRange(scan, normals, match.minRange, match.maxRange), match.reduce);
+        if (ready.reduced.normals.empty()) ready.reduced.normals = knnNormals(ready.reduced.points);
+    }
     ready.scan = std::make_shared<const Scan>(thinned(scan, match, settings.kept));
     return ready;
 }
@@ -169,6 +187,7 @@ std::size_t memoryOf(const LiveKeyScan& scan) {
 }
 
 PointCloud reducedAgain(const Scan& scan, const MatchSettings& settings) {
+    if (isPlaneScan(scan.points)) return planeForMatching(scan, settings);
     // Normals of all points would take many times as long.
     PointCloud all =
         onOwnGrid(pointsInRange(scan, {}, settings.minRange, settings.maxRange), Finer * settings.reduce);

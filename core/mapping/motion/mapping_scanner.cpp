@@ -97,4 +97,15 @@ double MappingScanner::worth(const Seen& seen, Time now) const {
     return double(seen.directions.count()) * *middle * (steady ? 1.0 : UnsteadyCountsFor);
 }
 
+std::string planeScanner(const RobotDescription& robot, std::span<const RobotDescription> team) {
+    for (const StreamDescription& stream : robot.streams)
+        if (stream.role == StreamRole::Ranges && stream.maps) return stream.topic;
+    const bool scanned = std::any_of(team.begin(), team.end(), [](const RobotDescription& one) {
+        return one.stream(StreamRole::Points) != nullptr;
+    });
+    const StreamDescription* const laser = robot.stream(StreamRole::Ranges);
+    const bool drives = robot.stream(StreamRole::Odometry) != nullptr;
+    return !scanned && drives && laser != nullptr ? laser->topic : std::string();
+}
+
 }  // namespace leitstand

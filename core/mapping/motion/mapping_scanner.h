@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,5 +63,11 @@ private:
     Time m_newcomer{};                   ///< when the first cloud of the last scanner was received
     std::map<std::string, Seen> m_seen;  ///< by topic
 };
+
+/// Returns the topic of the plane laser with which @p robot, one of @p team, makes the map. That is the one
+/// that its file names (StreamDescription::maps). If no robot of the team has a 3D scanner, it is the first
+/// plane laser of a robot that has odometry. Empty: its 3D scanner makes the map, or it is placed in the map
+/// of others.
+[[nodiscard]] std::string planeScanner(const RobotDescription& robot, std::span<const RobotDescription> team);
 
 }  // namespace leitstand

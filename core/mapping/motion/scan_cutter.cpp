@@ -6,6 +6,7 @@
 
 #include "core/base/rotation/heading.h"
 #include "core/base/time.h"
+#include "core/cloud/labels.h"
 #include "core/event/motion_samples.h"
 
 namespace leitstand {
@@ -150,6 +151,7 @@ void ScanCutter::keep(std::optional<Scan> scan, const Row& row, const Parts& par
     scan->robot = m_robot;
     live.sensorInBase = row.sensorInBase;
     live.odometryFrame = row.frame;
+    live.plane = isPlaneScan(scan->points);
     live.slices = parts.slices;
     if (const auto up = m_motion.up(scan->end)) {
         live.up = row.sensorInBase.linear().transpose() * *up;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/cloud/labels.h"
+
 namespace leitstand {
 namespace {
 
@@ -87,6 +89,12 @@ Scan wholeSweep(const CloudSample& cloud, const std::optional<Pose>& sensorInOdo
     return scan;
 }
 
+/// Puts the points of a plane laser back into its plane, which its robot tilted within the turn.
+void flatten(CloudSample& cloud) {
+    for (Eigen::Vector3f& point : cloud.points)
+        if (point.allFinite()) point.z() = 0.0F;
+}
+
 }  // namespace
 
 bool TurnAssembler::continues(const CloudSample& cloud) const {
@@ -118,7 +126,9 @@ bool TurnAssembler::movedTooFar() const {
 
 std::optional<Scan> TurnAssembler::add(CloudSample cloud, const SensorTrack& track) {
     const std::vector<double> headings = headingsOfSlice(cloud);
+    const bool plane = isPlaneScan(cloud.points);
     const std::optional<Pose> sensorInOdom = takeMotionOut(cloud, track);
+    if (plane) flatten(cloud);
     // A slice that saw nothing belongs to its turn.
     const bool blind = headings.empty() && !m_slices.empty() && cloud.organised() &&
                        cloud.columns == m_slices.front().cloud.columns &&

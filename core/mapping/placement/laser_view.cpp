@@ -99,11 +99,15 @@ LaserView laserView(const LiveScan& live) {
     const auto up = (live.sensorInBase.linear() * live.up).normalized();
     view.tilt.linear() = Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     const Pose sensor = view.tilt * live.sensorInBase;
+    if (live.plane) {
+        view.low = std::max(Ground, sensor.translation().z() - Below);
+        view.high = sensor.translation().z() + Above;
+    }
     Thinned kept(view);
     for (const Eigen::Vector3f& one : live.scan->points) {
         if (!one.allFinite()) continue;
         const Eigen::Vector3d point = sensor * one.cast<double>();
-        if (point.z() > Low && point.z() < High) kept.add(point);
+        if (point.z() > view.low && point.z() < view.high) kept.add(point);
     }
     return view;
 }

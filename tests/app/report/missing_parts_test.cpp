@@ -166,7 +166,7 @@ TEST(MissingParts, ABagOfOthersWithoutCloudsHasNoMapAndSaysWhy) {
     }
     const Made report(folder / "rover", folder / "out");
     expectNoMap(report);
-    EXPECT_THAT(report.reported, AllOf(HasSubstr("there is no map: rover: no 3D scans in it"),
+    EXPECT_THAT(report.reported, AllOf(HasSubstr("there is no map: rover: no scans in it"),
                                        Not(HasSubstr(folder.path().string()))));
     const auto victims = readFindList(report.file("_victims.csv"));
     ASSERT_TRUE(victims) << victims.error().text;

@@ -228,7 +228,7 @@ TEST(RobotErrors, TellWhatIsWrongWithAStream) {
         stream("role: thermal, sensor: left, thermal: {measured: maybe}",
                ".thermal.measured: expected true or false, found \"maybe\""),
         stream("role: imu, maps: true",
-               ".maps: expected it only for points, found it for imu of type sensor_msgs/msg/Imu"),
+               ".maps: expected it only for points and ranges, found it for imu of type sensor_msgs/msg/Imu"),
         stream("role: points, maps: 2", ".maps: expected true or false, found \"2\""),
         stream("role: imu, record: 1", ".record: expected true or false, found \"1\""),
     });

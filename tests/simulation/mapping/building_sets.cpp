@@ -180,6 +180,13 @@ BuildingRow driven(const Building& building, const std::vector<Eigen::Vector3d>&
     return row;
 }
 
+BuildingRow driven(const Building& building, const std::vector<Eigen::Vector3d>& corners,
+                   const ScriptSettings& script, const PlaneLaserSettings& laser,
+                   const LiveSettings& mapping) {
+    ScriptedDrive made = scriptedDrive(building.arena, DrivePath(corners), script, laser);
+    return rowOf(building, made.drive, mapped(made.drive, std::move(made.scans), mapping));
+}
+
 BuildingRow rowOf(const Building& building, const RecordedDrive& drive, const MappedDrive& result) {
     BuildingRow row;
     row.scans = result.scans.size();

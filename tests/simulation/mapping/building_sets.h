@@ -58,4 +58,9 @@ void print(const char* how, const BuildingResult& result);
 [[nodiscard]] BuildingRow driven(const Building& building, const std::vector<Eigen::Vector3d>& corners,
                                  const ScriptSettings& script, const LiveSettings& mapping = {});
 
+/// The same for a TurtleBot 4, which maps with the plane laser @p laser.
+[[nodiscard]] BuildingRow driven(const Building& building, const std::vector<Eigen::Vector3d>& corners,
+                                 const ScriptSettings& script, const PlaneLaserSettings& laser,
+                                 const LiveSettings& mapping = {});
+
 }  // namespace leitstand::simulation::test

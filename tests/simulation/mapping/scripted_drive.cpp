@@ -6,7 +6,9 @@
 
 #include "core/cloud/pose_track.h"
 #include "core/mapping/motion/scan_cutter.h"
+#include "core/mapping/plane/plane_scan.h"
 #include "tests/simulation/drives/driven_world.h"
+#include "tests/simulation/mapping/scripted_laser.h"
 #include "tests/simulation/mapping/scripted_motion.h"
 #include "tests/simulation/mapping/scripted_scanner.h"
 
@@ -26,8 +28,12 @@ public:
           m_cutter(robot.name) {}
 
     void receive(CloudSample slice, std::vector<LiveScan>& scans) {
+        m_correction.correct(slice);
+        receive(std::move(slice), m_correction.corrected(m_robot.sensors.at("scanner").sensorInBase), scans);
+    }
+    void receive(CloudSample slice, const Pose& sensorInBase, std::vector<LiveScan>& scans) {
         // A slice comes when its last shot is over, and odometry that covers it is there.
-        const Time end = slice.header.stamp + std::chrono::nanoseconds(slice.times.back());
+        const Time end = endOf(slice);
         const Time now = end + std::chrono::milliseconds(60);
         for (; m_next < m_within.odometry.size() && m_within.odometry[m_next].header.stamp <= now; ++m_next) {
             m_cutter.add(m_within.odometry[m_next], now);
@@ -36,9 +42,7 @@ public:
             m_drift.add(sample.header.stamp,
                         sample.baseInOdom * m_within.odometry[m_next].baseInOdom.inverse());
         }
-        m_correction.correct(slice);
-        m_cutter.add(std::move(slice), m_correction.corrected(m_robot.sensors.at("scanner").sensorInBase),
-                     now);
+        m_cutter.add(std::move(slice), sensorInBase, now);
         keep(m_cutter.take(now), scans);
     }
     void finish(std::vector<LiveScan>& scans) { keep(m_cutter.finish(), scans); }
@@ -61,6 +65,19 @@ private:
     std::size_t m_next = 0;
     ScanCutter m_cutter;
 };
+
+/// Returns the drive of @p robot, a shipped one, without scans.
+ScriptedDrive driveOf(const Arena& arena, const std::string& robot, const ScriptedMotion& motion) {
+    ScriptedDrive result;
+    result.drive.arena = arena;
+    result.drive.robot = shippedRobot(robot);
+    for (std::int64_t i = 0; static_cast<double>(i) / 100.0 <= motion.duration() + 1.0; ++i) {
+        const Time stamp = ScriptBegin + std::chrono::milliseconds(10 * i);
+        result.drive.truth.add(stamp, motion.baseAt(stamp));
+    }
+    result.drive.way = motion.length();
+    return result;
+}
 
 }  // namespace
 
@@ -92,16 +109,9 @@ SensorErrors withRoughMount(SensorErrors errors) {
 
 ScriptedDrive scriptedDrive(const Arena& arena, const DrivePath& path, const ScriptSettings& settings) {
     constexpr int Batch = 32;  // turns: slices are large
-    ScriptedDrive result;
-    result.drive.arena = arena;
-    result.drive.robot = shippedRobot("kurt3d");
-    const RobotDescription& robot = result.drive.robot;
     const ScriptedMotion motion(path, settings);
-    for (std::int64_t i = 0; static_cast<double>(i) / 100.0 <= motion.duration() + 1.0; ++i) {
-        const Time stamp = ScriptBegin + std::chrono::milliseconds(10 * i);
-        result.drive.truth.add(stamp, motion.baseAt(stamp));
-    }
-    result.drive.way = motion.length();
+    ScriptedDrive result = driveOf(arena, "kurt3d", motion);
+    const RobotDescription& robot = result.drive.robot;
     const MotionSamples drifting = motionSamples(motion, settings.odometry, settings.seed);
     const MotionSamples exact = motionSamples(motion, {0.0, 0.0, 0.0, 0.0}, settings.seed);
     Listener listener(robot, settings.correction, drifting, settings.driftBendsTurns ? drifting : exact);
@@ -111,6 +121,22 @@ ScriptedDrive scriptedDrive(const Arena& arena, const DrivePath& path, const Scr
             for (CloudSample& slice : turn) listener.receive(std::move(slice), result.scans);
         }
     }
+    listener.finish(result.scans);
+    return result;
+}
+
+ScriptedDrive scriptedDrive(const Arena& arena, const DrivePath& path, const ScriptSettings& settings,
+                            PlaneLaserSettings laser) {
+    const ScriptedMotion motion(path, settings);
+    ScriptedDrive result = driveOf(arena, "turtlebot4", motion);
+    const RobotDescription& robot = result.drive.robot;
+    const SensorDescription& mounted = robot.sensors.at("laser");
+    laser.laserInBase = mounted.sensorInBase;
+    laser.frame = mounted.frame;
+    const MotionSamples drifting = motionSamples(motion, settings.odometry, settings.seed);
+    Listener listener(robot, settings.correction, drifting, drifting);
+    for (const RangesSample& turn : scriptedTurns(arena, motion, laser, settings.seed))
+        listener.receive(cloudOf(turn, laser.laserInBase), uprightLaser(laser.laserInBase), result.scans);
     listener.finish(result.scans);
     return result;
 }

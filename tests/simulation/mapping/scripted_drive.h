@@ -7,6 +7,7 @@
 #include "core/mapping/live/map/live_scan.h"
 #include "core/robot/scanner_correction.h"
 #include "robots/simulation/sensors/laser/laser_head.h"
+#include "robots/simulation/sensors/laser/plane_laser.h"
 #include "tests/simulation/mapping/drive_path.h"
 #include "tests/simulation/mapping/recorded_drive.h"
 
@@ -65,5 +66,9 @@ struct ScriptedDrive {
 /// number of threads. Echoes have no intensities.
 [[nodiscard]] ScriptedDrive scriptedDrive(const Arena& arena, const DrivePath& path,
                                           const ScriptSettings& settings = {});
+
+/// The same for a TurtleBot 4, which maps with @p laser: its mounting is that of the robot's file.
+[[nodiscard]] ScriptedDrive scriptedDrive(const Arena& arena, const DrivePath& path,
+                                          const ScriptSettings& settings, PlaneLaserSettings laser);
 
 }  // namespace leitstand::simulation::test

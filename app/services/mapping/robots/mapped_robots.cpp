@@ -1,11 +1,13 @@
 #include "app/services/mapping/robots/mapped_robots.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <utility>
 
 #include "app/services/mapping/robots/mapping_context.h"
 #include "app/services/mapping/scanner_advice.h"
+#include "core/cloud/labels.h"
 #include "core/event/cloud_sample.h"
 #include "core/event/event.h"
 #include "core/event/motion_samples.h"
@@ -13,10 +15,14 @@
 #include "core/event/stream_role.h"
 #include "core/mapping/live/scan_doubts.h"
 #include "core/mapping/placement/placement_format.h"
+#include "core/mapping/plane/plane_scan.h"
 
 namespace leitstand {
 namespace {
 
+/// A plane laser begins the map this long after its first turn, if nothing came from the 3D scanners of
+/// files.
+constexpr std::chrono::seconds ScannerWait(20);
 constexpr double AboutARobot = 0.1;  ///< points this close to its corners may be of a robot, too [m]
 
 bool sameFix(const std::optional<RobotFix>& a, const RobotFix& b) {
@@ -31,10 +37,12 @@ MappedRobot::MappedRobot(const RobotDescription& description, const std::string&
       tracker(description.name),
       laser(tracker, station),
       mapping(description),
-      scanner(mappingSensor(description)) {
+      scanner(mappingSensor(description)),
+      planeLaser(planeScanner(description, {&description, 1})) {
     // Cutters must know the motion before the first slice.
     for (const StreamDescription& stream : description.streams) {
-        if (stream.role == StreamRole::Points) cutters.try_emplace(stream.topic, description.name);
+        if (stream.role == StreamRole::Points || stream.topic == planeLaser)
+            cutters.try_emplace(stream.topic, description.name);
     }
 }
 
@@ -61,6 +69,7 @@ void MappedRobots::add(const Event& event) {
         return;
     }
     MappedRobot& robot = m_robots.at(event.robot);
+    if (robot.planeLaser.empty() && !robot.cutters.empty()) m_scanners.insert(event.robot);
     if (event.role == StreamRole::StaticTransforms) {
         robot.poses.add(event);
     } else if (const auto* odometry = event.sample.as<OdometrySample>()) {
@@ -72,6 +81,7 @@ void MappedRobots::add(const Event& event) {
         robot.tracker.add(*imu, unit, event.received);
     } else if (const auto* cloud = event.sample.as<CloudSample>()) {
         const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
+        if (!robot.planeLaser.empty()) return;  // its file names that one
         const bool known = !robot.mapping.chosen().empty();
         const bool maps = robot.mapping.takes(event.topic, *cloud, event.received);
         if (!known && !robot.mapping.chosen().empty()) mapWith(event.robot, robot.mapping.chosen());
@@ -83,12 +93,44 @@ void MappedRobots::add(const Event& event) {
         robot.cutters.try_emplace(event.topic, event.robot)
             .first->second.add(std::move(corrected), sensor, event.received);
     } else if (const auto* ranges = event.sample.as<RangesSample>()) {
-        if (m_context.mapper.fix(event.robot)) return robot.laser.rest();  // its 3D scans show more
+        const bool maps = mapsByPlane(robot, event);
+        if (!maps && m_context.mapper.fix(event.robot)) return robot.laser.rest();  // its 3D scans show more
         RangesSample stamped = *ranges;
         if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
         const Pose laser = robot.poses.inBase(event.sensor, ranges->header.frame);
+        if (maps)
+            return robot.cutters.at(event.topic)
+                .add(cloudOf(stamped, laser), uprightLaser(laser), event.received);
         m_sees(event.robot, robot, laserView(stamped, laser, robot.tracker.motion()), event.received);
     }
+}
+
+bool MappedRobots::mapsByPlane(MappedRobot& robot, const Event& event) {
+    if (event.topic != robot.planeLaser) return false;
+    if (!robot.planeSince) robot.planeSince = event.received;
+    if (!robot.mapsByPlane) {
+        robot.mapsByPlane = decideByPlane(robot, event);
+        if (robot.mapsByPlane.value_or(false) && m_context.listener.onMapsWith)
+            m_context.listener.onMapsWith(event.robot, event.topic);
+    }
+    return robot.mapsByPlane.value_or(false);
+}
+
+std::optional<bool> MappedRobots::decideByPlane(const MappedRobot& robot, const Event& event) const {
+    bool named = false, scanned = false;  // by its file; by any 3D scanner
+    for (const RobotDescription& one : m_descriptions) {
+        scanned = scanned || one.stream(StreamRole::Points) != nullptr;
+        for (const StreamDescription& stream : one.streams)
+            named = named || (one.name == event.robot && stream.topic == event.topic && stream.maps);
+    }
+    if (named) return true;
+    const auto& map = m_context.map;
+    const bool begun = map && std::any_of(map->scans.begin(), map->scans.end(), [](const LiveKeyScan& scan) {
+                           return !isPlaneScan(scan.scan->points);
+                       });
+    if (begun || !m_scanners.empty()) return false;
+    if (!scanned || event.received - *robot.planeSince >= ScannerWait) return true;
+    return std::nullopt;
 }
 
 void MappedRobots::mapWith(const std::string& name, const std::string& topic) {

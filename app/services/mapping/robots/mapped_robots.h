@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ struct MappedRobot {
     std::shared_ptr<const SeenScan> newest;  ///< its newest scan that has enough points
     MappingScanner mapping;                  ///< which of its scanners makes the map
     std::string scanner;                     ///< sensor of that one; empty: not known yet, or none
+    std::string planeLaser;                  ///< planeScanner() of this robot alone
+    std::optional<Time> planeSince;          ///< when the first turn of that one was received
+    std::optional<bool> mapsByPlane;         ///< whether that one makes the map; empty: not decided
 };
 
 /// The robots of LiveMapping: what moves them, and where they are. On the mapping's thread, unless a function
@@ -83,10 +87,17 @@ public:
     [[nodiscard]] RobotsInMapPtr inMap() const;
 
 private:
+    /// Returns whether turns of the plane laser that sent @p event make the map. They do not where there are
+    /// 3D scanners: their map shows more, and the laser finds its robot in it. A scanner that a file names is
+    /// waited for before the laser begins.
+    [[nodiscard]] bool mapsByPlane(MappedRobot& robot, const Event& event);
+    /// The same, once there is an answer for @p robot, of which @p event is.
+    [[nodiscard]] std::optional<bool> decideByPlane(const MappedRobot& robot, const Event& event) const;
     MappingContext& m_context;
     const std::vector<RobotDescription> m_descriptions;
     const SeesByLaser m_sees;
     std::map<std::string, MappedRobot> m_robots;
+    std::set<std::string> m_scanners;  ///< robots with a 3D scanner from which anything was received
     mutable std::mutex m_mutex;
     RobotsInMapPtr m_places;                 ///< under the mutex
     std::map<std::string, Time> m_received;  ///< under the mutex: newest scans that other stations register

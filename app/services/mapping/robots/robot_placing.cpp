@@ -1,6 +1,7 @@
 #include "app/services/mapping/robots/robot_placing.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/services/log/sequencer.h"
@@ -10,7 +11,10 @@
 namespace leitstand {
 namespace {
 
-constexpr int Unplaced = 3;  ///< after so many 3D scans a robot maps a part of its own
+// A robot that is placed nowhere maps a part of its own after so many scans ...
+constexpr int Unplaced = 3;
+// ... and when its scans go over so much time: some scanners make ten a second.
+constexpr std::chrono::milliseconds UnplacedFor(800);
 
 }  // namespace
 
@@ -73,7 +77,9 @@ void RobotPlacing::place(MappedRobot& robot, const LiveScan& scan, Time now) {
     if (!robot.tracker.placed() || robot.laser.resumes()) seeing(name, robot, laserView(scan), now);
     if (const auto there = robot.tracker.baseInMap(scan.scan->end))
         return m_context.mapper.place(name, *there);
-    if (++m_unplaced[name] >= Unplaced) m_context.mapper.beginPart(name);
+    const auto waits = m_unplaced.try_emplace(name, Waits{0, scan.scan->end}).first;
+    if (++waits->second.scans >= Unplaced && scan.scan->end - waits->second.since >= UnplacedFor)
+        m_context.mapper.beginPart(name);
 }
 
 void RobotPlacing::put(const std::string& name, const Pose& baseInMap) {

@@ -37,9 +37,14 @@ private:
     /// which was carried here from another mission. Null: no map.
     [[nodiscard]] const LiveKeyScan* firstOfOurs() const;
 
+    /// What a robot scanned while its place was unknown.
+    struct Waits {
+        int scans = 0;
+        Time since{};  ///< of the first one; robot's clock
+    };
     MappingContext& m_context;
     MappedRobots& m_robots;
-    std::map<std::string, int> m_unplaced;  ///< 3D scans of robots while their places were unknown, by name
+    std::map<std::string, Waits> m_unplaced;  ///< by robot
 };
 
 }  // namespace leitstand

@@ -17,6 +17,7 @@ struct LiveScan {
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< against gravity, in the scan's frame
     bool levelKnown = false;                        ///< whether an inertial unit or the odometry measures up
     bool levelByUnit = false;                       ///< whether an inertial unit measures up
+    bool plane = false;                             ///< of a plane laser: isPlaneScan()
     TurnEnd end = TurnEnd::Turn;
     bool extrapolated = false;  ///< odometry was late: the motion at the end of the scan is guessed
     bool bridged = false;       ///< odometry is missing within the scan

@@ -120,7 +120,8 @@ void ScanRegistration::enter(MapUpdate& update, RobotTrack& robot, const LiveSca
     key.enteredAt = match.scanInMap;
     key.entered = m_map.entering(now);
     if (live.levelKnown) key.up = robot.scanner.upOf(live);
-    if (match.doubts == 0 && live.levelByUnit && !found.first) robot.scanner.enteredMap(live, match);
+    if (match.doubts == 0 && live.levelByUnit && !found.first && !live.plane)
+        robot.scanner.enteredMap(live, match);
     key.odometryFrame = live.odometryFrame;
     key.unspun = robot.unspun;
     key.reduced = m_map.matchedOf(key, found.ready.reduced);
@@ -129,7 +130,8 @@ void ScanRegistration::enter(MapUpdate& update, RobotTrack& robot, const LiveSca
         KeyScanSample{key.entered, key.id, found.ready.scan, key.sensorInBase, match.scanInMap, nearest};
     update.poses = ScanPosesSample{now, m_map.station, ScanPosesSample::Cause::Registration, {key.pose}};
     if (key.counts()) m_map.matcher.mapChanged();
-    if (key.counts() && !found.first) robot.scanner.compare(key, found.ready.reduced, m_map.map);
+    if (key.counts() && !found.first && !live.plane)
+        robot.scanner.compare(key, found.ready.reduced, m_map.map);
     m_map.map.scans.push_back(std::move(key));
     if (m_map.settings.loops.on) link(update, robot, found.against, match, now);
     robot.keyInMap = match.scanInMap;
@@ -151,7 +153,9 @@ void ScanRegistration::advance(RobotTrack& robot, const LiveScan& live, const Re
     }
     const bool comesByOdometry =
         step.trusted && live.motionKnown && !found.pushed && !match.spun && !robot.placedInMap;
-    robot.scanner.addMount(live, match.scanInMap, robot.sensorInMap, comesByOdometry && bySurfaces);
+    // A plane laser's walls and floor are assumed, and show no fault of it.
+    if (!live.plane)
+        robot.scanner.addMount(live, match.scanInMap, robot.sensorInMap, comesByOdometry && bySurfaces);
     robot.known = true;
     robot.beginsPart = robot.beginsPart && found.lost;
     robot.placedInMap.reset();
@@ -245,7 +249,7 @@ MapUpdate ScanRegistration::add(const LiveScan& live, Time now, std::span<const 
     // The rest of a broken turn may have too few points. Then it holds no information.
     if (match.doubts == static_cast<std::uint8_t>(ScanDoubt::Points) && live.end == TurnEnd::Break)
         return update;
-    if (!found.first && match.doubts == 0 && live.levelByUnit) {
+    if (!found.first && match.doubts == 0 && live.levelByUnit && !live.plane) {
         const bool goesOn = robot.known && !robot.placedInMap;
         robot.scanner.addLean(live, match, goesOn ? &robot.sensorInMap : nullptr, found.step.way);
     }
