@@ -2424,10 +2424,6 @@ Funk: %4 %5</translation>
         <translation>{}: {} von {} Scans haben keine Odometrie innerhalb einer halben Sekunde um ihren Zeitstempel</translation>
     </message>
     <message>
-        <source>{}: no 3D scans in it, expected a topic of sensor_msgs/msg/PointCloud2{}</source>
-        <translation>{}: keine 3D-Scans darin, erwartet wurde ein Topic mit sensor_msgs/msg/PointCloud2{}</translation>
-    </message>
-    <message>
         <source>{}: nobody tells where frame &quot;{}&quot; sits (neither tf_static nor the robot&apos;s file); taken as {}</source>
         <translation>{}: niemand sagt, wo Frame &quot;{}&quot; sitzt (weder tf_static noch die Datei des Roboters); angenommen wird {}</translation>
     </message>
@@ -3116,10 +3112,6 @@ Funk: %4 %5</translation>
         <translation>{}: hat mehrere Scanner; genommen werden die Scans von {} (`maps: true` in seiner Datei nennt einen anderen)</translation>
     </message>
     <message>
-        <source>expected it only for points, found it for {} of type {}</source>
-        <translation>erwartet nur für points, gefunden für {} vom Typ {}</translation>
-    </message>
-    <message>
         <source>expected one stream that makes the map, found {} of line {} again</source>
         <translation>einen Strom erwartet, der die Karte macht, {} aus Zeile {} noch einmal gefunden</translation>
     </message>
@@ -3134,6 +3126,38 @@ Funk: %4 %5</translation>
     <message>
         <source>environment variable {}: with {} no robot can be found; unset it, or name a network card (--interface) or an address (--peer)</source>
         <translation>Umgebungsvariable {}: mit {} ist kein Roboter zu finden; aufheben, oder eine Netzwerkkarte (--interface) oder eine Adresse (--peer) nennen</translation>
+    </message>
+    <message>
+        <source>{}: no scans in it, expected a topic of sensor_msgs/msg/PointCloud2, or of sensor_msgs/msg/LaserScan with odometry{}</source>
+        <translation>{}: keine Scans darin, erwartet wurde ein Topic mit sensor_msgs/msg/PointCloud2, oder mit sensor_msgs/msg/LaserScan und Odometrie{}</translation>
+    </message>
+    <message>
+        <source>expected it, found nothing</source>
+        <translation>wird erwartet, fehlt aber</translation>
+    </message>
+    <message>
+        <source>expected a map that is not turned, found a yaw of {:g}</source>
+        <translation>erwartet wurde eine ungedrehte Karte, gefunden wurde ein Gierwinkel von {:g}</translation>
+    </message>
+    <message>
+        <source>{}: expected a binary PGM (P5) with 8 bits a pixel</source>
+        <translation>{}: erwartet wurde ein binäres PGM (P5) mit 8 Bit je Pixel</translation>
+    </message>
+    <message>
+        <source>{}: expected at most {} pixels, found {} x {}</source>
+        <translation>{}: erwartet wurden höchstens {} Pixel, gefunden wurden {} x {}</translation>
+    </message>
+    <message>
+        <source>{}: expected {} bytes of pixels, found {}</source>
+        <translation>{}: erwartet wurden {} Bytes mit Pixeln, gefunden wurden {}</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read to its end</source>
+        <translation>{}: lässt sich nicht bis zum Ende lesen</translation>
+    </message>
+    <message>
+        <source>expected it only for points and ranges, found it for {} of type {}</source>
+        <translation>nur für points und ranges erwartet, gefunden für {} vom Typ {}</translation>
     </message>
 </context>
 <context>
@@ -8249,6 +8273,10 @@ F1 listet alle Tasten</translation>
     <message>
         <source>{}: expected a topic of its clouds, found {}</source>
         <translation>{}: ein Topic seiner Punktwolken erwartet, {} gefunden</translation>
+    </message>
+    <message>
+        <source>{}: there is no 3D scanner: its plane laser {} makes the map</source>
+        <translation>{}: ein 3D-Scanner fehlt: sein ebener Laser {} macht die Karte</translation>
     </message>
 </context>
 <context>

@@ -2424,10 +2424,6 @@ Link: %4 %5</source>
         <translation>{}: {} / {} スキャンには時刻の前後 0.5 秒にオドメトリがありません</translation>
     </message>
     <message>
-        <source>{}: no 3D scans in it, expected a topic of sensor_msgs/msg/PointCloud2{}</source>
-        <translation>{}: 3D スキャンがありません。sensor_msgs/msg/PointCloud2 のトピックが必要{}</translation>
-    </message>
-    <message>
         <source>{}: nobody tells where frame &quot;{}&quot; sits (neither tf_static nor the robot&apos;s file); taken as {}</source>
         <translation>{}: フレーム &quot;{}&quot; の位置が不明 (tf_static にもロボットのファイルにもなし)。{} とみなします</translation>
     </message>
@@ -3116,10 +3112,6 @@ Link: %4 %5</source>
         <translation>{}: 複数のスキャナーがあります。{} のスキャンを使います (ファイルの `maps: true` で別のものを指定できます)</translation>
     </message>
     <message>
-        <source>expected it only for points, found it for {} of type {}</source>
-        <translation>points だけの項目ですが、{} (型 {}) にあります</translation>
-    </message>
-    <message>
         <source>expected one stream that makes the map, found {} of line {} again</source>
         <translation>地図を作るストリームは 1 つだけですが、{} が {} 行目にもあります</translation>
     </message>
@@ -3134,6 +3126,38 @@ Link: %4 %5</source>
     <message>
         <source>environment variable {}: with {} no robot can be found; unset it, or name a network card (--interface) or an address (--peer)</source>
         <translation>環境変数 {}: {} ではロボットが見つかりません。解除するか、ネットワークカード (--interface) またはアドレス (--peer) を指定してください</translation>
+    </message>
+    <message>
+        <source>{}: no scans in it, expected a topic of sensor_msgs/msg/PointCloud2, or of sensor_msgs/msg/LaserScan with odometry{}</source>
+        <translation>{}: スキャンがありません。sensor_msgs/msg/PointCloud2、またはオドメトリ付きの sensor_msgs/msg/LaserScan のトピックが必要です{}</translation>
+    </message>
+    <message>
+        <source>expected it, found nothing</source>
+        <translation>必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected a map that is not turned, found a yaw of {:g}</source>
+        <translation>回転していない地図が必要ですが、ヨー角が {:g} です</translation>
+    </message>
+    <message>
+        <source>{}: expected a binary PGM (P5) with 8 bits a pixel</source>
+        <translation>{}: 1 画素 8 ビットのバイナリ PGM (P5) が必要です</translation>
+    </message>
+    <message>
+        <source>{}: expected at most {} pixels, found {} x {}</source>
+        <translation>{}: 画素数は最大 {} ですが、{} x {} あります</translation>
+    </message>
+    <message>
+        <source>{}: expected {} bytes of pixels, found {}</source>
+        <translation>{}: 画素データは {} バイト必要ですが、{} バイトです</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read to its end</source>
+        <translation>{}: 最後まで読み込めません</translation>
+    </message>
+    <message>
+        <source>expected it only for points and ranges, found it for {} of type {}</source>
+        <translation>points と ranges にのみ指定できますが、{}（型 {}）に指定されています</translation>
     </message>
 </context>
 <context>
@@ -8249,6 +8273,10 @@ F1 でキー一覧</translation>
     <message>
         <source>{}: expected a topic of its clouds, found {}</source>
         <translation>{}: 点群のトピックが必要ですが、{} です</translation>
+    </message>
+    <message>
+        <source>{}: there is no 3D scanner: its plane laser {} makes the map</source>
+        <translation>{}: 3D スキャナーがないため、平面レーザー {} で地図を作成します</translation>
     </message>
 </context>
 <context>

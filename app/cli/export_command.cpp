@@ -88,18 +88,20 @@ void addExport(CLI::App& app, int& exitCode) {
                         "Trajectory of this robot only, in the file that --out names");
     command
         ->add_option("--height", arguments->height,
-                     "Of the GeoTIFF: low (0.25 to 0.35 m) or upper (0.9 to 1.1 m)")
+                     "Of GeoTIFF and grid map: low (0.25 to 0.35 m) or upper (0.9 to 1.1 m)")
         ->check(CLI::IsMember({"low", "upper"}));
-    command->add_option("--storey", arguments->options.storey,
-                        "Of the GeoTIFF: only this storey, 0 where the map begins, 1 above it, -1 below; "
-                        "else all in one, as seen from above");
+    command->add_option(
+        "--storey", arguments->options.storey,
+        "Of GeoTIFF and grid map: only this storey, 0 where the map begins, 1 above it, -1 below; "
+        "else all in one, as seen from above");
     command->add_flag("--json", arguments->json, "Print JSON");
     command->final_callback([arguments, &exitCode] {
         if (!canExport(arguments->out)) {
             throw CLI::ValidationError("--out", expectedOfExport());
         }
-        if (arguments->options.storey && !arguments->out.ends_with(".tif"))
-            throw CLI::ValidationError("--storey", "expected a GeoTIFF, NAME.tif, as --out");
+        if (arguments->options.storey && !showsStoreys(arguments->out))
+            throw CLI::ValidationError("--storey",
+                                       "expected a map seen from above, NAME.tif or NAME.pgm, as --out");
         arguments->options.upper = arguments->height == "upper";
         exitCode = runExport(*arguments);
     });

@@ -314,7 +314,7 @@ QString wayHtml(const ReportFind& find) {
 }
 
 QString mapCaption(const ReportContent& content, const ReportMap& map) {
-    const HeightBand& heights = reportBands().at(map.band);
+    const HeightBand& heights = content.model.bands.at(map.band);
     const QString name = QString::fromStdString(content.name), low = reportNumber(heights.low, 2),
                   high = reportNumber(heights.high, 2);
     if (!map.storey) return ReportText::tr("%1: map at %2 to %3 m above the floor").arg(name, low, high);

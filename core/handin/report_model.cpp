@@ -145,11 +145,6 @@ const ReportStorey* storeyOf(const ReportModel& model, std::optional<int> number
     return found == model.storeys.end() ? nullptr : &*found;
 }
 
-const OccupancyGrid& gridOf(const ReportModel& model, const ReportMap& map) {
-    const ReportStorey* storey = storeyOf(model, map.storey);
-    return (storey != nullptr ? storey->grids : model.grids).at(map.band);
-}
-
 void addFinds(ReportModel& model, const MissionState& state) {
     std::vector<RobotPath> paths;
     for (const ReportRobot& robot : model.robots) paths.push_back(robot.path);
@@ -174,11 +169,11 @@ void addFinds(ReportModel& model, const MissionState& state) {
     }
 }
 
-/// Returns a grid for each of reportBands().
-std::vector<OccupancyGrid> gridsOf(const VoxelEvidence& evidence, const FloorHeights& floor) {
+/// Returns a grid above @p floor for each of the bands of @p model.
+std::vector<OccupancyGrid> gridsOf(const ReportModel& model, const FloorHeights& floor) {
     std::vector<OccupancyGrid> grids;
-    for (const HeightBand& band : reportBands())
-        grids.push_back(evidence.empty() ? OccupancyGrid() : gridOf(evidence, floor, band));
+    for (const HeightBand& band : model.bands)
+        grids.push_back(model.evidence.empty() ? OccupancyGrid() : gridOf(model.evidence, floor, band));
     return grids;
 }
 
@@ -214,7 +209,7 @@ void addStoreys(ReportModel& model, const ReportInput& input, std::span<const Ei
         how.heights = one.storey.heights;
         ReportStorey storey;
         storey.share = one.storey;
-        storey.grids = gridsOf(model.evidence, FloorHeights::of(input.scans, ground, how));
+        storey.grids = gridsOf(model, FloorHeights::of(input.scans, ground, how));
         for (OccupancyGrid& grid : storey.grids) markCleared(grid, *one.map);
         storey.explored = exploredArea(storey.grids.front());
         storey.search = searchOf({&one, 1}, input.views);
@@ -240,16 +235,22 @@ ReportModel reportOf(const ReportInput& input, const Progress& progress) {
     }
     model.evidence = VoxelEvidence::of(input.scans, {}, progress);
     model.floor = FloorHeights::of(input.scans, ground);
-    model.grids = gridsOf(model.evidence, model.floor);
+    model.bands = bandsOf(input.scans, model.floor);
+    model.grids = gridsOf(model, model.floor);
     if (model.hasMap()) addStoreys(model, input, ground);
     addFinds(model, input.state);
     return model;
 }
 
+const OccupancyGrid& gridOf(const ReportModel& model, const ReportMap& map) {
+    const ReportStorey* storey = storeyOf(model, map.storey);
+    return (storey != nullptr ? storey->grids : model.grids).at(map.band);
+}
+
 std::vector<ReportMap> mapsOf(const ReportModel& model) {
     std::vector<ReportMap> maps;
     if (!model.hasMap()) return maps;
-    const std::size_t bands = reportBands().size();
+    const std::size_t bands = model.bands.size();
     for (std::size_t band = 0; model.storeys.empty() && band < bands; ++band) maps.push_back({band, {}});
     for (const ReportStorey& storey : model.storeys) {
         for (std::size_t band = 0; band < bands; ++band) maps.push_back({band, storey.share.number});

@@ -81,7 +81,7 @@ struct ReportFind {
 /// A storey of a map that has several.
 struct ReportStorey {
     StoreyShare share;
-    std::vector<OccupancyGrid> grids;  ///< one for each of reportBands(), above this storey's floor
+    std::vector<OccupancyGrid> grids;  ///< one for each of ReportModel::bands, above this storey's floor
     double explored = 0.0;             ///< area at the lower height [m2]
     ReportSearch search;               ///< of its floor
 };
@@ -95,9 +95,10 @@ struct ReportModel {
     std::size_t scans = 0, uncertain = 0;
     VoxelEvidence evidence;
     FloorHeights floor;
-    std::vector<OccupancyGrid> grids;  ///< one for each of reportBands(); all storeys in one, seen from above
-    double explored = 0.0;             ///< area at the lower height, of all storeys [m2]
-    ReportSearch search;               ///< of all storeys
+    std::vector<HeightBand> bands;      ///< heights that its maps show; never empty
+    std::vector<OccupancyGrid> grids;   ///< one for each of `bands`; all storeys in one, seen from above
+    double explored = 0.0;              ///< area at the lower height, of all storeys [m2]
+    ReportSearch search;                ///< of all storeys
     std::vector<ReportStorey> storeys;  ///< from the lowest on; empty when there is only one
     ReportWork work;
 
@@ -109,12 +110,15 @@ struct ReportModel {
 
 /// One of the maps of a report.
 struct ReportMap {
-    std::size_t band = 0;            ///< index into reportBands()
+    std::size_t band = 0;            ///< index into ReportModel::bands
     std::optional<int> storey = {};  ///< number of one of ReportModel::storeys; empty: all in one
 };
-/// Returns the maps that together show all of @p model: one for each storey and each of reportBands(). A
+/// Returns the maps that together show all of @p model: one for each storey and each of its bands. A
 /// model with a single storey has one per band. Empty without a map.
 [[nodiscard]] std::vector<ReportMap> mapsOf(const ReportModel& model);
+
+/// Returns the grid that @p map shows; its band and its storey are those of @p model.
+[[nodiscard]] const OccupancyGrid& gridOf(const ReportModel& model, const ReportMap& map);
 
 /// Returns the marks of all finds on @p storey, or on all storeys when @p storey is empty.
 [[nodiscard]] std::vector<MapMark> marksOf(const ReportModel& model, std::optional<int> storey = {});

@@ -29,7 +29,9 @@ const std::vector<Rule>& rules() {
     static const std::vector<Rule> all = {
         {"core", core, coreLibraries},
         {"core/io", with(core, {"core/io"}), {"Eigen", "fmt", "lzf", "sqlite3", "yaml-cpp", "nlohmann"}},
-        {"core/io/handin", with(core, {"core/io"}), {"Eigen", "fmt", "gdal", "octomap", "openssl"}},
+        {"core/io/handin",
+         with(core, {"core/io"}),
+         {"Eigen", "fmt", "gdal", "octomap", "openssl", "yaml-cpp"}},
         {"transport", with(core, {"transport"}), {"Eigen", "fmt", "fastdds", "openssl"}},
         {"robots",
          with(core, {"core/io", "transport", "robots/hardware", "robots/kurt3d", "robots/crawler",

@@ -2,13 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "core/cloud/labels.h"
 
 namespace leitstand {
 
 const std::vector<HeightBand>& reportBands() {
-    static const std::vector<HeightBand> bands = {{0.25, 0.35, "0.25 to 0.35 m above the floor"},
-                                                  {0.90, 1.10, "0.90 to 1.10 m above the floor"}};
+    static const std::vector<HeightBand> bands = {{0.25, 0.35}, {0.90, 1.10}};
     return bands;
+}
+
+std::vector<HeightBand> bandsOf(std::span<const ReportScan> scans, const FloorHeights& floor) {
+    constexpr double About = 0.05;  // [m]; robots tilt a little
+    std::optional<HeightBand> plane;
+    for (const ReportScan& one : scans) {
+        if (!isPlaneScan(one.scan->points)) return reportBands();
+        const Eigen::Vector3d& laser = one.scanInMap.translation();
+        const double height = laser.z() - floor.at(laser.x(), laser.y());
+        if (!plane) plane = HeightBand{height - About, height + About};
+        plane->low = std::min(plane->low, height - About);
+        plane->high = std::max(plane->high, height + About);
+    }
+    return plane ? std::vector{*plane} : reportBands();
 }
 
 OccupancyGrid::Cell OccupancyGrid::at(double x, double y) const {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -15,11 +15,13 @@ namespace leitstand {
 /// The heights above the local floor that a flat map shows [m].
 struct HeightBand {
     double low = 0.25, high = 0.35;
-    std::string name = {};  ///< in words, "0.25 to 0.35 m above the floor"
 };
 /// Returns the two height bands of the hand-in. The first shows what stops a driving robot. The second shows
 /// what still stands a metre up, without the steps, boxes and barriers of the arena that hide the rooms.
 [[nodiscard]] const std::vector<HeightBand>& reportBands();
+/// Returns the bands in which @p scans show anything: reportBands(), or one about the heights above @p floor
+/// at which plane lasers saw, when all scans are of such.
+[[nodiscard]] std::vector<HeightBand> bandsOf(std::span<const ReportScan> scans, const FloorHeights& floor);
 
 /// A map seen from above.
 struct OccupancyGrid {

@@ -15,6 +15,7 @@
 #include "core/io/clouds/cloud_writer.h"
 #include "core/io/detail/numbers.h"
 #include "core/io/handin/geotiff.h"
+#include "core/io/handin/grid_map.h"
 #include "core/io/handin/octomap_file.h"
 
 namespace leitstand {
@@ -118,9 +119,30 @@ Result<ExportOutcome> oneFile(Result<ReportFile> file) {
     return outcome;
 }
 
-Result<ExportOutcome> exportMap(const fs::path& out, const Exported& from) {
+Result<ReportMap> shownMap(const fs::path& out, const Exported& from) {
     const ReportMap shown{from.options.upper ? std::size_t{1} : std::size_t{0}, from.options.storey};
+    if (shown.band >= from.model.bands.size())
+        return Error{fmt::format("{}: is not written: all scans are of plane lasers, expected --height low",
+                                 out.string())};
     if (const auto known = hasMap(from.model, shown, out); !known) return known.error();
+    return shown;
+}
+
+Result<ExportOutcome> exportGrid(const fs::path& out, const Exported& from) {
+    const auto shown = shownMap(out, from);
+    if (!shown) return shown.error();
+    auto image = again(writeGridMap(out, gridOf(from.model, *shown)), out);
+    if (!image) return image.error();
+    ExportOutcome outcome;
+    outcome.files.push_back(std::move(image).value());
+    outcome.files.push_back(fileOf(fs::path(out).replace_extension(".yaml"), "for map_server"));
+    return outcome;
+}
+
+Result<ExportOutcome> exportMap(const fs::path& out, const Exported& from) {
+    const auto known = shownMap(out, from);
+    if (!known) return known.error();
+    const ReportMap& shown = *known;
     const MapPicture map = paintMap(drawingOf(from.model, shown, out.filename().string()));
     return oneFile(again(writeGeoTiff(out, map), out, contentsOf(map)));
 }
@@ -145,6 +167,7 @@ constexpr auto ModelFormats = std::to_array<ModelFormat>({
      [](const fs::path& out, const Exported& from) {
          return oneFile(again(writeOctomap(out, from.model.evidence), out));
      }},
+    {".pgm", "grid map with NAME.yaml", true, &exportGrid},
     {".tif", "GeoTIFF", true, &exportMap},
     {".tum", "trajectory", false,
      [](const fs::path& out, const Exported& from) {
@@ -192,6 +215,11 @@ std::vector<ExportFormat> exportFormats() {
 
 bool canExport(const fs::path& out) {
     return isCloud(out) || modelFormatOf(out) != nullptr;
+}
+
+bool showsStoreys(const fs::path& out) {
+    const ModelFormat* const format = isCloud(out) ? nullptr : modelFormatOf(out);
+    return format != nullptr && (format->write == &exportMap || format->write == &exportGrid);
 }
 
 std::string expectedOfExport() {

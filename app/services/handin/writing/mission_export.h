@@ -15,8 +15,8 @@ namespace leitstand {
 struct ExportOptions {
     double reduce = 0.0;  ///< clouds keep one point in each cube of this edge [m]; 0: all points
     std::string robot;    ///< export only its trajectory; empty: each robot's
-    bool upper = false;   ///< .tif: the map at 0.90 to 1.10 m above the floor, not at 0.25 to 0.35 m
-    std::optional<int> storey = {};  ///< .tif: number of the only storey to show; empty: all in one
+    bool upper = false;   ///< .tif, .pgm: the map at 0.90 to 1.10 m above the floor, not at 0.25 to 0.35 m
+    std::optional<int> storey = {};  ///< .tif, .pgm: number of the only storey to show; empty: all in one
 };
 
 /// Result of an export.
@@ -33,6 +33,8 @@ struct ExportFormat {
 [[nodiscard]] std::vector<ExportFormat> exportFormats();
 /// Whether @p out has an ending of exportFormats(), or is a folder: exists as one, or ends in "/".
 [[nodiscard]] bool canExport(const std::filesystem::path& out);
+/// Whether ExportOptions::storey counts for @p out: it is a map seen from above.
+[[nodiscard]] bool showsStoreys(const std::filesystem::path& out);
 /// Returns in words what canExport() expects: the endings, or a folder.
 [[nodiscard]] std::string expectedOfExport();
 

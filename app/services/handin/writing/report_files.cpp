@@ -19,6 +19,7 @@
 #include "core/io/handin/checksums.h"
 #include "core/io/handin/find_lists.h"
 #include "core/io/handin/geotiff.h"
+#include "core/io/handin/grid_map.h"
 #include "core/io/handin/octomap_file.h"
 #include "core/io/handin/search_list.h"
 
@@ -74,6 +75,13 @@ Result<std::string> checkOctomap(const fs::path& file) {
     const auto tree = readOctomap(file);
     if (!tree) return tree.error();
     return fmt::format("{:g} m, {:.1f} m3 occupied, {:.1f} m3 free", tree->cell, tree->occupied, tree->free);
+}
+
+Result<std::string> checkGrid(const fs::path& image) {
+    const auto grid = readGridMap(fs::path(image).replace_extension(".yaml"));
+    if (!grid) return grid.error();
+    return fmt::format("{} x {} cells of {:g} m, {:.1f} m2 explored", grid->columns, grid->rows, grid->cell,
+                       exploredArea(*grid));
 }
 
 Result<std::string> checkCloud(const fs::path& file, const FileContents& expected) {
@@ -176,6 +184,7 @@ Result<std::string> checkFile(const fs::path& file, const FileContents& expected
              return isSearchList(list) ? checkSearch(list, contents) : checkList(list, contents);
          }},
         {".bt", [](const fs::path& map, const FileContents&) { return checkOctomap(map); }},
+        {".pgm", [](const fs::path& map, const FileContents&) { return checkGrid(map); }},
         {".ply", &checkCloud},
         {".tum", &checkTrajectory},
         {".pdf", &checkPdf},

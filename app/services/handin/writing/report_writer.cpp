@@ -81,7 +81,8 @@ private:
 
 void writeMaps(Writing& writing, const ReportModel& model) {
     if (!model.hasMap()) return;
-    std::vector<ReportMap> maps = {{0, {}}, {1, {}}};  // the rules require one with everything
+    std::vector<ReportMap> maps;  // the rules require one with everything
+    for (std::size_t band = 0; band < model.bands.size(); ++band) maps.push_back({band, {}});
     if (!model.storeys.empty()) {
         for (const ReportMap& one : mapsOf(model)) maps.push_back(one);
     }
