@@ -45,6 +45,8 @@ if(NOT LEITSTAND_CORE_ONLY)
     find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonMath CommonTransforms
         FiltersCore FiltersGeneral FiltersSources InteractionStyle IOImage RenderingAnnotation RenderingCore
         RenderingFreeType RenderingOpenGL2 glew)
+    pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)    # of chunks in MCAP bags
+    pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)  # likewise, and of messages in bags
     pkg_check_modules(LZF REQUIRED IMPORTED_TARGET liblzf)  # of compressed PCD files
     if(LEITSTAND_TESTS)
         # Our peer in benchmarks, and a reader of what we write.

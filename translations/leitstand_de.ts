@@ -2456,28 +2456,12 @@ Funk: %4 %5</translation>
         <translation>{}: kann nicht geöffnet werden: {}</translation>
     </message>
     <message>
-        <source>{}: expected an SQLite database, found an empty file</source>
-        <translation>{}: erwartet wurde eine SQLite-Datenbank, die Datei ist leer</translation>
-    </message>
-    <message>
-        <source>{}: expected an SQLite database, found {}; `ros2 bag convert` turns it into one</source>
-        <translation>{}: erwartet wurde eine SQLite-Datenbank, gefunden {}; `ros2 bag convert` wandelt es um</translation>
-    </message>
-    <message>
         <source>{}: expected a bag&apos;s folder or file, found nothing</source>
         <translation>{}: erwartet wurde der Ordner oder die Datei eines Bags, dort ist nichts</translation>
     </message>
     <message>
-        <source>{}: expected a bag in SQLite files (.db3); `ros2 bag convert` turns it into one</source>
-        <translation>{}: erwartet wurde ein Bag in SQLite-Dateien (.db3); `ros2 bag convert` wandelt es um</translation>
-    </message>
-    <message>
         <source>{}: expected a folder or a regular file</source>
         <translation>{}: erwartet wurde ein Ordner oder eine gewöhnliche Datei</translation>
-    </message>
-    <message>
-        <source>an MCAP file</source>
-        <translation>eine MCAP-Datei</translation>
     </message>
     <message>
         <source>a file compressed by zstd</source>
@@ -2490,26 +2474,6 @@ Funk: %4 %5</translation>
     <message>
         <source>{}: expected it, since metadata.yaml lists it, found nothing</source>
         <translation>{}: wird erwartet, da metadata.yaml es nennt, und fehlt</translation>
-    </message>
-    <message>
-        <source>{}: expected an uncompressed bag, found compression &quot;{}&quot;; `ros2 bag convert` writes one without</source>
-        <translation>{}: erwartet wurde ein unkomprimierter Bag, gefunden Kompression &quot;{}&quot;; `ros2 bag convert` schreibt einen ohne</translation>
-    </message>
-    <message>
-        <source>{}: expected a bag in SQLite files (sqlite3), found storage &quot;{}&quot;; `ros2 bag convert` turns it into one</source>
-        <translation>{}: erwartet wurde ein Bag in SQLite-Dateien (sqlite3), gefunden Speicherart &quot;{}&quot;; `ros2 bag convert` wandelt ihn um</translation>
-    </message>
-    <message>
-        <source>{}: expected a bag in SQLite files (.db3), found {}; `ros2 bag convert` turns it into one</source>
-        <translation>{}: erwartet wurde ein Bag in SQLite-Dateien (.db3), gefunden {}; `ros2 bag convert` wandelt ihn um</translation>
-    </message>
-    <message>
-        <source>{}: expected a bag: metadata.yaml and files that end in .db3</source>
-        <translation>{}: erwartet wurde ein Bag: metadata.yaml und Dateien mit Endung .db3</translation>
-    </message>
-    <message>
-        <source>{}: expected an SQLite file (.db3); it is not read</source>
-        <translation>{}: erwartet wurde eine SQLite-Datei (.db3); sie wird nicht gelesen</translation>
     </message>
     <message>
         <source>{}: table messages: is damaged</source>
@@ -2526,10 +2490,6 @@ Funk: %4 %5</translation>
     <message>
         <source>{}: topic {}: expected serialization &quot;cdr&quot;, found &quot;{}&quot;</source>
         <translation>{}: Topic {}: erwartet wurde Serialisierung &quot;cdr&quot;, gefunden &quot;{}&quot;</translation>
-    </message>
-    <message>
-        <source>{}: topic {}: expected CDR, found messages compressed by zstd; `ros2 bag convert` writes them without</source>
-        <translation>{}: Topic {}: erwartet wurde CDR, gefunden Nachrichten, die mit zstd komprimiert sind; `ros2 bag convert` schreibt sie ohne</translation>
     </message>
     <message>
         <source>{}; and no page of it holds messages, either</source>
@@ -3158,6 +3118,102 @@ Funk: %4 %5</translation>
     <message>
         <source>expected it only for points and ranges, found it for {} of type {}</source>
         <translation>nur für points und ranges erwartet, gefunden für {} vom Typ {}</translation>
+    </message>
+    <message>
+        <source>{}: expected a folder that does not exist yet</source>
+        <translation>{}: erwartet wurde ein Ordner, den es noch nicht gibt</translation>
+    </message>
+    <message>
+        <source>{}: is not written: cancelled</source>
+        <translation>{}: wird nicht geschrieben: abgebrochen</translation>
+    </message>
+    <message>
+        <source>{}: messages of an MCAP file have no numbers: what was undone in the mission is not undone in it</source>
+        <translation>{}: Nachrichten einer MCAP-Datei haben keine Nummern: was im Einsatz rückgängig gemacht wurde, ist es dort nicht</translation>
+    </message>
+    <message>
+        <source>{}: byte 0: expected the beginning of an MCAP file</source>
+        <translation>{}: Byte 0: erwartet wurde der Anfang einer MCAP-Datei</translation>
+    </message>
+    <message>
+        <source>expected a chunk, found one that is cut off or broken</source>
+        <translation>erwartet wurde ein Block, gefunden wurde ein abgeschnittener oder beschädigter</translation>
+    </message>
+    <message>
+        <source>expected a chunk compressed by zstd or lz4, found &quot;{}&quot;</source>
+        <translation>erwartet wurde ein mit zstd oder lz4 komprimierter Block, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>the chunk is cut off; its beginning is read</source>
+        <translation>der Block ist abgeschnitten; sein Anfang wird gelesen</translation>
+    </message>
+    <message>
+        <source>expected a chunk of {} bytes, found {} that can be decompressed</source>
+        <translation>erwartet wurde ein Block von {} Bytes, entpacken lassen sich {}</translation>
+    </message>
+    <message>
+        <source>the chunk is damaged: its checksum is wrong</source>
+        <translation>der Block ist beschädigt: seine Prüfsumme ist falsch</translation>
+    </message>
+    <message>
+        <source>byte {}: {}</source>
+        <translation>Byte {}: {}</translation>
+    </message>
+    <message>
+        <source>message {}: expected a message where the index says, found none</source>
+        <translation>Nachricht {}: wo das Verzeichnis sie nennt, wurde keine gefunden</translation>
+    </message>
+    <message>
+        <source>expected at most {} messages; those after them are left out</source>
+        <translation>erwartet wurden höchstens {} Nachrichten; die weiteren werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>the file ends within this record: what follows is missing</source>
+        <translation>die Datei endet in diesem Eintrag: was folgt, fehlt</translation>
+    </message>
+    <message>
+        <source>its writer did not finish it</source>
+        <translation>wer sie schrieb, hat sie nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>expected at most {} topics</source>
+        <translation>erwartet wurden höchstens {} Topics</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag&apos;s file, found an empty one</source>
+        <translation>{}: erwartet wurde die Datei eines Bags, gefunden wurde eine leere</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in an SQLite or MCAP file, found {}; `ros2 bag convert` turns it into one</source>
+        <translation>{}: erwartet wurde ein Bag in einer SQLite- oder MCAP-Datei, gefunden wurde {}; `ros2 bag convert` macht daraus eine</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite or MCAP files (.db3, .mcap); `ros2 bag convert` turns it into one</source>
+        <translation>{}: erwartet wurde ein Bag in SQLite- oder MCAP-Dateien (.db3, .mcap); `ros2 bag convert` macht daraus eines</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag without compression, or with messages compressed by zstd, found files compressed by &quot;{}&quot;; `ros2 bag convert` writes one without</source>
+        <translation>{}: erwartet wurde ein Bag ohne Kompression oder mit zstd-komprimierten Nachrichten, gefunden wurden mit „{}“ komprimierte Dateien; `ros2 bag convert` schreibt eines ohne</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite or MCAP files (sqlite3, mcap), found storage &quot;{}&quot;; `ros2 bag convert` turns it into one</source>
+        <translation>{}: erwartet wurde ein Bag in SQLite- oder MCAP-Dateien (sqlite3, mcap), gefunden wurde der Speicher „{}“; `ros2 bag convert` macht daraus eines</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite or MCAP files (.db3, .mcap), found {}; `ros2 bag convert` turns it into one</source>
+        <translation>{}: erwartet wurde ein Bag in SQLite- oder MCAP-Dateien (.db3, .mcap), gefunden wurde {}; `ros2 bag convert` macht daraus eines</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag: metadata.yaml and files that end in .db3 or .mcap</source>
+        <translation>{}: erwartet wurde ein Bag: metadata.yaml und Dateien, die auf .db3 oder .mcap enden</translation>
+    </message>
+    <message>
+        <source>{}: is of another kind than the bag&apos;s other files, and is not read</source>
+        <translation>{}: ist anderer Art als die übrigen Dateien des Bags und wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>{}: topic {}: expected messages compressed by zstd, found one that is damaged</source>
+        <translation>{}: Topic {}: erwartet wurden zstd-komprimierte Nachrichten, eine ist beschädigt</translation>
     </message>
 </context>
 <context>

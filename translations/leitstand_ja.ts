@@ -2456,28 +2456,12 @@ Link: %4 %5</source>
         <translation>{}: 開けません: {}</translation>
     </message>
     <message>
-        <source>{}: expected an SQLite database, found an empty file</source>
-        <translation>{}: SQLite データベースが必要ですが、空のファイルです</translation>
-    </message>
-    <message>
-        <source>{}: expected an SQLite database, found {}; `ros2 bag convert` turns it into one</source>
-        <translation>{}: SQLite データベースが必要ですが、{}です。`ros2 bag convert` で変換できます</translation>
-    </message>
-    <message>
         <source>{}: expected a bag&apos;s folder or file, found nothing</source>
         <translation>{}: バッグのフォルダーかファイルが必要ですが、何もありません</translation>
     </message>
     <message>
-        <source>{}: expected a bag in SQLite files (.db3); `ros2 bag convert` turns it into one</source>
-        <translation>{}: SQLite ファイル (.db3) のバッグが必要。`ros2 bag convert` で変換できます</translation>
-    </message>
-    <message>
         <source>{}: expected a folder or a regular file</source>
         <translation>{}: フォルダーか通常のファイルが必要</translation>
-    </message>
-    <message>
-        <source>an MCAP file</source>
-        <translation>MCAP ファイル</translation>
     </message>
     <message>
         <source>a file compressed by zstd</source>
@@ -2490,26 +2474,6 @@ Link: %4 %5</source>
     <message>
         <source>{}: expected it, since metadata.yaml lists it, found nothing</source>
         <translation>{}: metadata.yaml にありますが、見つかりません</translation>
-    </message>
-    <message>
-        <source>{}: expected an uncompressed bag, found compression &quot;{}&quot;; `ros2 bag convert` writes one without</source>
-        <translation>{}: 非圧縮のバッグが必要ですが、圧縮 &quot;{}&quot; です。`ros2 bag convert` で非圧縮にできます</translation>
-    </message>
-    <message>
-        <source>{}: expected a bag in SQLite files (sqlite3), found storage &quot;{}&quot;; `ros2 bag convert` turns it into one</source>
-        <translation>{}: SQLite ファイル (sqlite3) のバッグが必要ですが、保存形式 &quot;{}&quot; です。`ros2 bag convert` で変換できます</translation>
-    </message>
-    <message>
-        <source>{}: expected a bag in SQLite files (.db3), found {}; `ros2 bag convert` turns it into one</source>
-        <translation>{}: SQLite ファイル (.db3) のバッグが必要ですが、{} です。`ros2 bag convert` で変換できます</translation>
-    </message>
-    <message>
-        <source>{}: expected a bag: metadata.yaml and files that end in .db3</source>
-        <translation>{}: バッグが必要: metadata.yaml と .db3 のファイル</translation>
-    </message>
-    <message>
-        <source>{}: expected an SQLite file (.db3); it is not read</source>
-        <translation>{}: SQLite ファイル (.db3) が必要。読み込みません</translation>
     </message>
     <message>
         <source>{}: table messages: is damaged</source>
@@ -2526,10 +2490,6 @@ Link: %4 %5</source>
     <message>
         <source>{}: topic {}: expected serialization &quot;cdr&quot;, found &quot;{}&quot;</source>
         <translation>{}: トピック {}: シリアライズは &quot;cdr&quot; のはずが &quot;{}&quot;</translation>
-    </message>
-    <message>
-        <source>{}: topic {}: expected CDR, found messages compressed by zstd; `ros2 bag convert` writes them without</source>
-        <translation>{}: トピック {}: CDR のはずが zstd 圧縮のメッセージです。`ros2 bag convert` で非圧縮にできます</translation>
     </message>
     <message>
         <source>{}; and no page of it holds messages, either</source>
@@ -3158,6 +3118,102 @@ Link: %4 %5</source>
     <message>
         <source>expected it only for points and ranges, found it for {} of type {}</source>
         <translation>points と ranges にのみ指定できますが、{}（型 {}）に指定されています</translation>
+    </message>
+    <message>
+        <source>{}: expected a folder that does not exist yet</source>
+        <translation>{}: まだ存在しないフォルダーが必要です</translation>
+    </message>
+    <message>
+        <source>{}: is not written: cancelled</source>
+        <translation>{}: 書き込みません: 中止されました</translation>
+    </message>
+    <message>
+        <source>{}: messages of an MCAP file have no numbers: what was undone in the mission is not undone in it</source>
+        <translation>{}: MCAP ファイルのメッセージには番号がないため、任務で取り消した操作はこの中では取り消されません</translation>
+    </message>
+    <message>
+        <source>{}: byte 0: expected the beginning of an MCAP file</source>
+        <translation>{}: バイト 0: MCAP ファイルの先頭が必要です</translation>
+    </message>
+    <message>
+        <source>expected a chunk, found one that is cut off or broken</source>
+        <translation>チャンクが必要ですが、途中で切れているか壊れています</translation>
+    </message>
+    <message>
+        <source>expected a chunk compressed by zstd or lz4, found &quot;{}&quot;</source>
+        <translation>zstd か lz4 で圧縮されたチャンクが必要ですが、「{}」です</translation>
+    </message>
+    <message>
+        <source>the chunk is cut off; its beginning is read</source>
+        <translation>チャンクが途中で切れています。先頭部分を読み込みます</translation>
+    </message>
+    <message>
+        <source>expected a chunk of {} bytes, found {} that can be decompressed</source>
+        <translation>{} バイトのチャンクが必要ですが、展開できるのは {} バイトです</translation>
+    </message>
+    <message>
+        <source>the chunk is damaged: its checksum is wrong</source>
+        <translation>チャンクが壊れています: チェックサムが一致しません</translation>
+    </message>
+    <message>
+        <source>byte {}: {}</source>
+        <translation>バイト {}: {}</translation>
+    </message>
+    <message>
+        <source>message {}: expected a message where the index says, found none</source>
+        <translation>メッセージ {}: 索引の示す位置にメッセージがありません</translation>
+    </message>
+    <message>
+        <source>expected at most {} messages; those after them are left out</source>
+        <translation>メッセージは最大 {} 件です。それ以降は省かれます</translation>
+    </message>
+    <message>
+        <source>the file ends within this record: what follows is missing</source>
+        <translation>ファイルがこのレコードの途中で終わっています。続きはありません</translation>
+    </message>
+    <message>
+        <source>its writer did not finish it</source>
+        <translation>書き込みが完了していません</translation>
+    </message>
+    <message>
+        <source>expected at most {} topics</source>
+        <translation>トピックは最大 {} 個です</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag&apos;s file, found an empty one</source>
+        <translation>{}: バッグのファイルが必要ですが、空です</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in an SQLite or MCAP file, found {}; `ros2 bag convert` turns it into one</source>
+        <translation>{}: SQLite か MCAP のバッグが必要ですが、{}です。`ros2 bag convert` で変換できます</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite or MCAP files (.db3, .mcap); `ros2 bag convert` turns it into one</source>
+        <translation>{}: SQLite か MCAP のバッグ (.db3、.mcap) が必要です。`ros2 bag convert` で変換できます</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag without compression, or with messages compressed by zstd, found files compressed by &quot;{}&quot;; `ros2 bag convert` writes one without</source>
+        <translation>{}: 圧縮なし、またはメッセージを zstd で圧縮したバッグが必要ですが、ファイルが「{}」で圧縮されています。`ros2 bag convert` で圧縮なしに変換できます</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite or MCAP files (sqlite3, mcap), found storage &quot;{}&quot;; `ros2 bag convert` turns it into one</source>
+        <translation>{}: SQLite か MCAP のバッグ (sqlite3、mcap) が必要ですが、ストレージは「{}」です。`ros2 bag convert` で変換できます</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag in SQLite or MCAP files (.db3, .mcap), found {}; `ros2 bag convert` turns it into one</source>
+        <translation>{}: SQLite か MCAP のバッグ (.db3、.mcap) が必要ですが、{} です。`ros2 bag convert` で変換できます</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag: metadata.yaml and files that end in .db3 or .mcap</source>
+        <translation>{}: バッグ (metadata.yaml と、.db3 か .mcap で終わるファイル) が必要です</translation>
+    </message>
+    <message>
+        <source>{}: is of another kind than the bag&apos;s other files, and is not read</source>
+        <translation>{}: バッグの他のファイルと種類が異なるため、読み込みません</translation>
+    </message>
+    <message>
+        <source>{}: topic {}: expected messages compressed by zstd, found one that is damaged</source>
+        <translation>{}: トピック {}: zstd で圧縮されたメッセージが必要ですが、壊れたものがあります</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,8 @@ void addReplay(CLI::App& app, int& exitCode);
 void addReport(CLI::App& app, int& exitCode);
 /// `export`: writes part of a mission for other programs.
 void addExport(CLI::App& app, int& exitCode);
+/// `convert`: copies a bag into files of another kind.
+void addConvert(CLI::App& app, int& exitCode);
 /// `thin`: writes a small copy of a mission.
 void addThin(CLI::App& app, int& exitCode);
 /// `tidy`: relaxes the map of a mission.

@@ -70,7 +70,8 @@ void addExport(CLI::App& app, int& exitCode) {
     CLI::App* command =
         app.add_subcommand("export", "writes the map or part of a mission for other programs");
     const auto arguments = std::make_shared<ExportArguments>();
-    command->add_option("MISSION", arguments->mission, "Folder of the mission, or one .db3 file of it")
+    command
+        ->add_option("MISSION", arguments->mission, "Folder of the mission, or one .db3 or .mcap file of it")
         ->required();
     command
         ->add_option(

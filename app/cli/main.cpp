@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     leitstand::cli::addReplay(app, exitCode);
     leitstand::cli::addReport(app, exitCode);
     leitstand::cli::addExport(app, exitCode);
+    leitstand::cli::addConvert(app, exitCode);
     leitstand::cli::addThin(app, exitCode);
     leitstand::cli::addTidy(app, exitCode);
     leitstand::cli::addMerge(app, exitCode);

@@ -100,7 +100,8 @@ void addReport(CLI::App& app, int& exitCode) {
     CLI::App* command =
         app.add_subcommand("report", "writes the judges' folder of a mission and reads it again");
     const auto arguments = std::make_shared<ReportArguments>();
-    command->add_option("MISSION", arguments->mission, "Folder of the mission, or one .db3 file of it")
+    command
+        ->add_option("MISSION", arguments->mission, "Folder of the mission, or one .db3 or .mcap file of it")
         ->required();
     command->add_option("--out", arguments->out, "Folder for GeoTIFF, lists, OctoMap, PLY, trajectories, PDF")
         ->required();

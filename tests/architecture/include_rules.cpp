@@ -28,7 +28,9 @@ const std::vector<Rule>& rules() {
     };
     static const std::vector<Rule> all = {
         {"core", core, coreLibraries},
-        {"core/io", with(core, {"core/io"}), {"Eigen", "fmt", "lzf", "sqlite3", "yaml-cpp", "nlohmann"}},
+        {"core/io",
+         with(core, {"core/io"}),
+         {"Eigen", "fmt", "lz4", "lzf", "sqlite3", "yaml-cpp", "nlohmann", "zlib", "zstd"}},
         {"core/io/handin",
          with(core, {"core/io"}),
          {"Eigen", "fmt", "gdal", "octomap", "openssl", "yaml-cpp"}},
@@ -236,7 +238,8 @@ std::string_view libraryOf(std::string_view header) {
         {"embree3/", "embree"},  {"embree4/", "embree"},
         {"SDL2/", "SDL"},        {"Qt", "Qt"},
         {"boost/", "boost"},     {"rclcpp/", "ROS"},
-        {"lzf.h", "lzf"},
+        {"lzf.h", "lzf"},        {"lz4", "lz4"},
+        {"zstd.h", "zstd"},
     };
     for (const auto& [prefix, library] : prefixes) {
         if (header.starts_with(prefix)) return library;

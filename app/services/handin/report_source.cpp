@@ -43,7 +43,8 @@ constexpr double OdometryTurned = degrees(3);  ///< poses that turned less add n
 std::string nameOf(const fs::path& folder) {
     const fs::path whole = fs::absolute(folder).lexically_normal();
     const fs::path last = whole.has_filename() ? whole : whole.parent_path();
-    return (last.extension() == ".db3" ? last.stem() : last.filename()).string();
+    return (last.extension() == ".db3" || last.extension() == ".mcap" ? last.stem() : last.filename())
+        .string();
 }
 
 }  // namespace

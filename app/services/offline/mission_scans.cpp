@@ -261,11 +261,14 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
 }  // namespace
 
 bool isMission(const fs::path& path) {
+    const auto isBag = [](const fs::path& file) {
+        return file.extension() == ".db3" || file.extension() == ".mcap";
+    };
     std::error_code problem;
-    if (!fs::is_directory(path, problem)) return path.extension() == ".db3" && fs::exists(path, problem);
+    if (!fs::is_directory(path, problem)) return isBag(path) && fs::exists(path, problem);
     if (fs::exists(path / "metadata.yaml", problem)) return true;
     return std::any_of(fs::directory_iterator(path, problem), fs::directory_iterator(),
-                       [](const fs::directory_entry& entry) { return entry.path().extension() == ".db3"; });
+                       [&](const fs::directory_entry& entry) { return isBag(entry.path()); });
 }
 
 Result<MissionScans> readMissionScans(const fs::path& mission, const Progress& progress) {

@@ -77,6 +77,8 @@ private:
         } else if (m_query.from) {
             m_rowQuery.afterTime = *m_query.from;
         }
+        if (facts.idsByTime && m_query.fromSequence > part.offset)
+            m_rowQuery.afterId = m_query.fromSequence - part.offset - 1;
     }
 
     void beginAt(Time time, std::uint64_t offset) {

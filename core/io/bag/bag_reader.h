@@ -60,16 +60,16 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// Reads rosbag2 SQLite bags, ours and others', and damaged ones as far as possible. Never changes the files,
-/// not even to replay a write-ahead log that a killed writer left (docs/mission-log.md). Only one thread at a
-/// time may use a reader and its cursors.
+/// Reads rosbag2 bags in SQLite and MCAP files, ours and others', and damaged ones as far as possible. Never
+/// changes the files, not even to replay a write-ahead log that a killed writer left (docs/mission-log.md).
+/// Only one thread at a time may use a reader and its cursors.
 ///
 /// In our bags, the sequence of an event is the id of its row, and events come by rising sequence. Events of
 /// other bags come by receive time, and their sequences continue from file to file.
 class BagReader {
 public:
     /// Opens @p bag: the folder of a mission, or one file of it. Error when nothing in it can be read, or
-    /// when the bag is of another kind (MCAP, compressed).
+    /// when the bag is of another kind (ROS 1, files compressed by zstd).
     [[nodiscard]] static Result<std::unique_ptr<BagReader>> open(const std::filesystem::path& bag);
     ~BagReader();
     BagReader(const BagReader&) = delete;

@@ -87,14 +87,15 @@ TEST_F(ForeignBag, BagsOfOtherKindsAreNamed) {
     EXPECT_THAT(errorOf(m_bag), HasSubstr("expected a bag"));
     test::writeText(m_bag / "bag_0.mcap", "x");
     EXPECT_THAT(errorOf(m_bag), HasSubstr("bag_0.mcap"));
-    EXPECT_THAT(errorOf(m_bag / "bag_0.mcap"), HasSubstr("SQLite"));
-    test::writeText(m_bag / "metadata.yaml", "rosbag2_bagfile_information:\n  storage_identifier: mcap\n");
-    EXPECT_THAT(errorOf(m_bag), HasSubstr("found storage \"mcap\""));
+    EXPECT_THAT(errorOf(m_bag / "bag_0.mcap"), HasSubstr("expected the beginning of an MCAP file"));
+    fs::remove(m_bag / "bag_0.mcap");
+    test::writeText(m_bag / "metadata.yaml", "rosbag2_bagfile_information:\n  storage_identifier: rocksdb\n");
+    EXPECT_THAT(errorOf(m_bag), HasSubstr("found storage \"rocksdb\""));
     makeDatabase(m_bag / "bag_0.db3", foreignSchema(4));
     test::writeText(
         m_bag / "metadata.yaml",
         "rosbag2_bagfile_information:\n  storage_identifier: sqlite3\n  compression_format: zstd\n");
-    EXPECT_THAT(errorOf(m_bag), HasSubstr("found compression \"zstd\""));
+    EXPECT_THAT(errorOf(m_bag), HasSubstr("found files compressed by \"zstd\""));
     const auto other = m_folder / "other.db3";
     makeDatabase(other, "CREATE TABLE cats(name TEXT); INSERT INTO cats VALUES ('Tom')");
     EXPECT_THAT(errorOf(other), HasSubstr("expected the tables topics and messages"));

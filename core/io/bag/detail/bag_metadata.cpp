@@ -123,6 +123,7 @@ BagMetadata metadataOf(const YAML::Node& root) {
     const auto mode = valueOr<std::string>(root["compression_mode"], "");
     if (mode != "NONE" && mode != "none") {
         metadata.compression = valueOr<std::string>(root["compression_format"], "");
+        metadata.compressesMessages = mode == "MESSAGE" || mode == "message";
     }
     if (root["files"] && root["files"].IsSequence()) {
         for (const auto& file : root["files"]) metadata.files.push_back(fileOf(file));

@@ -26,7 +26,8 @@ struct BagMetadata {
     };
     int version = WrittenVersion;
     std::string storage = "sqlite3";
-    std::string compression;  ///< compression_format; empty: none
+    std::string compression;          ///< compression_format; empty: none
+    bool compressesMessages = false;  ///< compression_mode: each message, not whole files
     std::vector<File> files;
     std::vector<Topic> topics;
     std::map<std::string, std::string> custom;  ///< custom_data

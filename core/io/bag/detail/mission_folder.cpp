@@ -72,14 +72,14 @@ void syncFolder(const fs::path& folder) {
     ::close(descriptor);
 }
 
-Result<std::vector<NumberedFile>> databaseFiles(const fs::path& folder) {
+Result<std::vector<NumberedFile>> databaseFiles(const fs::path& folder, std::string_view ending) {
     std::vector<NumberedFile> files;
     std::error_code problem;
     for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
          entry.increment(problem)) {
         const fs::path& path = entry->path();
         std::error_code ignored;
-        if (path.extension() != ".db3" || !entry->is_regular_file(ignored)) continue;
+        if (path.extension() != ending || !entry->is_regular_file(ignored)) continue;
         files.push_back({path, numberOf(path.stem().string())});
     }
     if (problem) return Error{fmt::format("{}: cannot be read: {}", folder.string(), problem.message())};

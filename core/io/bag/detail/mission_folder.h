@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -35,7 +36,9 @@ struct NumberedFile {
     std::optional<unsigned long> number;
 };
 
-/// Returns the database files in @p folder by number. Files without a number come last, by name.
-[[nodiscard]] Result<std::vector<NumberedFile>> databaseFiles(const std::filesystem::path& folder);
+/// Returns the files in @p folder that end in @p ending, by number; databases, unless it is another one.
+/// Files without a number come last, by name.
+[[nodiscard]] Result<std::vector<NumberedFile>> databaseFiles(const std::filesystem::path& folder,
+                                                              std::string_view ending = ".db3");
 
 }  // namespace leitstand::detail

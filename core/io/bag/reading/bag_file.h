@@ -21,7 +21,7 @@ struct FileTopic {
     std::optional<std::uint64_t> messages;  ///< empty: not counted
 };
 
-/// A row of the table messages.
+/// A message of a file: a row of the table messages.
 struct BagRow {
     std::uint64_t id = 0;
     std::int64_t topic = 0;  ///< key of BagFile::topics
@@ -34,8 +34,9 @@ struct BagFileFacts {
     std::map<std::int64_t, FileTopic> topics;  ///< by id
     std::uint64_t firstId = 0, lastId = 0;     ///< of messages; 0: none
     Time first{}, last{};                      ///< receive times
-    bool ours = false;   ///< a bag of ours, with rows ordered by id; in others, rows are ordered by time
-    bool closed = true;  ///< its writer finished it
+    bool ours = false;       ///< a bag of ours, with rows ordered by id; in others, rows are ordered by time
+    bool idsByTime = false;  ///< ids rise with the receive times
+    bool closed = true;      ///< its writer finished it
     std::uint64_t expected = 0;  ///< message count in its own metadata; 0: none
     std::vector<std::string> problems;
 
@@ -59,7 +60,7 @@ struct RowQuery {
     std::optional<std::set<std::int64_t>> topics;  ///< empty: all
 };
 
-/// One file of a bag, read by SQLite or by us.
+/// One file of a bag: an SQLite database, read by SQLite or page by page, or an MCAP file.
 class BagFile {
 public:
     virtual ~BagFile() = default;

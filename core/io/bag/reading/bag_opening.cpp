@@ -7,6 +7,7 @@
 
 #include "core/base/words.h"
 #include "core/io/bag/detail/mission_folder.h"
+#include "core/io/bag/mcap/mcap_file.h"
 #include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/reading/sqlite_file.h"
 #include "core/io/bag/salvage/log_frames.h"
@@ -68,6 +69,15 @@ Result<void> openParts(OpenBag& bag, const std::vector<NumberedFile>& files, boo
     }
     if (bag.parts.empty()) return Error{firstError};
     return {};
+}
+
+/// Returns the files of the bag in @p folder: of the kind that @p metadata names, or else of the other one.
+Result<std::vector<NumberedFile>> filesOf(const fs::path& folder,
+                                          const std::optional<BagMetadata>& metadata) {
+    const bool mcap = metadata && metadata->storage == "mcap";
+    auto files = databaseFiles(folder, mcap ? ".mcap" : ".db3");
+    if (files && files->empty()) files = databaseFiles(folder, mcap ? ".db3" : ".mcap");
+    return files;
 }
 
 void numberOn(std::vector<BagPart>& parts) {
@@ -154,13 +164,18 @@ Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, std::
                                      problem.message())};
     if (size == 0)
         return Error{leitstand::fill(
-            translate("leitstand::Error", "{}: expected an SQLite database, found an empty file"),
-            path.string())};
+            translate("leitstand::Error", "{}: expected a bag's file, found an empty one"), path.string())};
+    if (!live && isMcap(path)) {
+        auto opened = McapFile::open(path);
+        if (!opened) return opened.error();
+        return std::shared_ptr<BagFile>(std::move(opened).value());
+    }
     // Closing any other descriptor of a file that this process writes would drop SQLite's locks on it.
     if (const auto other = live ? std::string() : otherKindOf(path); !other.empty()) {
         return Error{leitstand::fill(
             translate("leitstand::Error",
-                      "{}: expected an SQLite database, found {}; `ros2 bag convert` turns it into one"),
+                      "{}: expected a bag in an SQLite or MCAP file, found {}; `ros2 bag convert` turns it "
+                      "into one"),
             path.string(), other)};
     }
     auto opened = SqliteFile::open(path, live);
@@ -186,10 +201,12 @@ Result<OpenBag> openBag(const fs::path& path, Writer writer) {
             path.string())};
     if (!fs::is_directory(status)) {
         const auto ending = path.extension();
-        if (ending == ".mcap" || ending == ".zstd" || ending == ".bag") {
+        if (ending == ".zstd" || ending == ".bag") {
             return Error{leitstand::fill(
-                translate("leitstand::Error",
-                          "{}: expected a bag in SQLite files (.db3); `ros2 bag convert` turns it into one"),
+                translate(
+                    "leitstand::Error",
+                    "{}: expected a bag in SQLite or MCAP files (.db3, .mcap); `ros2 bag convert` turns "
+                    "it into one"),
                 path.string())};
         }
         if (!fs::is_regular_file(status))
@@ -208,9 +225,9 @@ Result<OpenBag> openBag(const fs::path& path, Writer writer) {
         numberOn(bag.parts);
         return bag;
     }
-    auto files = databaseFiles(path);
-    if (!files) return files.error();
     bag.metadata = readMetadata(path, bag.problems);
+    auto files = filesOf(path, bag.metadata);
+    if (!files) return files.error();
     if (auto kind = checkKind(path, bag.metadata, *files, bag.problems); !kind) return kind.error();
     const bool locked = writer == Writer::Anyone && FolderLock::isTaken(path);
     if (auto opened = openParts(bag, *files, locked); !opened) return opened.error();

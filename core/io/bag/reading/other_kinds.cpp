@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/words.h"
+#include "core/io/bag/mcap/mcap_records.h"
 
 namespace leitstand::detail {
 
@@ -16,20 +17,31 @@ namespace {
 
 constexpr std::string_view Zstd("\x28\xb5\x2f\xfd", 4);
 
-constexpr std::array<std::pair<std::string_view, const char*>, 3> Kinds = {{
-    {std::string_view("\x89MCAP0\r\n", 8), translatable("leitstand::Error", "an MCAP file")},
+constexpr std::array<std::pair<std::string_view, const char*>, 2> Kinds = {{
     {Zstd, translatable("leitstand::Error", "a file compressed by zstd")},
     {"#ROSBAG V", translatable("leitstand::Error", "a bag of ROS 1")},
 }};
 
-/// Files in @p folder that belong to bags of other kinds, by name.
-std::vector<fs::path> otherFiles(const fs::path& folder) {
+std::string beginOf(const fs::path& path) {
+    std::string begin(16, '\0');
+    std::ifstream in(path, std::ios::binary);
+    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(in.gcount()));
+    return begin;
+}
+
+/// Files of bags in @p folder that are not among @p read, by name.
+std::vector<fs::path> otherFiles(const fs::path& folder, const std::vector<NumberedFile>& read) {
     std::vector<fs::path> files;
     std::error_code problem;
     for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
          entry.increment(problem)) {
         const auto ending = entry->path().extension();
-        if (ending == ".mcap" || ending == ".zstd" || ending == ".bag") files.push_back(entry->path());
+        const bool bag = ending == ".db3" || ending == ".mcap" || ending == ".zstd" || ending == ".bag";
+        const bool isRead = std::any_of(read.begin(), read.end(), [&](const NumberedFile& one) {
+            return one.path.filename() == entry->path().filename();
+        });
+        if (bag && !isRead) files.push_back(entry->path());
     }
     std::sort(files.begin(), files.end());
     return files;
@@ -58,10 +70,11 @@ std::string otherKind(std::string_view begin) {
 }
 
 std::string otherKindOf(const fs::path& path) {
-    std::array<char, 16> begin{};
-    std::ifstream in(path, std::ios::binary);
-    in.read(begin.data(), begin.size());
-    return otherKind({begin.data(), static_cast<std::size_t>(in.gcount())});
+    return otherKind(beginOf(path));
+}
+
+bool isMcap(const fs::path& path) {
+    return path.extension() == ".mcap" || beginOf(path).starts_with(McapMagic);
 }
 
 bool isCompressed(const Payload& cdr) {
@@ -73,34 +86,39 @@ bool isCompressed(const Payload& cdr) {
 
 Result<void> checkKind(const fs::path& folder, const std::optional<BagMetadata>& metadata,
                        const std::vector<NumberedFile>& files, std::vector<std::string>& problems) {
-    if (metadata && !metadata->compression.empty()) {
+    const std::string compression = metadata ? metadata->compression : std::string();
+    if (!compression.empty() && (!metadata->compressesMessages || compression != "zstd")) {
         return Error{leitstand::fill(translate("leitstand::Error",
-                                               "{}: expected an uncompressed bag, found compression \"{}\"; "
+                                               "{}: expected a bag without compression, or with messages "
+                                               "compressed by zstd, found files compressed by \"{}\"; "
                                                "`ros2 bag convert` writes one without"),
-                                     folder.string(), metadata->compression)};
+                                     folder.string(), compression)};
     }
-    if (metadata && metadata->storage != "sqlite3" && files.empty()) {
+    if (metadata && metadata->storage != "sqlite3" && metadata->storage != "mcap" && files.empty()) {
         return Error{leitstand::fill(translate("leitstand::Error",
-                                               "{}: expected a bag in SQLite files (sqlite3), found storage "
-                                               "\"{}\"; `ros2 bag convert` turns it into one"),
+                                               "{}: expected a bag in SQLite or MCAP files (sqlite3, mcap), "
+                                               "found storage \"{}\"; `ros2 bag convert` turns it into one"),
                                      folder.string(), metadata->storage)};
     }
-    const auto others = otherFiles(folder);
+    const auto others = otherFiles(folder, files);
     if (files.empty() && !others.empty()) {
         return Error{leitstand::fill(
             translate(
                 "leitstand::Error",
-                "{}: expected a bag in SQLite files (.db3), found {}; `ros2 bag convert` turns it into one"),
+                "{}: expected a bag in SQLite or MCAP files (.db3, .mcap), found {}; `ros2 bag convert` "
+                "turns it into one"),
             folder.string(), others.front().filename().string())};
     }
     if (files.empty())
         return Error{leitstand::fill(
-            translate("leitstand::Error", "{}: expected a bag: metadata.yaml and files that end in .db3"),
+            translate("leitstand::Error",
+                      "{}: expected a bag: metadata.yaml and files that end in .db3 or .mcap"),
             folder.string())};
     for (const fs::path& other : others) {
-        problems.push_back(leitstand::fill(
-            translate("leitstand::Error", "{}: expected an SQLite file (.db3); it is not read"),
-            other.string()));
+        problems.push_back(
+            leitstand::fill(translate("leitstand::Error",
+                                      "{}: is of another kind than the bag's other files, and is not read"),
+                            other.string()));
     }
     if (metadata) notifyAbsent(folder, *metadata, problems);
     return {};

@@ -13,11 +13,13 @@
 
 namespace leitstand::detail {
 
-/// Returns the kind of a file, such as "an MCAP file", by its first bytes @p begin. Empty: it is none of the
-/// other kinds that we know but do not read.
+/// Returns the kind of a file, such as "a bag of ROS 1", by its first bytes @p begin. Empty: it is none of
+/// the other kinds that we know but do not read.
 [[nodiscard]] std::string otherKind(std::string_view begin);
 /// Returns otherKind() of the file at @p path.
 [[nodiscard]] std::string otherKindOf(const std::filesystem::path& path);
+/// Whether the file at @p path is to be read as MCAP: by its first bytes, or by its ending.
+[[nodiscard]] bool isMcap(const std::filesystem::path& path);
 /// Whether @p cdr is compressed by zstd, as by rosbag2 in its mode "message", and not plain CDR.
 [[nodiscard]] bool isCompressed(const Payload& cdr);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/words.h"
+#include "core/io/bag/mcap/decompression.h"
 #include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/salvage/salvaged_file.h"
 #include "core/mission/state/robot_state.h"
@@ -148,12 +149,15 @@ std::optional<RawEvent> ReaderCore::eventOf(std::size_t index, BagRow row) {
         return std::nullopt;
     }
     if (isCompressed(row.cdr)) {
-        report(
-            leitstand::fill(translate("leitstand::Error",
-                                      "{}: topic {}: expected CDR, found messages compressed by zstd; `ros2 "
-                                      "bag convert` writes them without"),
-                            part.path.string(), info.name));
-        return std::nullopt;
+        auto plain = decompressed(*row.cdr, "zstd", MaxMessageBytes);
+        if (!plain || !plain->whole) {
+            report(leitstand::fill(
+                translate("leitstand::Error",
+                          "{}: topic {}: expected messages compressed by zstd, found one that is damaged"),
+                part.path.string(), info.name));
+            return std::nullopt;
+        }
+        row.cdr = std::make_shared<const std::vector<std::byte>>(std::move(plain->bytes));
     }
     return RawEvent{row.id + part.offset, sane(row.received), info.name, info.type, std::move(row.cdr)};
 }

@@ -1,0 +1,137 @@
+#include "core/io/bag/bag_conversion.h"
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "core/base/words.h"
+#include "core/io/bag/bag_reader.h"
+#include "core/io/bag/bag_writer.h"
+#include "core/io/bag/detail/bag_metadata.h"
+#include "core/io/bag/mcap/mcap_writer.h"
+#include "core/io/bag/raw_events.h"
+#include "core/io/detail/output_file.h"
+#include "core/io/detail/unfinished.h"
+
+namespace leitstand {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t EventsAFlush = 200;
+constexpr std::chrono::seconds Longest(60);  ///< that a disk may take for so many
+
+using Topics = std::map<std::pair<std::string, std::string>, TopicInfo>;  ///< by name and type
+
+Topics topicsOf(const BagReader& bag) {
+    Topics topics;
+    for (const BagTopic& topic : bag.topics()) topics[{topic.info.name, topic.info.type}] = topic.info;
+    return topics;
+}
+
+/// Writes the metadata.yaml of an MCAP bag of one file.
+Result<void> writeMetadata(const fs::path& folder, const std::string& file, BagReader& bag,
+                           const std::map<std::string, std::uint64_t>& counts) {
+    detail::BagMetadata metadata;
+    metadata.storage = "mcap";
+    std::uint64_t messages = 0;
+    for (const BagTopic& topic : bag.topics()) {
+        const auto counted = counts.find(topic.info.name + " " + topic.info.type);
+        metadata.topics.push_back({topic.info, counted == counts.end() ? 0 : counted->second});
+        messages += metadata.topics.back().messages;
+    }
+    metadata.files.push_back({file, bag.first(), bag.last(), messages});
+    return detail::writeWhole(folder / "metadata.yaml", detail::yamlOf(metadata, false));
+}
+
+Result<std::uint64_t> writeMcap(BagReader& bag, const fs::path& folder, const std::string& name,
+                                const Progress& progress) {
+    const std::string file = name + "_0.mcap";
+    auto created = McapWriter::create(folder / file);
+    if (!created) return created.error();
+    McapWriter writer = std::move(created).value();
+    const Topics topics = topicsOf(bag);
+    std::map<std::string, std::uint64_t> counts;  // by topic and type
+    std::uint64_t messages = 0;
+    forEachRaw(
+        bag, {},
+        [&](const RawEvent& event) {
+            const auto topic = topics.find({event.topic, event.type});
+            if (topic == topics.end()) return true;  // of a damaged file, which says so
+            writer.write(topic->second, event);
+            ++counts[event.topic + " " + event.type];
+            ++messages;
+            return true;
+        },
+        progress);
+    if (const auto closed = writer.close(); !closed) return closed.error();
+    if (const auto written = writeMetadata(folder, file, bag, counts); !written) return written.error();
+    return messages;
+}
+
+Result<std::uint64_t> writeDatabase(BagReader& bag, const fs::path& folder, const Progress& progress) {
+    auto writer = BagWriter::open(folder);
+    if (!writer) return writer.error();
+    for (const auto& [key, topic] : topicsOf(bag)) (*writer)->addTopic(topic);
+    const bool ours = bag.ours();
+    std::uint64_t messages = 0;
+    forEachRaw(
+        bag, {},
+        [&](RawEvent& event) {
+            if (!ours) event.sequence = 0;  // of several files, they may not rise
+            (*writer)->write(std::move(event));
+            // What is read faster than it is written would wait in memory.
+            return ++messages % EventsAFlush != 0 || (*writer)->flush(Longest).ok();
+        },
+        progress);
+    if (const auto closed = (*writer)->close(); !closed) return closed.error();
+    return messages;
+}
+
+/// Copies what stands in the folder of @p bag beside its log.
+void copyBeside(const fs::path& bag, const fs::path& folder) {
+    std::error_code problem;
+    if (!fs::is_directory(bag, problem)) return;
+    for (const char* name : {"robots", "snapshots"})
+        fs::copy(bag / name, folder / name, fs::copy_options::recursive, problem);
+}
+
+}  // namespace
+
+Result<BagConversion> convertBag(const fs::path& bag, const fs::path& out, BagStorage storage,
+                                 const Progress& progress) {
+    auto reader = BagReader::open(bag);
+    if (!reader) return reader.error();
+    BagReader& source = **reader;
+    std::error_code problem;
+    if (fs::exists(out, problem))
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected a folder that does not exist yet"), out.string())};
+    detail::Unfinished unfinished(out);  // destroyed after the writer has closed its files
+    fs::create_directories(out, problem);
+    if (problem)
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be made: {}"), out.string(),
+                                     problem.message())};
+    const fs::path whole = fs::absolute(out, problem).lexically_normal();
+    const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+    const auto written = storage == BagStorage::Mcap ? writeMcap(source, out, name, progress)
+                                                     : writeDatabase(source, out, progress);
+    if (!written) return written.error();
+    if (progress.cancelled())
+        return Error{
+            leitstand::fill(translate("leitstand::Error", "{}: is not written: cancelled"), out.string())};
+    copyBeside(bag, out);
+    unfinished.done();
+    BagConversion result{*written, source.problems()};
+    if (storage == BagStorage::Mcap && source.ours())
+        result.problems.push_back(leitstand::fill(
+            translate("leitstand::Error",
+                      "{}: messages of an MCAP file have no numbers: what was undone in the mission is not "
+                      "undone in it"),
+            out.string()));
+    return result;
+}
+
+}  // namespace leitstand
