@@ -10,7 +10,7 @@ class ClockFace;
 struct LiveMoment;
 struct ViewContext;
 
-/// Shows the mission's clock as it stood at the moment that the review shows.
+/// Shows the mission's clock as it was at the moment that the review shows.
 class ReviewClock final : public QObject {
     Q_OBJECT
 public:
