@@ -35,7 +35,7 @@ struct ModeChange {
 struct ReportInput {
     std::string name;                 ///< name of the mission's folder
     std::vector<std::string> robots;  ///< names, in the order of the report
-    MissionState state;               ///< after the last event
+    MissionState state;               ///< state after the last event
     std::vector<ReportScan> scans;    ///< certain key scans, by rising id
     std::size_t uncertain = 0;        ///< number of uncertain scans about which nobody decided
     /// Of each robot, on its own clock, sorted by time.
@@ -43,7 +43,7 @@ struct ReportInput {
     std::map<std::string, std::vector<PathAnchor>>
         /// Poses of robots that were placed by laser; of each robot, on its own clock, sorted by time.
         places;
-    std::map<std::string, std::vector<ModeChange>> modes;  ///< of each robot, sorted by time
+    std::map<std::string, std::vector<ModeChange>> modes;  ///< changes of mode of each robot, sorted by time
     std::vector<SearchView> views;  ///< poses from which cameras looked, each relative to a key scan
 };
 

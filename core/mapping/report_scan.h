@@ -13,7 +13,7 @@ struct ReportScan {
     std::uint64_t id = 0;                  ///< KeyScanSample::id; 0: from a bag without key scans
     ScanPtr scan;                          ///< never null
     Pose scanInMap = Pose::Identity();     ///< newest pose
-    Pose sensorInBase = Pose::Identity();  ///< at the end of the sweep
+    Pose sensorInBase = Pose::Identity();  ///< pose at the end of the sweep
 
     [[nodiscard]] Pose baseInMap() const { return scanInMap * sensorInBase.inverse(); }
 };

@@ -17,7 +17,7 @@ namespace leitstand {
 struct PaneHead {
     RobotFace face;
     QString title;  ///< "Left camera"; shown after the robot's letter
-    QString note;   ///< after the age: "full speed"; may be empty
+    QString note;   ///< text after the age: "full speed"; may be empty
     DataAge age;
     FreshnessLimits limits = {};
     bool vacant = false;  ///< whether no data are expected; then neither age nor loss is shown

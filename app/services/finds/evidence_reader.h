@@ -18,7 +18,7 @@ struct ReadEvidence {
     bool written = true;  ///< whether the log has all of them already
 };
 
-/// Reads pictures of finds from a mission's log, which may still be recording, on its own thread.
+/// Reads pictures of finds from a mission's log on its own thread. The mission may still be running.
 class EvidenceReader {
 public:
     using Answer = std::function<void(const FindSample& find, const ReadEvidence& read)>;

@@ -67,7 +67,7 @@ private:
     };
     [[nodiscard]] Line* find(const std::string& robot);
     [[nodiscard]] const Line* find(const std::string& robot) const;
-    /// Whether @p request has been in force so long that the measurements of @p topic result from it.
+    /// Whether @p request has been in force long enough that the measurements of @p topic result from it.
     [[nodiscard]] static bool isSettled(Line& line, const std::string& topic, const StreamRequest& request);
     /// Raises the cost of a reduced stream that costs more than expected. Returns true if it did.
     [[nodiscard]] static bool correct(Line& line, const StreamStatus& stream, const StreamRequest& request);

@@ -31,8 +31,8 @@ struct VictimWatchSetup {
     std::function<std::vector<ScanPose>()> poses;
     /// Returns the finds in the mission; used after an undo, and at first.
     std::function<std::vector<FindSample>()> finds;
-    std::vector<ScanPose> earlierPoses;    ///< of the mission's earlier sessions
-    std::vector<CandidateSample> earlier;  ///< of the mission's earlier sessions
+    std::vector<ScanPose> earlierPoses;    ///< poses from the mission's earlier sessions
+    std::vector<CandidateSample> earlier;  ///< candidates from the mission's earlier sessions
     TagsOfProfiles tags;                   ///< which codes are tags of victims
     std::string profile;                   ///< score profile that the mission names at present
 };

@@ -16,7 +16,7 @@ class ReviewClock final : public QObject {
 public:
     explicit ReviewClock(const ViewContext& context);
 
-    [[nodiscard]] QWidget& bar() const;  ///< for the top bar
+    [[nodiscard]] QWidget& bar() const;  ///< widget for the top bar
 
 private:
     void show(const LiveMoment& moment);

@@ -20,7 +20,7 @@ class RobotsFeature final : public QObject {
 public:
     explicit RobotsFeature(const ViewContext& context);
 
-    [[nodiscard]] QWidget* bar() const;   ///< for the top bar
+    [[nodiscard]] QWidget* bar() const;   ///< widget for the top bar
     [[nodiscard]] QWidget* stop() const;  ///< STOP, for its corner; null: there are no robots to stop
 
 private:

@@ -21,7 +21,8 @@ struct IsolationSettings {
 /// Settings for finding mixed pixels in organised scans.
 struct MixedPixelSettings {
     double leastStep = 0.08;  ///< least range step to the surfaces on both sides [m]; a smaller step is noise
-    double steepness = 1.5;   ///< least range change per distance across the beams, for both steps
+    /// Both steps must change the range by at least this per distance across the beams.
+    double steepness = 1.5;
     int widest = 2;  ///< largest number of mixed pixels side by side; more points are a separate object
 };
 

@@ -17,8 +17,8 @@ struct alignas(32) KdBlock {
     std::array<float, BlockSize> x, y, z;
 };
 
-/// A reference to a node or a leaf, packed into one word so that the descent moves only that: index * 16 +
-/// number of blocks in the leaf (0 for a node).
+/// A reference to a node or a leaf, packed into one word so that the descent moves only one word. It is index
+/// * 16 + number of blocks in the leaf (0 for a node).
 class KdRef {
 public:
     static constexpr std::uint32_t MostBlocks = 15;  ///< largest number of blocks in a leaf
@@ -29,7 +29,7 @@ public:
     KdRef(std::uint32_t first, std::uint32_t blocks) : packed(first << 4 | blocks) {}
 
     [[nodiscard]] bool isNode() const { return (packed & MostBlocks) == 0; }
-    /// Index in KdStorage::nodes or in the blocks.
+    /// Index of the first node, or of a leaf's first block.
     [[nodiscard]] std::uint32_t first() const { return packed >> 4; }
     [[nodiscard]] std::uint32_t end() const {
         return (packed >> 4) + (packed & MostBlocks);

@@ -27,7 +27,8 @@ public:
     [[nodiscard]] static Result<StationFile> open(const std::filesystem::path& file,
                                                   const std::string& title);
 
-    [[nodiscard]] const StationIdentity& identity() const { return m_identity; }  ///< as it was at the start
+    /// Identity as it was at the start.
+    [[nodiscard]] const StationIdentity& identity() const { return m_identity; }
     [[nodiscard]] const std::string& warning() const {
         return m_warning;
     }  ///< text for people; empty when there is nothing to warn about

@@ -12,9 +12,9 @@ namespace leitstand {
 
 /// Where a scan was taken, by odometry and in the map, and how the robot moved while it was taken.
 struct ScanMotion {
-    Pose sensorInMap = Pose::Identity();   ///< as registered
+    Pose sensorInMap = Pose::Identity();   ///< pose by registration
     Pose sensorInOdom = Pose::Identity();  ///< by odometry and the configured mount
-    Pose sensorInBase = Pose::Identity();  ///< as configured
+    Pose sensorInBase = Pose::Identity();  ///< pose as configured
     /// Mean velocity and yaw rate of the base during the scan, by odometry, in the base's frame [m/s, rad/s].
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
     double yawRate = 0.0;

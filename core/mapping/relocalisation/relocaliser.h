@@ -30,7 +30,8 @@ struct RelocalisationSettings {
     double leastJudged = 0.25;
     /// Another place with at least this share of the best AlikePlace::fit() is as likely ...
     double alike = 0.85;
-    double alikeFilled = 2.0;  ///< ... this share falls by so many times AlikePlace::filled of the best place
+    /// ... this share is lowered by this multiple of the best place's AlikePlace::filled.
+    double alikeFilled = 2.0;
     /// Another place may lead a sure place by at most this in AlikePlace::score.
     double betterFromAbove = 0.02;
     /// Largest score from above of other places than a sure place, as a share of its score. These are places

@@ -15,7 +15,7 @@ struct KeyScanEntry {
     std::uint64_t id = 0;
     std::string robot;
     Time stamp{};                          ///< when it was added, station's clock
-    Pose sensorInBase = Pose::Identity();  ///< at the end of the sweep
+    Pose sensorInBase = Pose::Identity();  ///< pose at the end of the sweep
     Pose scanInMap = Pose::Identity();     ///< pose when it was added
     std::optional<Pose> sensorInOdom{};    ///< pose by odometry, at the end of the sweep
     std::uint64_t matched = 0;             ///< id of the scan that it was registered against; 0: none

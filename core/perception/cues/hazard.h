@@ -20,9 +20,9 @@ struct HazardSettings {
 
 /// A hazard placard: a square that stands on a corner.
 struct HazardPlacard {
-    /// What its colours mean: "explosive", "flammable", "gas", "wet", "combustible", "oxidizer", "peroxide",
-    /// "poison or infectious", "radioactive", "corrosive" (transport, classes 1 to 8), or "GHS" (white with a
-    /// red edge, with any pictogram).
+    /// What its colours mean. Transport (classes 1 to 8): "explosive", "flammable", "gas", "wet",
+    /// "combustible", "oxidizer", "peroxide", "poison or infectious", "radioactive", "corrosive". "GHS":
+    /// white with a red edge, with any pictogram.
     std::string name;
     std::array<Eigen::Vector2d, 4> corners;            ///< top, right, bottom, left [px]
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< middle of the placard [px]

@@ -43,7 +43,7 @@ struct StreamFacts {
     Qos qos;                 ///< usual QoS
     bool ofCamera = false;   ///< whether its topic is below the name of its camera
     bool picture = false;
-    /// Whether a robot has at most one: of two, it would be unclear which to obey or believe.
+    /// Whether a robot has at most one, because with two it would be unclear which to obey or believe.
     bool single = false;
     bool shared = false;    ///< whether robots may share one topic for this role
     bool steady = false;    ///< whether it is sent periodically; otherwise only on a change or a request

@@ -11,8 +11,8 @@ namespace leitstand {
 
 /// Requested turn rates of the cameras.
 struct PanTiltRate {
-    double pan = 0.0;   ///< to the left [rad/s]
-    double tilt = 0.0;  ///< upwards [rad/s]
+    double pan = 0.0;   ///< rate to the left [rad/s]
+    double tilt = 0.0;  ///< rate upwards [rad/s]
     friend bool operator==(const PanTiltRate&, const PanTiltRate&) = default;
 };
 

@@ -19,7 +19,7 @@ struct HeatTargetSettings {
 /// The point on a victim's surface that is nearest to the robot's front.
 struct HeatTarget {
     Eigen::Vector2d inBase = Eigen::Vector2d::Zero();  ///< position in base_link [m]
-    double distance = 0.0;                             ///< from the body's front [m]
+    double distance = 0.0;                             ///< distance from the body's front [m]
     double age = 0.0;                                  ///< age of the measurement [s]
     double top = 0.0;                                  ///< height of the thing there [m]
     bool certain = false;  ///< whether the heat is on this surface; otherwise it may be behind its edge

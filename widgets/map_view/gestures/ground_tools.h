@@ -15,8 +15,8 @@ namespace leitstand {
 class MapProjection;
 struct OverlayStyle;
 
-/// Gestures on the floor: draw a robot's pose (press for the place, drag for the heading, like the 2D goal of
-/// RViz), draw the corners of an area, or drag something.
+/// Gestures on the floor. The operator draws a robot's pose (press for the place, drag for the heading, like
+/// the 2D goal of RViz), draws the corners of an area, or drags something.
 class GroundTools {
 public:
     /// Starts drawing poses of @p robot.

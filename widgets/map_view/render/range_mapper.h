@@ -15,7 +15,7 @@ public:
     void setRange(double from, double to);
 
 protected:
-    void ComputeBounds() override;  ///< of all points
+    void ComputeBounds() override;  ///< sets the bounds of all points
     void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* data) override;
     void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
 

@@ -62,7 +62,7 @@ signals:
     /// @p needs: the trigger is held without effect, because trigger or sticks must be released first. False:
     /// no longer.
     void needsNeutral(bool needs);
-    void panTilt(const leitstand::PanTiltRate& rate);  ///< at 20 Hz while it is not zero, then one zero
+    void panTilt(const leitstand::PanTiltRate& rate);  ///< sent at 20 Hz while it is not zero, then one zero
     void stopPressed();
     void commandWanted(const QString& id);
     void connected(const QString& name);

@@ -39,8 +39,8 @@ private:
         std::uint64_t bytes = 0;
     };
     void measure(const DiskReading& reading);
-    /// Adds an alarm to @p changed if it begins or ends. @p raised: whether the alarm is to be on. @p text is
-    /// used when it begins, @p over when it ends.
+    /// Adds an alarm to @p changed if it begins or ends. @p raised: whether its condition is true. @p text:
+    /// used when it begins. @p over: used when it ends.
     void judge(BagAlarm::Kind kind, bool raised, const std::string& text, const std::string& over,
                std::vector<BagAlarm>& changed);
 

@@ -27,7 +27,7 @@ struct GuardTiming {
     /// Longest time between pulses while the station drives.
     std::chrono::nanoseconds silence = std::chrono::milliseconds(200);
     std::chrono::nanoseconds zeros = std::chrono::seconds(2);         ///< how long zeros are sent
-    std::chrono::nanoseconds period = std::chrono::milliseconds(50);  ///< between zeros
+    std::chrono::nanoseconds period = std::chrono::milliseconds(50);  ///< time between zeros
     /// Another sender is assumed to drive for this long after a command.
     std::chrono::nanoseconds others = std::chrono::seconds(1);
 };

@@ -19,8 +19,8 @@ public:
 
     /// Returns the direction towards the part of the hall's light that casts shadows; unit length.
     [[nodiscard]] static const Eigen::Vector3f& towardsHall();
-    /// Returns how much of the light from towardsHall() reaches a surface with @p normal that is not in
-    /// shadow.
+    /// Returns how much of the light from towardsHall() reaches a surface that is not in shadow. @p normal:
+    /// normal of the surface.
     [[nodiscard]] float direct(const Eigen::Vector3f& normal) const;
     /// Returns all other light that reaches a surface at @p point. Together with direct() this is about 1 for
     /// a white wall in a bright hall.

@@ -50,8 +50,8 @@ private:
     const InertialUnit& m_unit;
     Schedule m_schedule;
     bool m_odometryEnabled = true, m_transformsEnabled = true, m_begun = false;
-    Encoders m_before;    ///< at the last run
-    Encoders m_reported;  ///< at the last step
+    Encoders m_before;    ///< as read in the last run
+    Encoders m_reported;  ///< as read in the last step
     DeadReckoning m_reckoning;
 };
 
