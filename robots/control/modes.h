@@ -51,8 +51,7 @@ struct ModeSettings {
     /// Rules of autonomous modes; a mode that is missing has Stop.
     std::map<std::string, LinkLossRule> linkLoss;
     bool hasRemote = false;
-    bool neutralFirst =
-        true;  ///< whether sticks must be released before they drive; stock robots do not require this
+    bool neutralFirst = true;  ///< sticks must be released before they drive; not so on stock robots
     std::vector<DriveMode> modes = {DriveMode::Teleoperation, DriveMode::SafeTeleoperation,
                                     DriveMode::Explore,
                                     DriveMode::VictimApproach};  ///< modes that may be requested

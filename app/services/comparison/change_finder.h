@@ -43,9 +43,8 @@ private:
     std::optional<MapPtr> m_wanted;  ///< requested map whose search has not begun
     MapChangesPtr m_changes;
     std::stop_source m_atWork;  ///< stopped when another map is requested
-    bool m_another =
-        false;  ///< the requested map does not continue the last one, so it is searched without pauses
-    std::jthread m_thread;  ///< the last member, so that it is joined first
+    bool m_another = false;     ///< the new map does not continue the last one: search without pauses
+    std::jthread m_thread;      ///< the last member, so that it is joined first
 };
 
 }  // namespace leitstand

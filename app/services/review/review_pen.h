@@ -66,7 +66,7 @@ public:
 
 private:
     Result<void> open();
-    /// State(); if it is null, the state that was read; null: neither exists.
+    /// The state(); if that is null, the state that was read; null: neither exists.
     [[nodiscard]] MissionStatePtr newest() const;
     [[nodiscard]] std::shared_ptr<LiveMission> mission() const;  ///< null: nothing was written yet
     Result<void> record(const Sample& sample, std::string_view topic);

@@ -80,8 +80,8 @@ public:
     [[nodiscard]] bool isAdopted(std::uint64_t id) const;
 
     static constexpr std::chrono::seconds LongestWait{60};  ///< how long poses wait for their scans
-    static constexpr std::chrono::seconds UntilDecided{
-        10};  ///< how long it is unknown who makes the map; heartbeats are sent every second
+    /// How long it is unknown who makes the map; heartbeats are sent every second.
+    static constexpr std::chrono::seconds UntilDecided{10};
     static constexpr std::size_t MostUndecidedBytes = std::size_t{256} << 20U;
     static constexpr std::size_t MostWaiting = 4096;  ///< largest number of waiting samples per station
     /// Largest number of waiting key scans per station, with all their points.

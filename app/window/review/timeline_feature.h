@@ -54,7 +54,7 @@ private:
     TimelineBar* m_bar;
     QAction *m_play = nullptr, *m_back = nullptr;
     TimelineAxis m_axis;
-    /// M_own: those made in the review; m_marks: all, by rising time.
+    /// Marks by rising time: m_own has those made in the review, m_marks has all.
     std::vector<TimelineMark> m_own, m_marks;
     double m_speed = 1.0;  ///< how many times as fast as real time it plays
 };

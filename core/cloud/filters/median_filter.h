@@ -12,8 +12,8 @@ struct MedianFilterSettings {
     /// If a range differs by more than this from the median of 7 (itself and 3 on each side), it is replaced
     /// by the median [m].
     double outlier = 0.20;
-    double joinDistance =
-        0.08;  ///< neighbours nearer than this are joined [m]; 0.05 keeps a fifth of half-degree scans
+    /// Neighbours nearer than this are joined [m]; 0.05 keeps only a fifth of half-degree scans.
+    double joinDistance = 0.08;
     double longestRun = 0.20;  ///< largest distance of a point in a run from the run's first point [m]
     double minRange = 0.4, maxRange = 30.0;  ///< nearer and farther points are left out [m]
 };

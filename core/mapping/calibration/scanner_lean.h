@@ -31,7 +31,7 @@ public:
     [[nodiscard]] Eigen::Vector2d deviation() const;
 
 private:
-    /// X and y of the map's z axis (its tilt), then the lean.
+    /// The x and y of the map's z axis (its tilt), then the lean.
     Eigen::Vector4d m_state = Eigen::Vector4d::Zero();
     Eigen::Matrix4d m_covariance = first();
 

@@ -80,7 +80,7 @@ private:
 
     MotionBuffer m_motion;
     std::optional<Time> m_newest;  ///< stamp of the odometry
-    /// Base_link in the map, from a fix for which odometry has not arrived yet.
+    /// Pose of base_link in the map, from a fix for which odometry has not arrived yet.
     std::optional<Pose> m_waiting;
     int m_frame = 0;  ///< number of the odometry of odomInMap
     std::vector<Footstep> m_trail;

@@ -73,9 +73,8 @@ private:
     VictimForm* m_form;
     FormPictures* m_pictures;
     std::optional<FindSample> m_shown;  ///< what the form showed before it was edited
-    std::optional<FindKey> m_asked,
-        /// M_asked: find whose correction is being written; m_corrected: find whose newest state is shown.
-        m_corrected;
+    /// The correction of m_asked is being written; the newest state of m_corrected is shown.
+    std::optional<FindKey> m_asked, m_corrected;
     FindMoves m_moves;
     std::vector<QAction*> m_ofChosen;  ///< commands for the selected find
     QAction *m_confirm = nullptr, *m_discard = nullptr, *m_undo = nullptr;

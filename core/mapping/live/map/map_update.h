@@ -20,7 +20,7 @@ struct Localisation {
     std::string robot;
     Time stamp{};                       ///< end of the scan, robot's clock
     Pose baseInMap = Pose::Identity();  ///< base_link at that time
-    /// Base_link at that time, predicted by odometry from the previous scan.
+    /// Pose of base_link at that time, predicted by odometry from the previous scan.
     Pose guessInMap = Pose::Identity();
     Pose odomInMap = Pose::Identity();  ///< pose of the odometry's frame in the map from then on
     ScanTrust trust = ScanTrust::Certain;
