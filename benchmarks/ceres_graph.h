@@ -4,14 +4,14 @@
 
 namespace leitstand::benchmarks {
 
-/// What Ceres came to.
+/// The result of Ceres.
 struct CeresResult {
     double cost = 0.0;
     int iterations = 0;
 };
 
-/// Solves @p graph by Ceres with its best sparse backend on one thread, derivatives by its automatic
-/// differentiation, as its own example of pose graphs does; the node with the lowest id stays.
+/// Solves @p graph with Ceres, using its best sparse backend on one thread. Derivatives come from its
+/// automatic differentiation, as in its own example of pose graphs. The node with the lowest id stays.
 [[nodiscard]] CeresResult solveByCeres(const PoseGraph& graph);
 
 }  // namespace leitstand::benchmarks

@@ -9,17 +9,18 @@
 
 namespace leitstand::benchmarks {
 
-/// A scan of the hall with what all benchmarks take from it.
+/// A scan of the hall, with what all benchmarks need from it.
 struct HallScan {
-    Scan scan;         ///< as read: organised, every point
-    PointCloud cloud;  ///< points between 0.48 and 25 m, in scan order; no normals, no labels
+    Scan scan;         ///< as read: organised, with all points
+    PointCloud cloud;  ///< points between 0.48 and 25 m, in scan order; without normals and labels
     Pose guessInFirst = Pose::Identity();  ///< odometry, in the frame of scan000
 };
 
-/// The three real scans, read once. Throws std::runtime_error when they are absent or cannot be read.
+/// The three real scans, which are read once. Throws std::runtime_error when they are missing or cannot be
+/// read.
 [[nodiscard]] const std::vector<HallScan>& hall();
 
-/// @p points with @p pose applied [m].
+/// Returns @p points transformed by @p pose [m].
 [[nodiscard]] std::vector<Eigen::Vector3f> moved(const Pose& pose,
                                                  const std::vector<Eigen::Vector3f>& points);
 

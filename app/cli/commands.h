@@ -34,11 +34,11 @@ void addConvert(CLI::App& app, int& exitCode);
 void addThin(CLI::App& app, int& exitCode);
 /// `tidy`: relaxes the map of a mission.
 void addTidy(CLI::App& app, int& exitCode);
-/// `merge`: brings the maps of two missions into one.
+/// `merge`: joins the maps of two missions.
 void addMerge(CLI::App& app, int& exitCode);
 /// `changes`: lists what changed between the missions of a map.
 void addChanges(CLI::App& app, int& exitCode);
-/// `probe`: lists the robots and topics of a domain, and what fits.
+/// `probe`: lists the robots and topics of a domain, and what each topic can be used for.
 void addProbe(CLI::App& app, int& exitCode);
 
 }  // namespace leitstand::cli

@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Returns what came and what went since the earlier missions. Empty when nothing was compared, as in a map
-/// of a single mission.
+/// Returns a section about what appeared and disappeared since the earlier missions. Empty when nothing was
+/// compared, as in a map of a single mission.
 [[nodiscard]] QString changesHtml(const ReportContent& content);
 
 }  // namespace leitstand

@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Returns what was searched with each kind of sensor, and the largest regions of floor that were missed.
-/// Empty when no floor is known.
+/// Returns a section about what was searched with each kind of sensor, and the largest regions of floor that
+/// were missed. Empty when no floor is known.
 [[nodiscard]] QString coverageHtml(const ReportContent& content);
 
 }  // namespace leitstand

@@ -7,12 +7,12 @@
 
 namespace leitstand {
 
-/// Returns the name by which findHtml() embeds a picture. @p find: index of the find; @p picture: index of
+/// Returns the name under which findHtml() embeds a picture. @p find: index of the find; @p picture: index of
 /// its picture; both from 0.
 [[nodiscard]] QString evidenceName(std::size_t find, std::size_t picture);
 
 /// Returns the first pages, one string per section: mission, robots, finds, searched floor, changes, score,
-/// what was computed where, what is missing.
+/// where results were computed, and what is missing.
 [[nodiscard]] QStringList overviewHtml(const ReportContent& content);
 /// Returns the form and evidence of the find with index @p find in @p content.
 [[nodiscard]] QString findHtml(const ReportContent& content, std::size_t find);

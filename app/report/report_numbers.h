@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// Returns @p value with @p digits decimals in the report's language; a dash when it is not finite.
+/// Returns @p value with @p digits decimals in the report's language; a dash if it is not finite.
 [[nodiscard]] QString reportNumber(double value, int digits);
 
 }  // namespace leitstand

@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Returns the estimate of the score: profile with its version, points of every find, penalties, and profile
-/// values without a readable source. Empty without a profile.
+/// Returns a section about the estimated score: profile with its version, points of every find, penalties,
+/// and values of the profile without a readable source. Empty without a profile.
 [[nodiscard]] QString scoreHtml(const ReportContent& content);
 
 }  // namespace leitstand

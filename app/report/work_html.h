@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Returns what was autonomous and what was computed where in this mission: on robots, on stations, by
-/// people.
+/// Returns a section about what was autonomous in this mission, and what was computed on robots, on stations,
+/// or done by people.
 [[nodiscard]] QString workHtml(const ReportContent& content);
 
 }  // namespace leitstand

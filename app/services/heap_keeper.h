@@ -8,9 +8,9 @@
 
 namespace leitstand {
 
-/// Returns free memory to the system at an interval, on its own thread. In the heap of a station, scans that
-/// stay lie between slices, pictures and queues that are freed. Without this, after an hour a fifth of its
-/// memory would be free but still held.
+/// Returns free memory to the system at an interval, on its own thread. In a station's heap, scans that are
+/// kept lie between slices, pictures and queues that are freed. Without this, a fifth of its memory would be
+/// free but still held after an hour.
 class HeapKeeper {
 public:
     explicit HeapKeeper(std::chrono::milliseconds interval = std::chrono::seconds(20),

@@ -7,27 +7,27 @@
 
 namespace leitstand {
 
-/// Runs @p what if, during the life of this object, the process is asked to end and hangs
-/// (InterruptGuard::End::Surely), for example to close a log. Runs it on a separate thread before the process
-/// is ended by force. Any thread.
+/// Runs @p what if the process is asked to end and hangs (InterruptGuard::End::Surely) while this object
+/// exists; for example to close a log. Runs it on a separate thread before the process is ended by force. Any
+/// thread.
 class WhenLate {
 public:
     explicit WhenLate(std::function<void()> what);
-    ~WhenLate();  ///< waits while @p what runs
+    ~WhenLate();  ///< waits while @p what is running
     WhenLate(const WhenLate&) = delete;
     WhenLate& operator=(const WhenLate&) = delete;
 };
 
-/// While it lives, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP requests the work to stop instead of ending
-/// the process. Further signals within half a second count as the same request. A later one ends the process,
-/// except SIGHUP, which comes twice when a terminal closes. A signal that was ignored before stays ignored
+/// While it exists, the first Ctrl-C (SIGINT), SIGTERM or SIGHUP requests the work to stop, instead of ending
+/// the process. Further signals within half a second are ignored. A later one ends the process, except
+/// SIGHUP, which is sent twice when a terminal closes. A signal that was ignored before is still ignored
 /// (nohup ignores SIGHUP). At most one guard at a time.
 class InterruptGuard {
 public:
     enum class End : std::uint8_t {
-        Orderly,  ///< however long the work takes
-        /// Within 5 s of the signal, even when threads of libraries hang. After 3 s the actions of WhenLate
-        /// run, then the process ends with status 1. Stays in force after the guard is destroyed.
+        Orderly,  ///< the work may take any time
+        /// Within 5 s after the signal, even if threads of libraries hang. After 3 s the actions of WhenLate
+        /// are run, then the process ends with status 1. Remains in force after the guard is destroyed.
         Surely,
     };
     explicit InterruptGuard(End end = End::Orderly);
@@ -35,7 +35,7 @@ public:
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-    /// Returns the token whose stop is requested, on a thread of the guard, when the signal has come.
+    /// Returns a token; its stop is requested on a thread of the guard when a signal has arrived.
     [[nodiscard]] std::stop_token token() const { return m_source.get_token(); }
 
 private:

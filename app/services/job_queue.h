@@ -9,21 +9,21 @@
 
 namespace leitstand {
 
-/// Jobs for one worker, in order, each with its own stop source. A cancel reaches both the running job and
-/// jobs that have not begun.
+/// Jobs for one worker, in order, each with its own stop source. cancel() stops both the running job and jobs
+/// that have not begun.
 class JobQueue {
 public:
-    /// What a worker runs; stop is requested on @p cancelled when nobody wants the job any more.
+    /// What a worker runs. Stop is requested on @p cancelled when nobody needs the job any more.
     using Job = std::function<void(std::stop_token cancelled)>;
 
-    /// Adds @p job; any thread. Unbounded: jobs are single requests of an operator.
+    /// Adds @p job; any thread. The queue is not limited, since jobs are single requests of an operator.
     void submit(Job job, bool cancellable = true);
-    /// Adds @p job before all waiting jobs, for a caller that waits for it.
+    /// Adds @p job in front of all waiting jobs, for a caller that waits for it.
     void submitFirst(Job job);
     /// Cancels the running job and all waiting jobs, except those that are not cancellable. Cancelled jobs
-    /// still run, and see that they are cancelled.
+    /// are still run, and can see that they are cancelled.
     void cancel();
-    /// Runs jobs until @p stop.
+    /// Runs jobs until @p stop is requested.
     void work(const std::stop_token& stop);
 
 private:
@@ -37,7 +37,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable_any m_arrived;
     std::deque<Entry> m_waiting;
-    std::optional<std::stop_source> m_atWork;  ///< of the running job, if it is cancellable
+    std::optional<std::stop_source> m_atWork;  ///< stop source of the running job, if it is cancellable
 };
 
 }  // namespace leitstand

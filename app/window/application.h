@@ -2,7 +2,8 @@
 
 namespace leitstand {
 
-/// Runs the station with its command line; returns the process's exit status: 0 ok, 1 failed, 2 wrong usage.
+/// Runs the station with its command line. Returns the exit status of the process: 0 success, 1 failure, 2
+/// wrong usage.
 [[nodiscard]] int runStation(int argc, char** argv);
 
 }  // namespace leitstand

@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// Keeps bytes that are seldom needed, outside of main memory. Any thread.
+/// Stores bytes that are rarely needed, outside main memory. Any thread.
 class PageStore {
 public:
     PageStore() = default;
@@ -15,12 +15,12 @@ public:
     PageStore(const PageStore&) = delete;
     PageStore& operator=(const PageStore&) = delete;
 
-    /// Stores @p bytes (at least one) and returns the number of their page; empty when there is no space.
+    /// Stores @p bytes (at least one) and returns the number of their page. Empty when there is no space.
     [[nodiscard]] virtual std::optional<std::uint64_t> put(std::span<const std::byte> bytes) = 0;
-    /// Copies the bytes of @p page to @p into, which must be as long as the bytes that were put. Returns
-    /// false when the page cannot be read.
+    /// Copies the bytes of @p page to @p into, which must have the same length. Returns false when the page
+    /// cannot be read.
     [[nodiscard]] virtual bool read(std::uint64_t page, std::span<std::byte> into) const = 0;
-    /// Releases @p page of @p bytes bytes; nobody may read it afterwards.
+    /// Releases @p page, which has @p bytes bytes. It must not be read any more.
     virtual void release(std::uint64_t page, std::size_t bytes) = 0;
 };
 

@@ -4,8 +4,8 @@
 
 namespace leitstand {
 
-/// Position and attitude of a frame in another one, named aInB (REP 103: right-handed, x forward, y left,
-/// z up) [m].
+/// Position [m] and attitude of a frame in another frame (REP 103: right-handed, x forward, y left, z up). A
+/// variable named aInB has the pose of a in b.
 using Pose = Eigen::Isometry3d;
 
 /// @p value degrees in radians.
@@ -21,20 +21,20 @@ constexpr double inDegrees(double radians) {
 /// A pose from a position [m] and roll, pitch, yaw [rad] (R = Rz(yaw) Ry(pitch) Rx(roll), REP 103).
 [[nodiscard]] Pose poseFrom(const Eigen::Vector3d& position, double roll, double pitch, double yaw);
 
-/// Angle by which two poses differ [rad], between 0 and pi.
+/// Angle between the attitudes of two poses [rad], from 0 to pi.
 [[nodiscard]] double angleBetween(const Pose& a, const Pose& b);
 
-/// Distance of the origins of two poses [m].
+/// Distance between the origins of two poses [m].
 [[nodiscard]] double distanceBetween(const Pose& a, const Pose& b);
 
-/// The pose at @p share (0 to 1) of the way from @p a to @p b: straight line, shortest turn.
+/// The pose after @p share (0 to 1) of the way from @p a to @p b: in a straight line, with the shortest turn.
 [[nodiscard]] Pose interpolated(const Pose& a, const Pose& b, double share);
 
 /// Returns @p pose with numerical drift removed from its rotation.
 [[nodiscard]] Pose orthonormalised(const Pose& pose);
 
-/// Returns the motion of a twist: translation first [m], then the rotation vector [rad]. Approximates
-/// exp([v, w]): translation is taken as it is (the Jacobian is neglected), rotation by Rodrigues' formula.
+/// Returns the motion of a twist: translation [m], then the rotation vector [rad]. It approximates exp([v,
+/// w]): the translation is used as it is (neglecting the Jacobian), the rotation follows Rodrigues' formula.
 [[nodiscard]] Pose poseFromTwist(const Eigen::Matrix<double, 6, 1>& translationThenRotation);
 
 }  // namespace leitstand

@@ -5,10 +5,10 @@
 
 namespace leitstand {
 
-/// Reports how far a long piece of work is, and carries the request to cancel it.
+/// Reports the progress of a long piece of work, and carries the request to cancel it.
 struct Progress {
     std::function<void(double fraction)> report;  ///< 0 to 1, called on the worker's thread; may be empty
-    std::stop_token stop;                         ///< checked often enough to end within some 100 ms
+    std::stop_token stop;                         ///< checked often enough to end within about 100 ms
 
     void done(double fraction) const {
         if (report) report(fraction);

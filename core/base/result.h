@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// Why an expected failure happened: names the file, the place in it and what was expected.
+/// Why something failed, as can be expected to happen. Names the file, the place in it and what was expected.
 struct Error {
     std::string text;
 };

@@ -4,14 +4,14 @@
 
 namespace leitstand {
 
-/// Vector instructions that this program has code for; all levels give the same answers.
+/// Vector instructions for which this program has code. All levels give the same results.
 enum class SimdLevel : std::uint8_t {
-    Plain,  ///< what every processor of the architecture has
+    Plain,  ///< what every processor of this architecture has
     Avx2,   ///< 8 floats at a time
 };
 
-/// Returns the best level of this processor. The environment variable LEITSTAND_SIMD=plain, read once,
-/// forbids all levels above Plain.
+/// Returns the best level that this processor supports. The environment variable LEITSTAND_SIMD=plain, which
+/// is read once, forbids all levels above Plain.
 [[nodiscard]] SimdLevel simdLevel();
 
 }  // namespace leitstand

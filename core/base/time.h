@@ -4,9 +4,9 @@
 
 namespace leitstand {
 
-/// A moment on a robot's or the station's clock: nanoseconds since the Unix epoch.
+/// A time on a robot's or the station's clock: nanoseconds since the Unix epoch.
 using Time = std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds>;
-/// A moment on this computer's monotonic clock, which nobody sets.
+/// A time on this computer's monotonic clock, which is never set.
 using SteadyTime = std::chrono::steady_clock::time_point;
 
 [[nodiscard]] inline SteadyTime steadyNow() {
@@ -19,7 +19,7 @@ template <class Count, class Period>
     return std::chrono::duration<double>(duration).count();
 }
 
-/// Time from @p from to @p to in seconds; negative where @p to is earlier.
+/// Time from @p from to @p to in seconds; negative if @p to is earlier.
 template <class Clock, class From, class To>
 [[nodiscard]] constexpr double secondsBetween(std::chrono::time_point<Clock, From> from,
                                               std::chrono::time_point<Clock, To> to) {

@@ -19,8 +19,8 @@ public:
         return *this;
     }
 
-    /// Returns the commonest label; of equally common ones the last of the enumeration, so that any label
-    /// wins a tie with Unlabelled.
+    /// Returns the most common label. If several are equally common, returns the last of them in the
+    /// enumeration, so that any other label wins against Unlabelled.
     [[nodiscard]] Label commonest() const {
         const auto last = std::max_element(m_votes.rbegin(), m_votes.rend());
         return static_cast<Label>(m_votes.rend() - last - 1);

@@ -44,8 +44,8 @@ Returned visitOneOf(TypeList<Types...> /*types*/, Visitor& visitor, Given& sampl
 
 }  // namespace detail
 
-/// Calls @p visitor with the content of @p sample and returns the visitor's result, which must have one type
-/// for all contents. Throws std::logic_error when there is no content.
+/// Calls @p visitor with the content of @p sample and returns the visitor's result, whose type must be the
+/// same for all contents. Throws std::logic_error when there is no content.
 template <class Visitor>
 decltype(auto) visit(Visitor&& visitor, const Sample& sample) {
     using Returned = std::invoke_result_t<Visitor&, const OdometrySample&>;

@@ -9,28 +9,29 @@
 
 namespace leitstand {
 
-/// Points of a 3D scanner: a slice of its sweep or a whole sweep (sensor_msgs/msg/PointCloud2).
+/// Points of a 3D scanner: a slice of its sweep, or a whole sweep (sensor_msgs/msg/PointCloud2).
 struct CloudSample {
     SampleHeader header;
-    int rows = 0, columns = 0;            ///< row-major grid of the message; 0 x 0 when unorganised
-    std::vector<Eigen::Vector3f> points;  ///< in the header's frame [m]; no echo: x, y, z NaN
-    std::vector<float> intensities;       ///< empty, or one a point; as the sensor gives them
-    std::vector<std::int64_t> times;  ///< empty, or one a point: after the header's stamp [ns], may be < 0
-    std::vector<std::int32_t> rings;  ///< empty, or one a point: row of the raw scan
+    int rows = 0, columns = 0;  ///< rows and columns of the message's grid (row by row); 0 x 0: unorganised
+    std::vector<Eigen::Vector3f> points;  ///< in the header's frame [m]; NaN: no echo
+    std::vector<float> intensities;       ///< empty, or one per point, in the sensor's units
+    /// Empty, or one per point: time after the header's stamp [ns]; may be negative.
+    std::vector<std::int64_t> times;
+    std::vector<std::int32_t> rings;  ///< empty, or one per point: row of the raw scan
 
     [[nodiscard]] bool organised() const { return rows > 0 && columns > 0; }
 };
 
 /// One turn of a plane laser scanner (sensor_msgs/msg/LaserScan).
 struct RangesSample {
-    SampleHeader header;                    ///< stamp: of the first ray
-    double angleMin = 0.0;                  ///< of the first ray, about z, counter-clockwise [rad]
-    double angleStep = 0.0;                 ///< from ray to ray [rad]; not 0 where there are rays
-    double timeStep = 0.0;                  ///< from ray to ray [s]
-    double turnTime = 0.0;                  ///< from turn to turn [s]
-    double rangeMin = 0.0, rangeMax = 0.0;  ///< ranges outside are no echo [m]
-    std::vector<float> ranges;              ///< [m]; may be NaN or infinite: no echo
-    std::vector<float> intensities;         ///< empty, or one a ray
+    SampleHeader header;                    ///< its stamp is that of the first ray
+    double angleMin = 0.0;                  ///< angle of the first ray about z, counter-clockwise [rad]
+    double angleStep = 0.0;                 ///< angle between rays [rad]; not 0 if there are rays
+    double timeStep = 0.0;                  ///< time between rays [s]
+    double turnTime = 0.0;                  ///< time between turns [s]
+    double rangeMin = 0.0, rangeMax = 0.0;  ///< smaller and larger ranges are no echo [m]
+    std::vector<float> ranges;              ///< [m]; NaN or infinite: no echo
+    std::vector<float> intensities;         ///< empty, or one per ray
 };
 
 }  // namespace leitstand

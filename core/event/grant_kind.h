@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// What a station may hold: driving a robot, moving its cameras, registering the map.
+/// What a station may hold: the right to drive a robot, to move its cameras, or to register the map.
 enum class GrantKind : std::uint8_t { Drive, Camera, Map };
 
 }  // namespace leitstand

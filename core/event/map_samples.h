@@ -16,15 +16,15 @@ namespace leitstand {
 
 /// A scan that entered the map, labelled and reduced, with its first pose.
 struct KeyScanSample {
-    Time stamp{};                          ///< station's clock
-    std::uint64_t id = 0;                  ///< of the scan within the mission, from 1
+    Time stamp{};                          ///< when the scan entered the map, station's clock
+    std::uint64_t id = 0;                  ///< id of the scan within the mission, from 1
     ScanPtr scan;                          ///< never null
-    Pose sensorInBase = Pose::Identity();  ///< at the end of the sweep
-    Pose scanInMap = Pose::Identity();     ///< when it entered the map; ScanPosesSample corrects it
-    std::uint64_t matched = 0;             ///< id of the scan it was registered against; 0: none
+    Pose sensorInBase = Pose::Identity();  ///< pose at the end of the sweep
+    Pose scanInMap = Pose::Identity();  ///< pose when the scan entered the map; ScanPosesSample corrects it
+    std::uint64_t matched = 0;          ///< id of the scan that it was registered against; 0: none
 };
 
-/// Poses that a registration or a correction changed, all at once; also the operator's decisions on them.
+/// Poses that a registration or a correction changed, all together. Also the operator's decisions about them.
 struct ScanPosesSample {
     enum class Cause : std::uint8_t { Registration, LoopClosure, Operator };
     Time stamp{};  ///< station's clock
@@ -33,34 +33,36 @@ struct ScanPosesSample {
     std::vector<ScanPose> poses;
 };
 
-/// The part of the world that belongs in the map from now on: the operator's decision.
+/// The area that belongs to the map from now on, as the operator decided.
 struct MapCropSample {
     Time stamp{};  ///< station's clock
     std::string station;
-    std::vector<Eigen::Vector2d> polygon;                      ///< corners, map frame [m]; empty: everything
-    double ceiling = std::numeric_limits<double>::infinity();  ///< points above are left out, map frame [m]
+    std::vector<Eigen::Vector2d> polygon;  ///< corners in the map [m]; empty: everything belongs to it
+    /// Points above this height are left out, in the map [m].
+    double ceiling = std::numeric_limits<double>::infinity();
 };
 
-/// Pose of a robot in the map that another robot's scans made, and how well its own laser confirms it.
+/// Pose of a robot in the map that another robot's scans made, and how well its own laser confirms the pose.
 struct RobotPlaceSample {
     enum class Cause : std::uint8_t {
-        Slot,        ///< searched for beside the robot that makes the map
+        Slot,        ///< searched for and found beside the robot that makes the map
         Operator,    ///< placed by the operator
-        Tracked,     ///< tracked since
-        FoundAgain,  ///< searched for and found away from where odometry put it
-        Seen,        ///< searched for and found where another robot sees something of its size
+        Tracked,     ///< tracked since it was placed
+        FoundAgain,  ///< lost, searched for, and found away from where odometry put it
+        Seen,        ///< searched for and found at a place where another robot sees something of its size
     };
     Time stamp{};  ///< station's clock
     std::string station;
     std::string robot;
     Cause cause = Cause::Tracked;
-    Time measured{};                    ///< robot's clock
-    Pose baseInMap = Pose::Identity();  ///< at @ref measured
-    Pose odomInMap = Pose::Identity();  ///< odometry's frame from @ref measured on, levelled by the gyros
-    double certainty = 0.0;             ///< 0 to 1
-    double overlap = 0.0;               ///< share of what the robot sees that is in the map
-    bool certain = false;               ///< false: from here, only odometry moves the robot on
-    std::string how;                    ///< why it is certain or not, as a code (placement_format.h)
+    Time measured{};                    ///< time of the measurement, robot's clock
+    Pose baseInMap = Pose::Identity();  ///< base_link at @ref measured
+    /// Pose of odometry's frame from @ref measured on, levelled by the gyros.
+    Pose odomInMap = Pose::Identity();
+    double certainty = 0.0;  ///< certainty of the pose, 0 to 1
+    double overlap = 0.0;    ///< share of what the robot sees that fits the map
+    bool certain = false;    ///< false: from here on, only odometry moves the robot
+    std::string how;         ///< why it is certain or not, as a code (placement_format.h)
 };
 
 }  // namespace leitstand

@@ -12,24 +12,25 @@
 
 namespace leitstand {
 
-/// Pose and velocity of a robot by its wheels or tracks (nav_msgs/msg/Odometry).
+/// Pose and velocity of a robot from its wheels or tracks (nav_msgs/msg/Odometry).
 struct OdometrySample {
-    SampleHeader header;                                ///< frame: of the odometry, "kurt3d/odom"
+    SampleHeader header;                                ///< its frame is that of the odometry, "kurt3d/odom"
     std::string childFrame;                             ///< "kurt3d/base_link"
-    Pose baseInOdom = Pose::Identity();                 ///< child frame in header's frame
+    Pose baseInOdom = Pose::Identity();                 ///< pose of the child frame in the header's frame
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< velocity, in the child frame [m/s]
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< velocity, in the child frame [rad/s]
-    std::array<double, 36> poseCovariance{};            ///< x y z roll pitch yaw, row-major; 0: unknown
-    std::array<double, 36> twistCovariance{};           ///< x y z roll pitch yaw, row-major; 0: unknown
+    std::array<double, 36> poseCovariance{};            ///< for x y z roll pitch yaw, row by row; 0: unknown
+    std::array<double, 36> twistCovariance{};           ///< for x y z roll pitch yaw, row by row; 0: unknown
 };
 
-/// Measurements of an inertial unit (sensor_msgs/msg/Imu); empty where it does not measure.
+/// Measurements of an inertial unit (sensor_msgs/msg/Imu). What it does not measure is empty.
 struct ImuSample {
     SampleHeader header;
-    std::optional<Eigen::Quaterniond> orientation;      ///< unit length, header's frame in a level frame
+    /// Of unit length: rotation of the header's frame in a level frame.
+    std::optional<Eigen::Quaterniond> orientation;
     std::optional<Eigen::Vector3d> angularVelocity;     ///< [rad/s]
-    std::optional<Eigen::Vector3d> linearAcceleration;  ///< with gravity: +9.81 upwards at rest [m/s2]
-    std::array<double, 9> orientationCovariance{};      ///< row-major; 0: unknown
+    std::optional<Eigen::Vector3d> linearAcceleration;  ///< including gravity: +9.81 upwards at rest [m/s2]
+    std::array<double, 9> orientationCovariance{};      ///< row by row; 0: unknown
     std::array<double, 9> angularVelocityCovariance{};
     std::array<double, 9> linearAccelerationCovariance{};
 };
@@ -38,16 +39,16 @@ struct ImuSample {
 struct JointSample {
     SampleHeader header;
     std::vector<std::string> names;
-    std::vector<double> positions;   ///< empty, or one a name [rad, m]
-    std::vector<double> velocities;  ///< empty, or one a name [rad/s, m/s]
-    std::vector<double> efforts;     ///< empty, or one a name [Nm, N]
+    std::vector<double> positions;   ///< empty, or one per name [rad, m]
+    std::vector<double> velocities;  ///< empty, or one per name [rad/s, m/s]
+    std::vector<double> efforts;     ///< empty, or one per name [Nm, N]
 };
 using TrackCommand = JointSample;    ///< velocities of the tracks
 using PanTiltCommand = JointSample;  ///< positions of left_pan, left_tilt, right_pan, right_tilt
 
 /// Pose of one frame in another.
 struct FrameTransform {
-    SampleHeader header;  ///< frame: the parent
+    SampleHeader header;  ///< its frame is the parent
     std::string childFrame;
     Pose childInParent = Pose::Identity();
 };
@@ -65,8 +66,8 @@ struct PoseSample {
 
 /// A drive command (geometry_msgs/msg/Twist or TwistStamped).
 struct TwistSample {
-    std::optional<Time> stamp;  ///< of TwistStamped; empty: the stamp is zero there, or it is a Twist
-    std::string frame;          ///< of TwistStamped; may be empty
+    std::optional<Time> stamp;  ///< for TwistStamped; empty: its stamp is zero, or the command is a Twist
+    std::string frame;          ///< for TwistStamped; may be empty
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< in the robot's base frame [m/s]
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
 };

@@ -49,11 +49,11 @@ struct TransformsSample;
 struct TwistSample;
 struct UndoSample;
 
-/// A list of types, which need not be defined.
+/// A list of types; these may be undefined.
 template <class... Types>
 struct TypeList {
     static constexpr std::size_t Size = sizeof...(Types);
-    /// Returns the place of @p Type in the list, from 0; Size when @p Type is not in it.
+    /// Returns the index of @p Type in the list, from 0; Size if it is not in the list.
     template <class Type>
     static constexpr std::size_t indexOf() {
         std::size_t index = 0;
@@ -62,7 +62,7 @@ struct TypeList {
     }
 };
 
-/// All types that the content of a Sample may have. Neither log nor wire depends on their order.
+/// All types that the content of a Sample may have. Their order affects neither log nor messages.
 using SampleTypes =
     TypeList<CloudSample, RangesSample, OdometrySample, ImuSample, JointSample, TransformsSample,
              PictureSample, CameraInfoSample, GasSample, BatterySample, DiagnosticsSample, ModeSample,
@@ -75,10 +75,10 @@ using SampleTypes =
 template <class Type>
 concept IsSample = (SampleTypes::indexOf<Type>() < SampleTypes::Size);
 
-/// The content of an event, in core's own types: one of SampleTypes. Code that uses the content includes the
-/// header of its type; code that passes the sample on needs none. Copies share the content until one of them
-/// is edited; a copy may be read, copied and destroyed in any thread. core/event/all_samples.h has visit()
-/// and edit() for content of any type.
+/// The content of an event, in one of core's own types (SampleTypes). Code that uses the content includes the
+/// header of its type; code that only passes the sample on needs none. Copies share the content until one of
+/// them is edited. A copy may be read, copied and destroyed in any thread. core/event/all_samples.h has
+/// visit() and edit() for content of any type.
 class Sample {
 public:
     Sample() = default;  ///< has no content yet
@@ -100,22 +100,22 @@ public:
     }
     ~Sample() = default;
 
-    /// Place of the content's type in SampleTypes; SampleTypes::Size when there is no content.
+    /// Index of the content's type in SampleTypes; SampleTypes::Size when there is no content.
     [[nodiscard]] std::size_t index() const { return m_index; }
     template <IsSample Type>
     [[nodiscard]] bool is() const {
         return m_index == SampleTypes::indexOf<Type>();
     }
-    /// Returns the content if it is a @p Type; else null. Valid until this sample is edited, assigned or
-    /// destroyed.
+    /// Returns the content if its type is @p Type; otherwise null. Valid until this sample is edited,
+    /// assigned or destroyed.
     template <IsSample Type>
     [[nodiscard]] const Type* as() const& {
         return is<Type>() ? static_cast<const Type*>(m_content.get()) : nullptr;
     }
     template <IsSample Type>
     const Type* as() const&& = delete;
-    /// Returns the content, which must be a @p Type; valid as long as the result of as(). Throws
-    /// std::logic_error if it is of another type.
+    /// Returns the content, whose type must be @p Type. Valid as long as the result of as(). Throws
+    /// std::logic_error if the content has another type.
     template <IsSample Type>
     [[nodiscard]] const Type& get() const& {
         if (!is<Type>()) throw std::logic_error("a sample is of another type than expected");
@@ -125,8 +125,8 @@ public:
     [[nodiscard]] Type get() const&& {
         return get<Type>();  // of the lvalue that it is here
     }
-    /// Returns the content to change, if it is a @p Type; else null. The content is copied first when other
-    /// samples may share it.
+    /// Returns the content for editing if its type is @p Type; otherwise null. If other samples may share the
+    /// content, it is copied first.
     template <IsSample Type>
     [[nodiscard]] Type* edit() & {
         if (!is<Type>()) return nullptr;
@@ -137,8 +137,8 @@ public:
 private:
     std::shared_ptr<void> m_content;
     std::size_t m_index = SampleTypes::Size;
-    /// Whether another sample may hold the content too; false again after the next edit(). use_count() does
-    /// not serve: it may already be 1 while the last reads of another thread are not over.
+    /// Whether another sample may share the content; false again after the next edit(). use_count() cannot be
+    /// used instead: it may already be 1 while another thread still finishes reading.
     mutable std::atomic<bool> m_shared = false;
 };
 

@@ -5,7 +5,7 @@
 namespace leitstand {
 
 /// Topics of the stations' own events: reliable, transient local (docs/design.md, "The wire"). The comment
-/// behind each topic names its type in leitstand_msgs/msg/.
+/// after each topic is its type in leitstand_msgs/msg/.
 namespace station_topic {
 
 inline constexpr std::string_view Prefix = "/leitstand/";
@@ -27,7 +27,7 @@ inline constexpr std::string_view Mission = "/leitstand/mission";             //
 inline constexpr std::string_view Sessions = "/leitstand/sessions";           ///< Session
 inline constexpr std::string_view Alarms = "/leitstand/alarms";               ///< Alarm
 
-/// Whether events on @p topic are acts of a person: few, small, and the last to be dropped.
+/// Whether events on @p topic are actions of a person. They are few and small, and the last to be dropped.
 [[nodiscard]] constexpr bool isByHand(std::string_view topic) {
     return topic == Grants || topic == Victims || topic == MapCrop || topic == RobotPlaces ||
            topic == Clock || topic == Undo || topic == Notes || topic == Mission;

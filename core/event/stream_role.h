@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// What a topic of a robot carries for the station. Checkpoints of missions store the numbers: a new role
-/// takes the next free number, wherever it is listed.
+/// What a topic of a robot contains for the station. Checkpoints of missions store the numbers, so a new role
+/// gets the next unused number, wherever it is listed.
 enum class StreamRole : std::uint8_t {
     // from the robot
     Points = 0,
@@ -41,7 +41,7 @@ enum class StreamRole : std::uint8_t {
     Ping = 25,
 };
 
-/// The name of @p role in robot files: "points", "drive_command"; empty for a number that is no role.
+/// The name of @p role in robot files: "points", "drive_command"; empty if the number is no role.
 [[nodiscard]] constexpr std::string_view nameOf(StreamRole role) {
     switch (role) {
         case StreamRole::Points:
@@ -109,7 +109,7 @@ inline constexpr auto CommandRoles = std::to_array<StreamRole>(
 [[nodiscard]] bool isCommand(StreamRole role);
 /// All roles, by rising number.
 [[nodiscard]] std::span<const StreamRole> allStreamRoles();
-/// nameOf() as text.
+/// The text of nameOf().
 [[nodiscard]] std::string toString(StreamRole role);
 
 }  // namespace leitstand

@@ -10,11 +10,11 @@
 
 namespace leitstand {
 
-/// A store of pages on the disk: a file without a name, which disappears with its process in any case.
-/// Released space is used again.
+/// A store of pages on the disk. Its file has no name, so that it disappears with the process even after a
+/// crash. Released space is used again.
 class PageFile final : public PageStore {
 public:
-    /// Opens a store in @p folder, which needs space: about 60 kB per key scan. Errors name the folder.
+    /// Opens a store in @p folder. It needs about 60 kB of disk space per key scan. Errors name the folder.
     [[nodiscard]] static Result<std::shared_ptr<PageFile>> open(const std::filesystem::path& folder);
     ~PageFile() override;
 
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] bool read(std::uint64_t page, std::span<std::byte> into) const override;
     void release(std::uint64_t page, std::size_t bytes) override;
 
-    [[nodiscard]] std::uint64_t size() const;  ///< of the file [bytes]
+    [[nodiscard]] std::uint64_t size() const;  ///< size of the file [B]
 
 private:
     explicit PageFile(int file) : m_file(file) {}
@@ -30,8 +30,8 @@ private:
 
     const int m_file;
     mutable std::mutex m_mutex;
-    std::uint64_t m_end = 0;                        ///< [blocks]
-    std::map<std::uint64_t, std::uint64_t> m_free;  ///< free blocks: first -> count
+    std::uint64_t m_end = 0;                        ///< end of the file [blocks]
+    std::map<std::uint64_t, std::uint64_t> m_free;  ///< runs of free blocks: first block -> number of blocks
 };
 
 }  // namespace leitstand

@@ -13,22 +13,22 @@
 
 namespace leitstand {
 
-/// A scan with its one pose: corrections move the pose, never the points.
+/// A scan and its pose. Corrections move the pose, never the points.
 struct MapScan {
-    ScanPtr scan;                                       ///< labelled
-    Pose poseInMap = Pose::Identity();                  ///< after registration
-    Pose guessInMap = Pose::Identity();                 ///< before registration
-    std::size_t pointsUsed = 0;                         ///< after range limits, filter and voxel grid
-    std::array<std::size_t, LabelCount> labelCounts{};  ///< points of the scan per Label
+    ScanPtr scan;                        ///< labelled
+    Pose poseInMap = Pose::Identity();   ///< pose after registration
+    Pose guessInMap = Pose::Identity();  ///< pose before registration
+    std::size_t pointsUsed = 0;          ///< number of points after range limits, filter and voxel grid
+    std::array<std::size_t, LabelCount> labelCounts{};  ///< number of points with each Label
     bool registered = false;  ///< false for the first scan, which defines the map's frame
-    IcpResult icp;            ///< of the alignment; meaningless unless registered
-    double seconds = 0.0;     ///< preparing and aligning, wall clock [s]
-    std::uint64_t id = 0;     ///< KeyScanSample::id of a live map; 0: none
-    Time entered{};           ///< of a live map: when it entered, station's clock; else epoch
+    IcpResult icp;            ///< result of the alignment; meaningless unless `registered`
+    double seconds = 0.0;     ///< time for preparing and aligning, wall clock [s]
+    std::uint64_t id = 0;     ///< KeyScanSample::id in a live map; 0: none
+    Time entered{};           ///< when it entered a live map, station's clock; epoch in other maps
     bool uncertain = false;   ///< it does not fit: it is shown, but nothing is built on it
 };
 
-/// Scans in the frame of the first one. Immutable once shared.
+/// Scans in the frame of the first scan. Immutable once shared.
 struct Map {
     std::vector<MapScan> scans;
 };

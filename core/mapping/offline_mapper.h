@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// Registers scans one after another into a map: label, filter, reduce, align, add (paper, section 2.1).
-/// One thread at a time.
+/// Registers scans into a map one by one: label, filter, reduce, align, add (paper, section 2.1). One thread
+/// at a time.
 class OfflineMapper {
 public:
     explicit OfflineMapper(RegistrationSettings settings);
@@ -18,7 +18,7 @@ public:
     OfflineMapper& operator=(OfflineMapper&&) noexcept;
 
     /// Adds @p scan at its registered pose. Returns false, and adds nothing, when @p progress was cancelled.
-    /// A scan that cannot be aligned enters at its guess with IcpResult::converged false.
+    /// A scan that cannot be aligned is added at its guess, with IcpResult::converged false.
     bool add(const ScanPtr& scan, const Progress& progress = {});
 
     /// Returns a snapshot of the map so far.

@@ -8,12 +8,12 @@
 
 namespace leitstand {
 
-/// A key scan of a mission, at its present pose.
+/// A key scan of a mission, with its present pose.
 struct ReportScan {
-    std::uint64_t id = 0;                  ///< KeyScanSample::id; 0: of a bag without key scans
+    std::uint64_t id = 0;                  ///< KeyScanSample::id; 0: from a bag without key scans
     ScanPtr scan;                          ///< never null
-    Pose scanInMap = Pose::Identity();     ///< newest
-    Pose sensorInBase = Pose::Identity();  ///< at the end of the sweep
+    Pose scanInMap = Pose::Identity();     ///< newest pose
+    Pose sensorInBase = Pose::Identity();  ///< pose at the end of the sweep
 
     [[nodiscard]] Pose baseInMap() const { return scanInMap * sensorInBase.inverse(); }
 };

@@ -5,13 +5,13 @@
 
 namespace leitstand {
 
-/// Returns @p scan with labels: itself if it has them, else a copy labelled by labelScan().
+/// Returns @p scan with labels. If it has none, returns a copy labelled by labelScan().
 [[nodiscard]] ScanPtr labelled(const ScanPtr& scan);
 
-/// Returns the points of a labelled scan @p whole for registration: within the range, filtered and reduced by
-/// @p settings, each with its label and normal. Mixed pixels of organised scans are left out before voxels
-/// are made, except with the paper's filter. Normals of organised scans come from the whole grid, those of
-/// other scans from the neighbours among the points that are left. A plane laser's scan becomes
+/// Returns the points of the labelled scan @p whole for registration, each with its label and normal. They
+/// are limited in range, filtered and reduced as @p settings say. Mixed pixels of organised scans are removed
+/// before voxels are made, except with the paper's filter. Normals of organised scans are computed from the
+/// whole grid, those of other scans from neighbours among the remaining points. A plane laser's scan becomes
 /// wallsAndFloor() on squares half as large, without labels.
 [[nodiscard]] PointCloud prepared(const Scan& whole, const RegistrationSettings& settings);
 

@@ -7,11 +7,11 @@
 
 namespace leitstand {
 
-/// Outcome of a closed form.
+/// Result of a closed-form solution.
 enum class FitOutcome : std::uint8_t {
     Ok,
-    TooFewPairs,  ///< fewer than 3: the pose is the identity
-    Collinear,    ///< the rotation about the line of the points is open: the pose is one of many
+    TooFewPairs,  ///< fewer than 3 pairs: the pose is the identity
+    Collinear,    ///< all points are on a line, so the rotation about it is open: the pose is one of many
     Mirror,       ///< a reflection would fit better: the pose is still the best rigid motion
 };
 

@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Returns the part of gicpEquations() from the source points [@p first, @p last). These must be few, since
-/// sums are floats; the centre of the result is not set.
+/// Returns the part of gicpEquations() that comes from the source points [@p first, @p last). There must be
+/// few, since sums are floats. The centre of the result is not set.
 [[nodiscard]] NormalEquations gicpSums(const Pairing& pairing, const Pose& sourceInTarget,
                                        const Eigen::Vector3d& centre, double kernel, std::size_t first,
                                        std::size_t last);

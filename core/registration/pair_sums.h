@@ -14,9 +14,9 @@ struct PairSums {
     Eigen::Vector3d source = Eigen::Vector3d::Zero();   ///< sum of the source points [m]
     Eigen::Vector3d target = Eigen::Vector3d::Zero();   ///< sum of the target points [m]
     Eigen::Matrix3d product = Eigen::Matrix3d::Zero();  ///< sum of source * target^T [m^2]
-    double squaredDistances = 0.0;  ///< weighted sum over the pairs at the source's current pose [m^2]
+    double squaredDistances = 0.0;  ///< weighted sum over the pairs, at the source's current pose [m^2]
 
-    /// Adds a pair. @p pairWeight: the w of the paper's equation (1).
+    /// Adds a pair. @p pairWeight: w in the paper's equation (1).
     void add(const Eigen::Vector3d& sourcePoint, const Eigen::Vector3d& targetPoint, double pairWeight = 1.0);
     PairSums& operator+=(const PairSums& other);
 

@@ -17,30 +17,32 @@ namespace leitstand {
 
 enum class StreamRole : std::uint8_t;
 
-/// Clock from which the stamps of commands are taken; Zero: stamps are zero.
+/// Which clock the stamps of commands come from; Zero: stamps are zero.
 enum class StampSource : std::uint8_t { Robot, Zero, Station };
 [[nodiscard]] std::string toString(StampSource source);
 
 /// Converts raw numbers of a thermal picture to temperatures: kelvin = raw * scale + offset.
 struct ThermalScale {
-    double scale = 0.01;   ///< [K] a step
-    double offset = 0.0;   ///< [K]
-    bool measured = true;  ///< false: colour-mapped pictures without temperatures
+    double scale = 0.01;   ///< kelvin per step of the raw number
+    double offset = 0.0;   ///< kelvin at raw number 0
+    bool measured = true;  ///< false: the pictures show colours instead of temperatures
     friend bool operator==(const ThermalScale&, const ThermalScale&) = default;
 };
 
 /// One topic of a robot.
 struct StreamDescription {
     StreamRole role{};
-    std::string sensor;  ///< key in RobotDescription::sensors of its sensor, "left"; may be empty
+    std::string sensor;  ///< its sensor, as a key of RobotDescription::sensors, "left"; may be empty
     std::string topic;   ///< ROS name, "/kurt3d/points"
     std::string type;    ///< "sensor_msgs/msg/PointCloud2"
     Qos qos;
-    StampSource stamp = StampSource::Robot;  ///< of stamped commands
-    ThermalScale thermal;                    ///< of Thermal
-    std::string hardwareId;  ///< for Diagnostics: its statuses have a hardware_id that begins so
-    bool record = true;      ///< whether the mission's log keeps it
-    bool maps = false;       ///< for Points and Ranges: of several scanners, this one makes the map
+    StampSource stamp = StampSource::Robot;  ///< for commands that have a stamp
+    ThermalScale thermal;                    ///< for Thermal
+    /// For Diagnostics: statuses whose hardware_id begins with this belong to the robot.
+    std::string hardwareId;
+    bool record = true;  ///< whether the mission's log stores it
+    /// For Points and Ranges: if there are several scanners, this one makes the map.
+    bool maps = false;
     friend bool operator==(const StreamDescription&, const StreamDescription&) = default;
 };
 
@@ -50,19 +52,19 @@ enum class SensorMotion : std::uint8_t { Unknown, Fixed, Turning, Tilting };
 
 /// The pan-tilt unit of a camera, and its range.
 struct PanTiltMount {
-    std::string unit;                             ///< of its joints UNIT_pan and UNIT_tilt, "left"
-    double pan = degrees(90);                     ///< greatest pan to each side [rad]
-    double up = degrees(45), down = degrees(45);  ///< greatest tilt [rad]
+    std::string unit;          ///< name of the unit; its joints are UNIT_pan and UNIT_tilt; "left"
+    double pan = degrees(90);  ///< largest pan to each side [rad]
+    double up = degrees(45), down = degrees(45);  ///< largest tilt up and down [rad]
     friend bool operator==(const PanTiltMount&, const PanTiltMount&) = default;
 };
 
-/// A sensor and its mount.
+/// A sensor and how it is mounted.
 struct SensorDescription {
     std::string frame = {};                       ///< frame_id of its samples
-    Pose sensorInBase = Pose::Identity();         ///< used where tf has no such transform
-    SensorMotion motion = SensorMotion::Unknown;  ///< decides what a simulated robot carries
-    std::optional<PanTiltMount> panTilt = {};     ///< of a camera that can turn
-    ScannerCorrection correction = {};            ///< of a 3D scanner
+    Pose sensorInBase = Pose::Identity();         ///< used when tf has no such transform
+    SensorMotion motion = SensorMotion::Unknown;  ///< determines which scanner a simulated robot has
+    std::optional<PanTiltMount> panTilt = {};     ///< for a camera that can turn
+    ScannerCorrection correction = {};            ///< for a 3D scanner
 };
 
 enum class DriveType : std::uint8_t { Differential, Tracked, Omnidirectional };
@@ -72,38 +74,38 @@ enum class DriveType : std::uint8_t { Differential, Tracked, Omnidirectional };
 enum class LinkLossRule : std::uint8_t { Stop, FinishAndWait, ReturnToLink };
 [[nodiscard]] std::string toString(LinkLossRule rule);
 
-/// What distinguishes the tf frames of a robot from those of others: a topic of its own, a prefix in their
-/// names, nothing.
+/// How the tf frames of a robot are distinguished from those of other robots: by a topic of their own, by a
+/// prefix in their names, or not at all.
 enum class TfPrefix : std::uint8_t { Topic, Frame, None };
 [[nodiscard]] std::string toString(TfPrefix prefix);
 
-/// Everything that the station knows about a robot beforehand: the content of its file.
+/// All that the station knows about a robot in advance: the content of its file.
 struct RobotDescription {
-    std::string file = {};  ///< file that it was read from; empty: no file
-    std::string letter;     ///< one capital letter, "K"
+    std::string file = {};  ///< file from which it was read; empty: none
+    std::string letter;     ///< a capital letter, "K"
     std::string name;       ///< "kurt3d": lower case, as in topics
     std::string title;      ///< name for the operator, "Kurt3D"
     std::vector<StreamDescription> streams;
     std::map<std::string, SensorDescription> sensors;
     std::string baseFrame, odomFrame;
     TfPrefix tfPrefix = TfPrefix::Topic;
-    std::vector<Eigen::Vector2d> footprint;  ///< counter-clockwise, base frame [m]
+    std::vector<Eigen::Vector2d> footprint;  ///< outline of the robot, counter-clockwise, base frame [m]
     double height = 0.0;                     ///< [m]
     double maxRoll = 0.0, maxPitch = 0.0;    ///< tip-over limits [rad]
     double maxSpeed = 0.0;                   ///< [m/s]
     double maxTurnRate = 0.0;                ///< [rad/s]
-    double maxClimb = 0.0;                   ///< steepest ramp [rad]; 0: not given, the usual one
-    double maxStep = 0.0;                    ///< highest step [m]; 0: not given, the usual one
-    /// Whether the map estimates the motion within a turn of the scanner, since the odometry is poor.
+    double maxClimb = 0.0;                   ///< steepest ramp [rad]; 0: not given, a usual value is used
+    double maxStep = 0.0;                    ///< highest step [m]; 0: not given, a usual value is used
+    /// Whether mapping estimates the motion within a turn of the scanner, because the odometry is poor.
     bool refineTurns = false;
     DriveType drive = DriveType::Differential;
     std::map<std::string, std::string> bindings;   ///< operator's action -> key or pad control
     std::map<std::string, LinkLossRule> linkLoss;  ///< mode -> rule; teleoperation always stops
 
-    /// The first stream of @p role (and @p sensor, when given); null when the robot has none.
+    /// The first stream with @p role (and @p sensor, if given); null when the robot has none.
     [[nodiscard]] const StreamDescription* stream(StreamRole role, const std::string& sensor = {}) const;
-    /// The clouds that make the map: the only ones, or those with StreamDescription::maps; null: there are
-    /// none, or several and none is chosen.
+    /// The clouds that make the map: the only ones, or those with StreamDescription::maps. Null: there are
+    /// none, or several without that flag.
     [[nodiscard]] const StreamDescription* mappingStream() const;
 };
 

@@ -6,8 +6,8 @@
 
 #include "core/base/words.h"
 
-/// What our robots report about themselves, in English as it goes over the wire: the reasons of their modes
-/// and limits, and their attitude. They report nothing else in these fields, so stations can show it in the
+/// What our robots report about themselves, as English text on the wire: the reasons of their modes and
+/// limits, and their attitude. These fields contain no other text, so that stations can show it in the
 /// window's language. "{}" stands for a figure or a name.
 namespace leitstand::robot_format {
 
@@ -106,8 +106,8 @@ inline constexpr std::array All = {
 
 /// A part of a robot's report.
 struct Part {
-    const char* words = nullptr;  ///< one of All; null: unknown
-    std::string value;            ///< text at the "{}"; the whole part when it is unknown
+    const char* words = nullptr;  ///< one of All; null: the text is unknown
+    std::string value;            ///< text in place of "{}"; the whole part when the text is unknown
 };
 /// Splits @p reported at its semicolons: "heat 1.20 m ahead; obstacle in 0.40 m". Never fails: other robots
 /// may report anything.

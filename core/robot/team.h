@@ -7,9 +7,9 @@
 
 namespace leitstand {
 
-/// Checks that @p robots can work side by side: names and letters differ, and no two share a topic. They may
-/// share /tf where both put their name before their frames, and /diagnostics where their hardware_id differs.
-/// The error names the robots and the topic, a line for each clash.
+/// Checks that @p robots can work side by side: no two have the same name, letter or topic. They may share
+/// /tf if both put their names before their frames, and /diagnostics if their hardware_id differs. The error
+/// has a line for each conflict, with the robots and the topic.
 [[nodiscard]] Result<void> checkTeam(std::span<const RobotDescription> robots);
 
 }  // namespace leitstand

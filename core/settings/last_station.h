@@ -6,14 +6,14 @@
 
 namespace leitstand {
 
-/// Settings with which the station was last opened on live robots. It opens with them again next time.
+/// Settings with which the station was last opened on live robots. They are used when it is opened again.
 struct LastStation {
     std::vector<std::string> robots = {};        ///< files, or names of shipped ones
     std::optional<int> domain = {};              ///< DDS domain, if one was chosen
     std::vector<std::string> interfaces = {};    ///< network cards; empty: all
-    std::vector<std::string> initialPeers = {};  ///< where multicast does not pass
-    std::string discoveryServer = {};            ///< as in ROS_DISCOVERY_SERVER; empty: none
-    std::string keys = {};                       ///< folder of an identity; empty: no security
+    std::vector<std::string> initialPeers = {};  ///< addresses, for networks that do not forward multicast
+    std::string discoveryServer = {};            ///< as in the variable ROS_DISCOVERY_SERVER; empty: none
+    std::string keys = {};                       ///< folder with the keys of an identity; empty: no security
     friend bool operator==(const LastStation&, const LastStation&) = default;
 };
 

@@ -21,14 +21,14 @@ struct JointSample;
 
 /// How the operator drives a robot now.
 struct DriveView {
-    bool drivable = false;      ///< it takes drive commands
-    DriveVelocity velocity;     ///< as sent last
-    bool focus = false;         ///< the sticks drive this robot
-    bool driving = false;       ///< permitted, with fresh sticks
-    bool needsNeutral = false;  ///< the sticks must be released first
-    bool listening = false;     ///< the robot receives drive commands
-    bool reachable = false;     ///< the robot would receive drive commands, even if none are sent now
-    SightCap sight = {};        ///< how fast it may be driven by what its driver sees, and why
+    bool drivable = false;      ///< whether it takes drive commands
+    DriveVelocity velocity;     ///< velocity that was sent last
+    bool focus = false;         ///< whether the sticks drive this robot
+    bool driving = false;       ///< whether driving is permitted and the sticks are fresh
+    bool needsNeutral = false;  ///< whether the sticks must be released first
+    bool listening = false;     ///< whether the robot receives drive commands
+    bool reachable = false;     ///< whether it would receive drive commands, even if none are sent now
+    SightCap sight = {};        ///< how fast it may be driven, given what its driver sees, and why
 };
 
 /// The pictures of one camera as they arrive.
@@ -40,14 +40,14 @@ struct CameraView {
 /// One robot as the station sees it now.
 struct RobotView {
     LinkStatus link;
-    std::optional<ReceptionFault> reception;  ///< announced, but not received properly; empty: all is well
+    std::optional<ReceptionFault> reception;  ///< announced, but not received properly; empty: no such fault
     GrantView grant;
     StopStatus stop;
     DriveView drive;
-    std::optional<VirtualScanView> around;      ///< virtual scan; empty when it was not requested
+    std::optional<VirtualScanView> around;      ///< virtual scan; empty: it was not requested
     std::vector<CameraView> cameras;            ///< cameras that sent pictures, except thermal ones
-    std::shared_ptr<const JointSample> joints;  ///< newest: chains, pan and tilt; null: none
-    double jointsAge = std::numeric_limits<double>::infinity();  ///< age of joints [s]
+    std::shared_ptr<const JointSample> joints;  ///< newest joint states, including pan and tilt; null: none
+    double jointsAge = std::numeric_limits<double>::infinity();  ///< age of `joints` [s]
 };
 
 }  // namespace leitstand

@@ -9,40 +9,42 @@
 
 namespace leitstand {
 
-/// Limits on the age of what the driver sees of a robot's surroundings (docs/design.md, "The window").
+/// Limits for the age of what the driver sees of a robot's surroundings (docs/design.md, "The window").
 struct SightRules {
-    double full = 0.3;        ///< younger: full speed [s]
-    double creep = 1.0;       ///< younger: creep speed; older: none [s]
-    double creepShare = 0.2;  ///< of the robot's limits
-    double turn = 3.0;  ///< a scan counts if it saw the direction of motion within this [s]; a turn takes 2.3
+    double full = 0.3;        ///< up to this age: full speed [s]
+    double creep = 1.0;       ///< up to this age: creep speed; beyond it: no speed [s]
+    double creepShare = 0.2;  ///< creep speed as a share of the robot's limits
+    /// A scan is used if it saw the direction of motion within this time [s]; a turn takes 2.3 s.
+    double turn = 3.0;
 };
 
 /// Ages of what the driver sees of a robot's surroundings.
 struct SightAges {
-    bool camera = false;                                     ///< the robot's file names a camera
-    bool scanner = false;                                    ///< the robot's file names a scanner
-    PictureAges picture;                                     ///< of the camera that the driver looks through
+    bool camera = false;   ///< whether the robot's file has a camera
+    bool scanner = false;  ///< whether the robot's file has a scanner
+    PictureAges picture;   ///< ages of the pictures of the camera that the driver looks through
     double scan = std::numeric_limits<double>::infinity();   ///< since any part of a scan arrived [s]
-    double ahead = std::numeric_limits<double>::infinity();  ///< scanAgeAlong() of the motion [s]
+    double ahead = std::numeric_limits<double>::infinity();  ///< scanAgeAlong() for the motion [s]
 };
 
-/// The reason for the speed that a SightCap allows.
+/// Why a SightCap allows its speed.
 enum class SightReason : std::uint8_t {
-    Fresh,      ///< the driver sees what is there
+    Fresh,      ///< the driver sees the surroundings as they are now
     ScanAlone,  ///< the picture is old, but the virtual scan is fresh
     OldPicture,
-    FrozenPicture,  ///< pictures arrive, but always the same
-    NoPicture,      ///< none ever arrived
+    FrozenPicture,  ///< pictures arrive, but they are always the same
+    NoPicture,      ///< no picture ever arrived
     OldScan,        ///< the scan is old, and the robot has no camera
-    NoEyes,  ///< its file names neither camera nor scanner: its driver sees the robot, and nothing is capped
+    /// Its file has neither camera nor scanner: its driver sees the robot directly, and speed is not limited.
+    NoEyes,
 };
 
-/// The limit on a robot's speed by how well its driver sees its surroundings.
+/// The limit of a robot's speed, given how well its driver sees its surroundings.
 struct SightCap {
-    double factor = 1.0;  ///< of the robot's limits, 0 to 1
+    double factor = 1.0;  ///< share of the robot's limits, 0 to 1
     SightReason reason = SightReason::Fresh;
-    double age = 0.0;  ///< of the picture, or of the scan without a camera [s]; infinite: none ever arrived
-    bool overridden = false;  ///< the driver holds the override: the factor is 1 whatever the reason
+    double age = 0.0;  ///< age of the picture; without a camera, of the scan [s]; infinite: never received
+    bool overridden = false;  ///< the driver holds the override: the factor is 1 for any reason
     /// Whether picture and scan are missing or too old, so that only the override allows full speed.
     [[nodiscard]] bool isBlind() const {
         return reason != SightReason::Fresh && reason != SightReason::ScanAlone &&
@@ -51,17 +53,17 @@ struct SightCap {
     friend bool operator==(const SightCap&, const SightCap&) = default;
 };
 
-/// Returns full speed with a picture or virtual scan younger than 0.3 s, creep speed below 1 s, then none.
-/// Full speed also with the override, and for robots with neither camera nor scanner. Pure.
+/// Returns full speed if the picture or virtual scan is younger than 0.3 s, creep speed below 1 s, otherwise
+/// none. Also returns full speed with the override, and for robots with neither camera nor scanner. Pure.
 [[nodiscard]] SightCap sightCap(const SightAges& ages, bool overridden, const SightRules& rules = {});
 
-/// Returns how long ago the scanner looked in the direction of @p velocity [s]; infinite: never. Nine of ten
-/// sectors within 30 degrees of that direction are at most this old. A turn on the spot uses the half circle
-/// ahead; standing counts as forward.
+/// Returns how long ago the scanner saw the direction of @p velocity [s]; infinite: never. Nine of ten
+/// sectors within 30 degrees of that direction are at most this old. For a turn on the spot, the half circle
+/// ahead is used; for standing, the direction ahead.
 [[nodiscard]] double scanAgeAlong(const VirtualScanView& view, const DriveVelocity& velocity);
 
 /// Returns @p velocity reduced to the share of @p limits that @p cap allows, in the same direction. A slower
-/// velocity stays as it is.
+/// velocity is not changed.
 [[nodiscard]] DriveVelocity capped(const DriveVelocity& velocity, const SightCap& cap,
                                    const DriveLimits& limits);
 

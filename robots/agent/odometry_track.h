@@ -9,12 +9,12 @@
 
 namespace leitstand {
 
-/// Poses of a robot by its odometry in the last 6 s (longer than a sweep of any scanner), interpolated.
+/// Poses of a robot from its odometry in the last 6 s (longer than a sweep of any scanner).
 class OdometryTrack {
 public:
     void add(Time at, const Pose& baseInOdom);
-    /// Returns the pose at @p at, interpolated. Up to 0.3 s before the first pose or after the last one: that
-    /// pose. Empty: farther outside.
+    /// Returns the interpolated pose at @p at. Up to 0.3 s outside the known poses, returns the first or the
+    /// last one. Empty: farther outside.
     [[nodiscard]] std::optional<Pose> at(Time at) const;
     [[nodiscard]] std::optional<Pose> newest() const;
 

@@ -24,19 +24,20 @@ struct ModeCommandSample;
 struct PoseSample;
 struct StreamCommandSample;
 
-/// What an agent of any robot needs to know about its robot.
+/// What the agent of any robot needs to know about its robot.
 struct AgentSettings {
     DriveGeometry geometry;
     SpeedControllerSettings motors;
-    std::vector<DriveMode> modes = {DriveMode::Teleoperation};  ///< that may be requested
+    std::vector<DriveMode> modes = {DriveMode::Teleoperation};  ///< modes that may be requested
     bool hasRemote = false;
-    bool careless = false;  ///< as a stock robot: obeys anybody; see RobotRuleSettings
-    /// Of a careless robot: after which it stops without commands; 0: it has none.
+    /// Whether it behaves like a stock robot, which obeys anybody; see RobotRuleSettings.
+    bool careless = false;
+    /// For a careless robot: it stops after this time without commands; 0: never.
     std::chrono::nanoseconds ownWatchdog{};
 };
 
-/// What all robots have in common: rules of commands (RobotRules), modes, speed controllers, brake, answers.
-/// Has no network and no clock of its own: it uses its hardware's clock. One thread.
+/// What all robots have in common: rules for commands (RobotRules), modes, speed controllers, brake, answers.
+/// It has no network, and no clock but that of its hardware. One thread.
 class RobotAgent {
 public:
     RobotAgent(RobotHardware& hardware, const RobotDescription& robot, const AgentSettings& settings);
@@ -45,9 +46,9 @@ public:
     RobotAgent& operator=(const RobotAgent&) = delete;
 
     void receive(const GrantSample& grant, const Sender& from);
-    /// Takes what the process @p from sent on a command stream of @p role.
+    /// Takes what the process @p from sent on a command stream with @p role.
     void receive(StreamRole role, const Sample& command, const Sender& from);
-    /// Runs one turn of the control loop; call it every 5 to 10 ms by the robot's clock. Returns all samples
+    /// Runs one cycle of the control loop. Call it every 5 to 10 ms by the robot's clock. Returns all samples
     /// to publish.
     [[nodiscard]] std::vector<HardwareSample> step();
 
@@ -55,18 +56,19 @@ public:
     [[nodiscard]] DriveMode mode() const { return m_machine.mode(); }
 
 protected:
-    /// What the robot's own drivers and sensors report to the modes, as in ModeInputs.
+    /// What the robot's own drivers and sensors report to the modes. Fields are those of ModeInputs.
     struct Report {
         bool cue = false, sent = false, done = false, failed = false;
         std::string text;
     };
-    virtual void sense(HardwareSample& sample);  ///< each sample of the hardware, before it is published
-    virtual Report report(Time now);             ///< once a step, before the modes
-    virtual void goTo(const PoseSample& goal);   ///< a goal of the holder
+    /// Called with each sample of the hardware, before it is published.
+    virtual void sense(HardwareSample& sample);
+    virtual Report report(Time now);            ///< called once per step, before the modes
+    virtual void goTo(const PoseSample& goal);  ///< called with a goal from the holder of the grant
     virtual DriveVelocity steer(const ModeDecision& decision, const DriveVelocity& requested, Time now);
 
-    /// Turns the cameras of the pan-tilt @p unit autonomously [rad]. Does nothing and returns false within
-    /// 10 s of a turn by the operator, who takes precedence.
+    /// Turns the cameras of the pan-tilt @p unit autonomously [rad]. Within 10 s of a turn by the operator,
+    /// who has priority, it does nothing and returns false.
     bool look(const std::string& unit, double pan, double tilt);
     void publish(StreamRole role, Sample sample) { m_published.push_back({role, {}, std::move(sample)}); }
     [[nodiscard]] SampleHeader header() const { return {m_hardware.now(), m_robot.baseFrame}; }
@@ -77,8 +79,8 @@ private:
     void drive(const DriveVelocity& requested, const Sender& from);
     void driveTracks(const JointSample& tracks, const Sender& from);
     void askForMode(const ModeCommandSample& command);
-    /// Takes a mode or a goal. The first request of a new holder may arrive before its grant, which comes on
-    /// another topic. Such a request is kept for 1 s and obeyed when the grant is received.
+    /// Takes a mode or a goal. The first request of a new holder may arrive before its grant, which is on
+    /// another topic. Such a request is kept for 1 s and obeyed when the grant arrives.
     void receiveRequest(StreamRole role, const Sample& requested, const Sender& from);
     void turnCameras(const PanTiltCommand& command);
     void setStream(const StreamCommandSample& command);
@@ -99,9 +101,9 @@ private:
         Sender from;
         Time received;
     };
-    std::vector<EarlyRequest> m_early;  ///< the oldest first
+    std::vector<EarlyRequest> m_early;  ///< oldest first
     std::optional<StopStateSample> m_stopPublished;
-    std::map<std::string, std::pair<double, double>> m_panTilt;  ///< of each unit [rad]
+    std::map<std::string, std::pair<double, double>> m_panTilt;  ///< pan and tilt of each unit [rad]
     std::vector<HardwareSample> m_published;
 };
 

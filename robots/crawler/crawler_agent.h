@@ -14,23 +14,24 @@ namespace leitstand {
 
 struct ImuSample;
 
-/// How the Crawler drives and how it warns of rolling over.
+/// How the Crawler drives and how it warns before it rolls over.
 struct CrawlerSettings {
-    CrawlerSettings();  ///< as it was built
+    CrawlerSettings();  ///< sets the values of the real robot
 
     AgentSettings agent;
-    SelfDrivingSettings driving;  ///< by a plane laser that sees neither what is low nor what is behind
+    /// It drives by a plane laser, which sees neither low things nor what is behind.
+    SelfDrivingSettings driving;
     EvasionSettings evasion;
-    double warnFrom = 0.7;      ///< share of the tip-over limits
-    double lies = degrees(65);  ///< tilted so far, it lies on its side or back [rad]
-    double lookAhead = 0.5;     ///< turn rates of the gyro are extrapolated for so long [s]
+    double warnFrom = 0.7;      ///< share of the tip-over limits at which it warns
+    double lies = degrees(65);  ///< with this tilt it lies on its side or back [rad]
+    double lookAhead = 0.5;     ///< turn rates of the gyro are extrapolated for this time [s]
 };
 
-/// Drives the Crawler: chains, radio remote, warning of rolling over (paper, section 3). Also drives by
+/// Drives the Crawler: chains, radio remote, warning before it rolls over (paper, section 3). Also drives by
 /// itself as Kurt3D does, by its plane laser and by what it feels. One thread.
 class CrawlerAgent final : public SelfDrivingAgent {
 public:
-    /// @p fuzzy: rules of resources/control/fuzzy_drive.yaml. Errors as in FuzzyDrive::create().
+    /// @p fuzzy: rules in resources/control/fuzzy_drive.yaml. Errors are those of FuzzyDrive::create().
     [[nodiscard]] static Result<std::unique_ptr<CrawlerAgent>> create(RobotHardware& hardware,
                                                                       const RobotDescription& robot,
                                                                       const FuzzySystem& fuzzy,
@@ -54,7 +55,7 @@ private:
     CrawlerSettings m_settings;
     Evasion m_evasion;
     FeltObstacles m_felts;
-    std::array<std::uint32_t, 4> m_hits{};  ///< of the bumpers of each BodySide
+    std::array<std::uint32_t, 4> m_hits{};  ///< number of hits of the bumpers on each BodySide
     double m_roll = 0.0, m_pitch = 0.0;     ///< [rad]
     std::optional<Time> m_felt;
     DiagnosticStatus::Level m_danger = DiagnosticStatus::Level::Ok;

@@ -24,15 +24,15 @@ struct Kurt3dSettings {
                                      DriveMode::Explore, DriveMode::VictimApproach},
                            .hasRemote = false};
     SelfDrivingSettings driving;
-    double lookAside = degrees(70);  ///< while exploring, it looks for heat so far to each side [rad]
-    double lookRate = degrees(25);   ///< rate at which it does so [rad/s]
+    double lookAside = degrees(70);  ///< while exploring, it looks for heat this far to each side [rad]
+    double lookRate = degrees(25);   ///< rate at which it turns the cameras for that [rad/s]
 };
 
-/// Drives Kurt3D: by its operator, by its operator with the virtual scan's limits, or by itself with fuzzy
+/// Drives Kurt3D: by its operator, by its operator within limits of the virtual scan, or by itself with fuzzy
 /// control, up to victims (paper, section 2.3). One thread.
 class Kurt3dAgent final : public SelfDrivingAgent {
 public:
-    /// @p fuzzy: rules of resources/control/fuzzy_drive.yaml. Errors as in FuzzyDrive::create().
+    /// @p fuzzy: rules in resources/control/fuzzy_drive.yaml. Errors are those of FuzzyDrive::create().
     [[nodiscard]] static Result<std::unique_ptr<Kurt3dAgent>> create(RobotHardware& hardware,
                                                                      const RobotDescription& robot,
                                                                      const FuzzySystem& fuzzy,
@@ -50,7 +50,7 @@ private:
     void see(const HardwareSample& sample, const PictureSample& picture);
     void lookForHeat(const ModeDecision& decision, Time now);
     DriveVelocity approach(const Pose& here, Time now);
-    /// Returns the velocity towards a body that the robot saw while it drove to another one; empty: there is
+    /// Returns the velocity towards a body that the robot saw while it drove to another body; empty: there is
     /// none.
     [[nodiscard]] std::optional<DriveVelocity> visit(const Pose& here, Time now);
     void leaveVisited();
@@ -58,15 +58,16 @@ private:
     Kurt3dSettings m_settings;
     VictimApproach m_approach;
     std::map<std::string, CameraInfoSample> m_cameras;  ///< by sensor
-    std::vector<HeatCue> m_cues;                        ///< of the newest picture with a body in it
-    std::optional<HeatCue> m_cue;                       ///< the one to follow
-    std::optional<Eigen::Vector3d> m_heat;              ///< that it drives to or stands before; odom [m]
+    std::vector<HeatCue> m_cues;                        ///< those of the newest picture that shows a body
+    std::optional<HeatCue> m_cue;                       ///< cue that it follows
+    /// Heat to which it drives, or in front of which it stands; in odom [m].
+    std::optional<Eigen::Vector3d> m_heat;
     PassedHeat m_passed;
-    Time m_considered{};                       ///< stamp of the newest picture that m_passed has seen
-    std::optional<PassedHeat::One> m_visited;  ///< the body of m_passed that it goes to see
-    std::optional<Time> m_lookedSince;         ///< when it began to look from where m_visited was seen
-    bool m_looks = false;                      ///< it has turned the cameras by itself
-    std::size_t m_sightings = 0;               ///< number of those published
+    Time m_considered{};                       ///< stamp of the newest picture that was given to m_passed
+    std::optional<PassedHeat::One> m_visited;  ///< body from m_passed that it is visiting
+    std::optional<Time> m_lookedSince;  ///< when it began to look, at the place from which m_visited was seen
+    bool m_looks = false;               ///< whether it has turned the cameras by itself
+    std::size_t m_sightings = 0;        ///< number of published sightings
 };
 
 }  // namespace leitstand

@@ -13,19 +13,19 @@
 
 namespace leitstand::simulation {
 
-/// Fits a robot of a world with the sensors of its description and collects its fixed frames.
+/// Equips a robot in a world with the sensors of its description, and collects its fixed frames.
 class FitOut {
 public:
     FitOut(World& world, int robot, const RobotDescription& description, std::uint64_t seed);
 
-    /// Returns the noise stream of the sensor called @p name.
+    /// Returns the random numbers for the noise of the sensor called @p name.
     [[nodiscard]] Noise noise(const std::string& name) const;
-    /// Returns where the sensor of the stream of @p role (and @p key, when given) sits. Where the description
-    /// says nothing, its name is @p name and its pose in base_link @p usual. Empty when the robot has no such
-    /// sensor.
+    /// Returns where the sensor of the stream with @p role (and @p key, if given) is mounted. What the
+    /// description leaves out is taken from @p name and @p usual (pose in base_link). Empty: the robot has no
+    /// such sensor.
     [[nodiscard]] std::optional<SensorPlace> place(StreamRole role, const std::string& key,
                                                    const std::string& name, const Pose& usual) const;
-    /// Adds @p frame at @p inBase in base_link to the static transforms (tf_static).
+    /// Adds @p frame, at @p inBase in base_link, to the static transforms (tf_static).
     void fix(const std::string& frame, const Pose& inBase);
     /// Adds a pan-tilt unit behind the camera at @p camera.
     std::shared_ptr<MountedPanTilt> addPanTilt(const std::string& name, const SensorPlace& camera);
@@ -46,7 +46,7 @@ private:
     int m_robot;
     const RobotDescription& m_description;
     std::uint64_t m_seed;
-    std::string m_prefix;  ///< of frame names, as in base_link's: "kurt3d/" or empty
+    std::string m_prefix;  ///< prefix of frame names, the same as that of base_link: "kurt3d/" or empty
     std::string m_baseFrame, m_odomFrame;
     PanTiltUnits m_units;
     std::vector<FrameTransform> m_fixed;

@@ -12,29 +12,30 @@
 
 namespace leitstand::simulation {
 
-/// Which scanner Kurt3D carries.
+/// Which scanner Kurt3D has.
 enum class ScannerMount { ScanDrive, Tilting };
 
-/// What a simulated robot is fitted with.
+/// Equipment of a simulated robot.
 struct HardwareSettings {
-    std::uint64_t seed = 1;                          ///< of its noise
-    ScannerMount scanner = ScannerMount::ScanDrive;  ///< of Kurt3D
-    bool turningLaser = false;  ///< of the Crawler: its laser turns and gives 3D slices too
-    bool cameras = true;        ///< false: no picture is drawn (quicker tests)
-    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; empty: always
+    std::uint64_t seed = 1;                          ///< seed of its noise
+    ScannerMount scanner = ScannerMount::ScanDrive;  ///< for Kurt3D
+    bool turningLaser = false;  ///< for the Crawler: whether its laser turns and also gives 3D slices
+    bool cameras = true;        ///< whether pictures are drawn; false makes tests quicker
+    /// Called before each picture; empty: pictures are always drawn.
+    std::function<bool(std::string_view sensor)> mayDraw = {};
 };
 
 /// Creates the sensors and motors of Kurt3D or the Crawler in a world. Frames, sensors and mountings are
-/// those of the description (resources/robots). The world's owner advances it; RobotHardware::take() measures
-/// up to the world's present time.
+/// those of the description (resources/robots). The owner of the world advances it; RobotHardware::take()
+/// measures up to the world's present time.
 [[nodiscard]] std::unique_ptr<RobotHardware> makeKurt3dHardware(World& world, int robot,
                                                                 const RobotDescription& description,
                                                                 const HardwareSettings& settings = {});
 [[nodiscard]] std::unique_ptr<RobotHardware> makeCrawlerHardware(World& world, int robot,
                                                                  const RobotDescription& description,
                                                                  const HardwareSettings& settings = {});
-/// The same for a stock robot: a spinning lidar, a laser all around, and a camera that looks ahead, as far as
-/// the description has streams of them.
+/// As above, for a stock robot: a spinning lidar, a laser for all directions, and a camera that looks ahead,
+/// if the description has streams for them.
 [[nodiscard]] std::unique_ptr<RobotHardware> makeStockHardware(World& world, int robot,
                                                                const RobotDescription& description,
                                                                const HardwareSettings& settings = {});

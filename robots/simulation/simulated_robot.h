@@ -16,7 +16,7 @@ namespace leitstand::simulation {
 /// The hardware of a simulated robot: its sensors, pan-tilt units, motors and remote.
 class SimulatedRobot final : public RobotHardware {
 public:
-    /// @p world must outlive this. @p sensors run in their order.
+    /// @p world must outlive this object. @p sensors run in their order.
     SimulatedRobot(World& world, int robot, PanTiltUnits units, std::vector<std::unique_ptr<Sensor>> sensors);
 
     [[nodiscard]] Time now() const override;
@@ -28,7 +28,7 @@ public:
     void setStream(StreamRole role, const std::string& sensor, const StreamSettings& settings) override;
     [[nodiscard]] std::optional<TwistSample> remote() const override { return m_remote; }
 
-    /// Sets what the radio remote commands; empty when nobody uses it.
+    /// Sets what the radio remote commands; empty: nobody uses it.
     void setRemote(const std::optional<TwistSample>& remote) { m_remote = remote; }
 
 private:

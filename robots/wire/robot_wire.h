@@ -14,28 +14,28 @@
 
 namespace leitstand {
 
-/// A command or grant that came over the wire for a robot.
+/// A command or grant that was received for a robot.
 struct ReceivedCommand {
-    StreamRole role = StreamRole::DriveCommand;  ///< of the command stream; unused for grants
-    bool grant = false;                          ///< sample is a GrantSample
+    StreamRole role = StreamRole::DriveCommand;  ///< role of the command stream; not used for grants
+    bool grant = false;                          ///< whether the sample is a GrantSample
     Sample sample;
-    Sender from;    ///< the process that sent it
-    Time received;  ///< when it was complete here, this computer's clock
+    Sender from;    ///< process that sent it
+    Time received;  ///< when all of it had been received, this computer's clock
 };
 
 struct RobotWireCounts {
     std::uint64_t accepted = 0;
-    std::uint64_t broken = 0;   ///< could not be read
-    std::uint64_t dropped = 0;  ///< commands that nobody took in time; stops are never dropped
+    std::uint64_t broken = 0;   ///< number of commands that could not be read
+    std::uint64_t dropped = 0;  ///< number of commands that were not taken in time; stops are never dropped
     std::uint64_t published = 0;
-    std::uint64_t unpublished = 0;  ///< could not be encoded or written
+    std::uint64_t unpublished = 0;  ///< number of samples that could not be encoded or written
 };
 
-/// A robot's end of the wire: receives commands and grants, publishes samples with the topics, types and QoS
-/// of its description. Any thread.
+/// A robot's network connection: receives commands and grants, and publishes samples with the topics, types
+/// and QoS of its description. Any thread.
 class RobotWire {
 public:
-    /// Whether the robot listens to who may drive it; stock robots do not.
+    /// Whether the robot obeys grants, which say who may drive it; stock robots do not.
     enum class Grants : std::uint8_t { Obeyed, Unknown };
 
     /// Errors name the topic.
@@ -45,12 +45,12 @@ public:
     RobotWire(const RobotWire&) = delete;
     RobotWire& operator=(const RobotWire&) = delete;
 
-    /// Returns what came since the last call, in order. A drive command that cannot be read becomes NaN,
-    /// which stops the robot.
+    /// Returns the commands received since the last call, in order. A drive command that cannot be read
+    /// becomes NaN, which stops the robot.
     [[nodiscard]] std::vector<ReceivedCommand> take();
-    /// Publishes @p sample on all streams of its role and sensor; does nothing when the robot has none. Never
-    /// waits. Compressed pictures become raw ones on streams of sensor_msgs/msg/Image, while somebody
-    /// listens.
+    /// Publishes @p sample on all streams with its role and sensor; does nothing when the robot has none.
+    /// Never waits. On streams of sensor_msgs/msg/Image, compressed pictures are sent raw, if somebody reads
+    /// them.
     void publish(const HardwareSample& sample);
     [[nodiscard]] RobotWireCounts counts() const;
 

@@ -15,17 +15,17 @@
 namespace leitstand {
 
 /// Reads a sample in XCDR1 with its encapsulation header, in either byte order. After the first field that
-/// does not fit, later reads leave numbers and structures as they were and make texts and sequences empty.
-/// finish() reports what was wrong. Memory for a sequence is allocated only when the bytes for its count are
-/// there. Texts and structures take more memory than bytes in the sample, so a sequence of them has at most
-/// 100 000 elements.
+/// does not fit, further reads do not change numbers and structures, and make texts and sequences empty.
+/// finish() reports what was wrong. Memory for a sequence is allocated only if the sample has enough bytes
+/// for its count. Texts and structures take more memory than their bytes in the sample, so a sequence of them
+/// has at most 100 000 elements.
 class CdrReader {
 public:
     explicit CdrReader(std::span<const std::byte> sample);
 
     void read(const char* field, bool& to);
     void read(const char* field, std::string& to);
-    /// Makes @p to a view of bytes in the sample, which must outlive it.
+    /// Sets @p to to a view of bytes in the sample, which must outlive it.
     void read(const char* field, std::span<const std::byte>& to);
     void read(const char* field, std::vector<std::string>& to);
 
@@ -59,15 +59,15 @@ public:
         }
     }
 
-    /// Must be called after the last field. Error: a field did not fit, or more than 7 bytes (padding) are
-    /// left over.
+    /// Call after the last field. Error: a field did not fit, or more than 7 bytes (padding) are left.
     [[nodiscard]] Result<void> finish();
     [[nodiscard]] bool ok() const { return m_error.empty(); }
 
 private:
-    /// Returns @p size bytes after the padding for @p alignment; null when there are fewer.
+    /// Returns a pointer to @p size bytes after the padding for @p alignment; null when there are fewer.
     const std::byte* take(const char* field, std::size_t alignment, std::size_t size);
-    /// Returns the count of a sequence of elements of at least @p leastSize bytes each; 0: it does not fit.
+    /// Reads the count of a sequence whose elements have at least @p leastSize bytes each; 0: it does not
+    /// fit.
     std::size_t readCount(const char* field, std::size_t leastSize);
     std::size_t readStructureCount(const char* field, std::size_t leastSize);
     void fail(std::string text);

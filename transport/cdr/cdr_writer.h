@@ -11,13 +11,14 @@
 
 namespace leitstand {
 
-/// Serialises into XCDR1 with its encapsulation header.
+/// Writes a sample in XCDR1 with its encapsulation header.
 class CdrWriter {
 public:
-    /// Robots use the byte order of the machine, little-endian; a test may choose the other.
+    /// Robots use the byte order of the machine, little-endian. Tests may choose the other one.
     explicit CdrWriter(std::endian order = std::endian::little);
 
-    void reserve(std::size_t bytes) { m_bytes.reserve(bytes); }  ///< avoids copies of a big sample
+    /// Avoids copies while a large sample is written.
+    void reserve(std::size_t bytes) { m_bytes.reserve(bytes); }
     void write(bool value) { write(static_cast<std::uint8_t>(value)); }
     void write(const std::string& text);
     void write(std::span<const std::byte> bytes);
@@ -45,7 +46,7 @@ public:
         }
     }
 
-    /// Returns the whole sample; nothing may be written afterwards.
+    /// Returns the whole sample; nothing can be written after this.
     [[nodiscard]] std::vector<std::byte> finish() && { return std::move(m_bytes); }
 
 private:

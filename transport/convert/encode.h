@@ -15,12 +15,12 @@ namespace leitstand {
 /// the sample, or when the sample contradicts itself.
 [[nodiscard]] Result<Payload> encode(const Sample& sample, std::string_view type);
 
-/// Returns the ROS type that holds all of @p sample: TwistStamped for a twist with a stamp, CompressedImage
-/// for a compressed picture. Empty: Leitstand sends no such samples.
+/// Returns the ROS type that can hold all of @p sample: TwistStamped for a twist with a stamp,
+/// CompressedImage for a compressed picture. Empty: Leitstand sends no such samples.
 [[nodiscard]] std::string_view typeOf(const Sample& sample);
 
-/// Returns the stamp of a command sent at @p now, by the clock that @p source names; empty for Zero.
-/// @p ahead: robot's clock minus station's.
+/// Returns the stamp of a command sent at @p now, on the clock @p source; empty for Zero. @p ahead: robot's
+/// clock minus station's clock.
 [[nodiscard]] std::optional<Time> commandStamp(StampSource source, Time now, std::chrono::nanoseconds ahead);
 
 }  // namespace leitstand

@@ -8,7 +8,7 @@
 namespace leitstand {
 
 /// Identity of a participant, writer or reader in its domain (RTPS 2.2, section 8.2.4): 12 bytes of its
-/// participant, 4 of its own.
+/// participant and 4 bytes of its own.
 struct Guid {
     std::array<std::uint8_t, 16> bytes{};
     friend auto operator<=>(const Guid&, const Guid&) = default;

@@ -5,15 +5,15 @@
 
 namespace leitstand {
 
-/// "/kurt3d/odom" -> "rt/kurt3d/odom". A name without a leading slash is no ROS name and stays as it is, so
-/// topics of other systems can be named too.
+/// "/kurt3d/odom" -> "rt/kurt3d/odom". A name without a leading slash is no ROS name and is not changed, so
+/// topics of other systems can be named, too.
 [[nodiscard]] std::string ddsTopicOf(std::string_view rosTopic);
-/// "rt/kurt3d/odom" -> "/kurt3d/odom"; any other name (also ROS services "rq/...") stays as it is.
+/// "rt/kurt3d/odom" -> "/kurt3d/odom"; any other name (also ROS services "rq/...") is not changed.
 [[nodiscard]] std::string rosTopicOf(std::string_view ddsTopic);
 
-/// "nav_msgs/msg/Odometry" -> "nav_msgs::msg::dds_::Odometry_"; names of another form stay as they are.
+/// "nav_msgs/msg/Odometry" -> "nav_msgs::msg::dds_::Odometry_"; names of another form are not changed.
 [[nodiscard]] std::string ddsTypeOf(std::string_view rosType);
-/// "nav_msgs::msg::dds_::Odometry_" -> "nav_msgs/msg/Odometry"; names of another form stay as they are.
+/// "nav_msgs::msg::dds_::Odometry_" -> "nav_msgs/msg/Odometry"; names of another form are not changed.
 [[nodiscard]] std::string rosTypeOf(std::string_view ddsType);
 
 }  // namespace leitstand

@@ -17,23 +17,23 @@
 
 namespace leitstand {
 
-/// One sample as it came over the wire.
+/// A sample as it was received.
 struct ReceivedSample {
-    RawEvent event;   ///< topic, type, bytes as received, time when it was complete here; not yet numbered
+    RawEvent event;   ///< topic, type, bytes as received, and when it was complete; it has no sequence yet
     Guid writer;      ///< who wrote it
     Time sourceTime;  ///< when it was written, writer's clock; 0 when unknown
-    std::uint64_t writerSequence = 0;  ///< number of the sample at its writer, from 1: gaps are losses
+    std::uint64_t writerSequence = 0;  ///< the writer's number for the sample, from 1; gaps are losses
 };
 using SampleCallback = std::function<void(ReceivedSample)>;
 
-/// Which of a node's two threads calls back: a slow callback in one delays nothing in the other.
+/// Which of a node's two threads calls back. A slow callback in one thread does not delay the other.
 enum class Lane : std::uint8_t { Small, Large };
 
 /// What to subscribe to.
 struct ReaderSettings {
     std::string topic = {};  ///< ROS name "/kurt3d/odom", or a DDS name without leading slash
     std::string type = {};   ///< ROS name "nav_msgs/msg/Odometry", or a DDS name
-    Qos qos = {};            ///< depth: at least 16 are kept between network and callback
+    Qos qos = {};            ///< depth: at least 16 samples are kept between network and callback
     Lane lane = Lane::Small;
 };
 
@@ -53,7 +53,7 @@ struct SubscriptionCounts {
     int writers = 0;         ///< matched now
 };
 
-/// Receives samples of a topic until it is destroyed. Once its destructor has returned, its callback no
+/// Receives samples of a topic until it is destroyed. When its destructor has returned, its callback no
 /// longer runs. A callback may destroy its own subscription, and then runs to its end. Any thread.
 class Subscription {
 public:
@@ -70,19 +70,21 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// A writer on a topic, which others in the domain see until it is destroyed. Any thread.
+/// A writer on a topic. Others in the domain see it until it is destroyed. Any thread.
 class Publisher {
 public:
     ~Publisher();
     Publisher(const Publisher&) = delete;
     Publisher& operator=(const Publisher&) = delete;
 
-    /// Sends @p cdr, encapsulation header first. Never waits for the network when the history is keep_last.
-    /// An error when the bytes are no sample, the node is gone, or a keep_all history stays full for 0.1 s.
+    /// Sends @p cdr, which begins with the encapsulation header. Never waits for the network if the history
+    /// is keep_last. Error: the bytes are no sample, the node is gone, or a keep_all history stays full for
+    /// 0.1 s.
     Result<void> write(const Payload& cdr);
     [[nodiscard]] int matched() const;                ///< number of readers that receive what is written
-    [[nodiscard]] std::vector<Guid> readers() const;  ///< those readers
-    /// Waits; true once all matched reliable readers have everything, false after @p atMost.
+    [[nodiscard]] std::vector<Guid> readers() const;  ///< identities of those readers
+    /// Waits until all matched reliable readers have received everything. Returns false if that takes longer
+    /// than @p atMost.
     [[nodiscard]] bool waitForAcknowledgments(std::chrono::milliseconds atMost) const;
     [[nodiscard]] Guid guid() const;
 
@@ -93,9 +95,9 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// A process's place in a DDS domain: one participant over UDP, two threads that call back (docs/design.md,
-/// "The wire"). Subscriptions and publishers may outlive it: they then receive and send nothing more. Any
-/// thread, but it must not be destroyed by one of its own callbacks.
+/// A process's membership in a DDS domain: one participant over UDP, and two threads that call back
+/// (docs/design.md, "The wire"). Subscriptions and publishers may outlive it; then they receive and send
+/// nothing more. Any thread, but its own callbacks must not destroy it.
 class Node {
 public:
     /// Joins the domain. Errors name the setting: unknown interface, unreadable file, no such domain.
@@ -109,25 +111,26 @@ public:
 
     [[nodiscard]] std::vector<RemoteParticipant> participants() const;
     [[nodiscard]] std::vector<RemoteEndpoint> endpoints()
-        const;                                               ///< of all topics, also those that are not ROS
-    [[nodiscard]] std::vector<Mismatch> mismatches() const;  ///< of our readers and writers with others
-    /// Returns what is announced on the topics that we subscribe to, and what of it was received.
+        const;  ///< on all topics, including those that do not belong to ROS
+    [[nodiscard]] std::vector<Mismatch> mismatches() const;  ///< between our readers or writers and others
+    /// Returns what is announced on the topics to which we subscribe, and from which writers samples were
+    /// received.
     [[nodiscard]] DomainReception reception() const;
     /// Leaves the domain and joins it again as another participant, with another guid(). Subscriptions and
-    /// publishers stay, and transient local samples are written again. Samples that are sent meanwhile are
-    /// lost. Takes some 0.1 s. Not for callbacks of this node. @p entered receives the new guid() before
-    /// anything is sent or received under it. The error names what could not be created again.
+    /// publishers remain, and transient local samples are written again. Samples that are sent in between are
+    /// lost. Takes some 0.1 s. Must not be called from callbacks of this node. @p entered receives the new
+    /// guid() before anything is sent or received with it. The error says what could not be created again.
     Result<void> rejoin(const std::function<void(const Guid&)>& entered = {});
-    /// Calls @p changed once at first and after participants, endpoints, mismatches or drops change, on the
-    /// thread of the small lane. Several changes may come as one. Replaces an earlier callback.
+    /// Calls @p changed once at first, and after participants, endpoints, mismatches or drops change, on the
+    /// thread of the small lane. One call may stand for several changes. Replaces an earlier callback.
     void onDiscovery(std::function<void()> changed);
 
-    /// Returns what the operator should know about this computer; empty when all is well. There may be a
-    /// system limit that costs samples, with the command that lifts it. There may be transports that cannot
-    /// be screened, or a build of Fast DDS that is not mended (mendsTheLibrary()).
+    /// Returns what the operator should know about this computer; empty: nothing. These are system limits
+    /// that cause losses (with the command that raises them), and transports that cannot be screened. A build
+    /// of Fast DDS whose defects are not worked around is also included (mendsTheLibrary()).
     [[nodiscard]] const std::vector<std::string>& warnings() const;
-    /// Returns what the screen kept from the DDS library since the node joined, by reason and sender
-    /// (docs/wire.md). Any thread.
+    /// Returns the datagrams that the screen did not pass to the DDS library since the node joined, by reason
+    /// and sender (docs/wire.md). Any thread.
     [[nodiscard]] std::vector<ScreenDrop> dropped() const;
     [[nodiscard]] Guid guid() const;
 

@@ -21,25 +21,25 @@ inline constexpr std::string_view RosDiscoveryType = "rmw_dds_common::msg::dds_:
 
 /// A node of ROS 2, as its process announces it.
 struct RosNode {
-    std::string name;  ///< whole: "/kurt3d/driver"
+    std::string name;  ///< full name: "/kurt3d/driver"
     std::vector<Guid> readers, writers;
 };
 
 /// The nodes of a process (rmw_dds_common/msg/ParticipantEntitiesInfo).
 struct RosProcess {
     Guid participant;
-    std::size_t gidSize = 0;  ///< bytes of an identity on the wire: 24 until Humble, 16 from Iron on
+    std::size_t gidSize = 0;  ///< bytes of an identity in messages: 24 until Humble, 16 from Iron on
     std::vector<RosNode> nodes;
 };
-/// Reads an announcement of nodes, whose identities may have 16 or 24 bytes. Error when @p cdr is no such
-/// announcement; it may hold any bytes.
+/// Reads an announcement of nodes, whose identities may have 16 or 24 bytes. @p cdr may contain any bytes;
+/// error when it is no such announcement.
 [[nodiscard]] Result<RosProcess> rosProcess(std::span<const std::byte> cdr);
 
-/// Which nodes of ROS 2 the readers and writers of a domain belong to. Any thread.
+/// Finds the ROS 2 nodes to which the readers and writers of a domain belong. Any thread.
 class RosNodes {
 public:
-    void add(const RosProcess& process);  ///< replaces what the process announced before
-    /// Returns the whole name of the node of @p endpoint; empty: unknown.
+    void add(const RosProcess& process);  ///< replaces the process's previous announcement
+    /// Returns the full name of the node that has @p endpoint; empty: unknown.
     [[nodiscard]] std::string of(const Guid& endpoint) const;
 
 private:
@@ -50,10 +50,10 @@ private:
     std::map<Guid, std::string> m_nodes;     ///< by endpoint
 };
 
-/// Listens for what processes announce; publishes nothing.
+/// Receives the announcements of processes; publishes nothing.
 class RosNodeWatch {
 public:
-    /// @p node must outlive this. Without permission to read the topic, no node is known.
+    /// @p node must outlive this object. Without permission to read the topic, no node is known.
     explicit RosNodeWatch(Node& node);
     [[nodiscard]] const RosNodes& nodes() const { return *m_nodes; }
 

@@ -14,7 +14,7 @@ namespace leitstand {
 
 /// Returns whether others in the domain must prove who they are.
 [[nodiscard]] bool isSecured(const DomainSettings& settings);
-/// Returns a line for the operator on whether the domain is secured.
+/// Returns a line for the operator that says whether the domain is secured.
 [[nodiscard]] std::string securityLine(const DomainSettings& settings);
 
 }  // namespace leitstand

@@ -11,23 +11,23 @@
 
 namespace leitstand {
 
-/// Words that a guard sends to its station through the pipe, on change and twice a second. Ready: the robot
-/// receives the guard's commands; Waits: it does not.
+/// Words that a guard sends to its station through the pipe, at each change and twice a second. Ready: the
+/// robot receives the guard's commands. Waits: it does not.
 namespace guard_word {
 inline constexpr std::string_view Ready = "ready", Waits = "waits";
 }
 
 struct DriveGuardSettings {
-    std::string ownName = "leitstand-guard";  ///< name of the node of every guard
-    std::string robot;                        ///< name
+    std::string ownName = "leitstand-guard";  ///< name of the guard's node
+    std::string robot;                        ///< name of the robot
     std::string station;                      ///< identity of the station that is guarded
-    Sender driver = {};                       ///< the station's process: not another driver
-    DriveMessage message;                     ///< how the robot is driven
+    Sender driver = {};    ///< process of that station, which is not treated as another driver
+    DriveMessage message;  ///< how the robot is driven
     GuardTiming timing = {};
 };
 
-/// Sends zeros to one robot when the station that drives it hangs or dies (GuardRules). Runs in a process
-/// beside the station, takes part in the domain by itself, and receives grants and others' drive commands.
+/// Sends zeros to a robot when the station that drives it hangs or dies (GuardRules). Runs in a separate
+/// process, takes part in the domain by itself, and receives grants and the drive commands of others.
 class DriveGuard {
 public:
     /// Errors: the drive message cannot be encoded, or the node may not use the topics.
@@ -36,8 +36,8 @@ public:
     DriveGuard(const DriveGuard&) = delete;
     DriveGuard& operator=(const DriveGuard&) = delete;
 
-    /// Guards until the station's end of @p pipe is closed and there is nothing more to do. @p pipe: a socket
-    /// that keeps message boundaries (SOCK_SEQPACKET); receives GuardPulse and sends guard_word.
+    /// Guards until the station's end of @p pipe is closed and nothing is left to do. @p pipe: a socket that
+    /// keeps message boundaries (SOCK_SEQPACKET). It receives GuardPulse and sends guard_word.
     void serve(int pipe);
 
 private:

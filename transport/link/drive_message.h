@@ -10,20 +10,22 @@
 
 namespace leitstand {
 
-/// What a robot is driven with: a Twist or TwistStamped, or speeds of its tracks [m/s] in a JointState.
+/// How a robot is commanded: a Twist or TwistStamped, or speeds of its tracks [m/s] in a JointState.
 struct DriveMessage {
-    StreamDescription stream;                                          ///< drive_command or track_command
-    std::string frame;                                                 ///< of stamped commands
-    double trackDistance = 0.0;                                        ///< of track commands [m]
-    std::string leftTrack = "left_track", rightTrack = "right_track";  ///< joints of track commands
+    StreamDescription stream;    ///< drive_command or track_command
+    std::string frame;           ///< frame of commands with a stamp
+    double trackDistance = 0.0;  ///< distance between the tracks, for track commands [m]
+    /// Names of the joints in track commands.
+    std::string leftTrack = "left_track", rightTrack = "right_track";
 
-    /// Encodes the command for @p velocity, stamped now. @p clockAhead: robot's clock minus this computer's.
+    /// Encodes the command for @p velocity with the present time as stamp. @p clockAhead: robot's clock minus
+    /// this computer's clock.
     [[nodiscard]] Result<Payload> encoded(const DriveVelocity& velocity,
                                           std::chrono::nanoseconds clockAhead) const;
 };
 
-/// Returns the message for a robot that takes drive_command, or else track_command. Errors: the robot takes
-/// neither, or it is tracked and its footprint has no width.
+/// Returns the message for a robot that takes drive_command, otherwise that for track_command. Errors: the
+/// robot takes neither, or it is tracked and its footprint has no width.
 [[nodiscard]] Result<DriveMessage> driveMessageFor(const RobotDescription& robot);
 
 }  // namespace leitstand

@@ -13,28 +13,28 @@ namespace leitstand {
 /// Returns the QoS of grants: reliable, transient local, as for all topics below /leitstand/.
 [[nodiscard]] Qos grantQos();
 
-/// Callbacks on the keeper's own thread, without any lock held; they may call the keeper, but not destroy it.
+/// Callbacks on the keeper's own thread. No lock is held, so they may call the keeper, but not destroy it.
 struct GrantListener {
     std::function<void()> onChange = {};                      ///< the result of view() or mayAct() changed
     std::function<void(std::vector<HeldGrant>)> onHeld = {};  ///< held grants changed: store them
 };
 
 /// A station's grants over DDS (GrantBook): heartbeats, requests and answers on /leitstand/grants. Drive
-/// commands and releases must come from the same node, or robots do not accept them as the holder's. Any
-/// thread; nothing waits for the network.
+/// commands and releases must come from the same node; otherwise robots do not accept them as the holder's.
+/// Any thread; nothing waits for the network.
 class GrantKeeper {
 public:
-    /// Holds the grants of StationIdentity::held again at once. Error when the node may not publish grants (a
+    /// Holds the grants in StationIdentity::held again at once. Error when the node may not publish grants (a
     /// viewer in a secured domain).
     [[nodiscard]] static Result<std::unique_ptr<GrantKeeper>> create(Node& node, const StationIdentity& me,
                                                                      GrantListener listener = {},
                                                                      const GrantTiming& timing = {});
-    /// Releases all grants without calling the listener: what was held stays stored.
+    /// Releases all grants without calling the listener, so the stored grants are not changed.
     ~GrantKeeper();
     GrantKeeper(const GrantKeeper&) = delete;
     GrantKeeper& operator=(const GrantKeeper&) = delete;
 
-    /// See GrantBook::rejoined(). Call it before anything is sent or received under the new identity
+    /// See GrantBook::rejoined(). Call it before anything is sent or received with the new identity
     /// (Node::rejoin()).
     void rejoined(const Guid& participant);
     void requestGrant(const GrantId& id);

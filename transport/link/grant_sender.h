@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// Returns the process that the writer, reader or participant of @p guid belongs to.
+/// Returns the process to which the writer, reader or participant @p guid belongs.
 [[nodiscard]] inline Sender senderOf(const Guid& guid) {
     Sender sender;
     std::copy_n(guid.bytes.begin(), sender.bytes.size(), sender.bytes.begin());

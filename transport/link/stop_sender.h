@@ -15,23 +15,24 @@ namespace leitstand {
 
 /// How a station stops robots.
 struct StopSenderSettings {
-    std::string station = "leitstand";  ///< persistent identity
-    /// Returns whether this station holds the grant to drive a robot (GrantKeeper::mayAct); none: it releases
-    /// nothing.
+    std::string station = "leitstand";  ///< the station's persistent identity
+    /// Returns whether this station holds the grant to drive a robot (GrantKeeper::mayAct). Empty: it may
+    /// release no robot.
     std::function<bool(const std::string& robot)> mayRelease = {};
-    /// Called when the status() of a robot has changed, on the sender's own thread, without a lock held. May
-    /// call the sender, but not destroy it.
+    /// Called when the status() of a robot has changed, on the sender's own thread. No lock is held, so it
+    /// may call the sender, but not destroy it.
     std::function<void(const std::string& robot)> onChange = {};
     StopTiming timing = {};
 };
 
-/// STOP over DDS (StopControl): stops any of the robots, repeats each stop until the robot has acknowledged
-/// it, and reports the state of each. Only releases need the grant, so viewers may have a StopSender, too. To
-/// robots without a stop_command it sends nothing: DriveStreamer holds them by zeros. Any thread; nothing
-/// waits for the network or anybody else.
+/// STOP over DDS (StopControl): stops any robot, repeats each stop until the robot has acknowledged it, and
+/// reports the state of each robot. Only releases need the grant, so viewers may have a StopSender, too. It
+/// sends nothing to robots without a stop_command; DriveStreamer holds those with zeros. Any thread; nothing
+/// waits for the network or anything else.
 class StopSender {
 public:
-    /// Errors name the topic: its type is wrong, or the node may not use it. Or two robots have one name.
+    /// Errors name the topic (wrong type, or the node may not use it), or say that two robots have the same
+    /// name.
     [[nodiscard]] static Result<std::unique_ptr<StopSender>> create(Node& node,
                                                                     std::span<const RobotDescription> robots,
                                                                     StopSenderSettings settings = {});
@@ -41,15 +42,16 @@ public:
 
     void stopAll();
     void stop(const std::string& robot);  ///< does nothing for unknown names
-    /// Releases @p robot from its stop. Errors: as of StopControl::release(), or there is no robot of that
-    /// name.
+    /// Releases @p robot from its stop. Errors are those of StopControl::release(), or that there is no robot
+    /// with this name.
     Result<void> release(const std::string& robot);
 
     [[nodiscard]] StopStatus status(const std::string& robot) const;
-    /// For DriveConditions::mayDrive. Returns whether no stop of the robot stands; false for unknown names.
+    /// For DriveConditions::mayDrive: returns whether no stop of the robot is in force. False for unknown
+    /// names.
     [[nodiscard]] bool allowsDriving(const std::string& robot) const;
-    /// For DriveConditions::hold. Returns whether the robot is to stop but takes no stop commands: zeros must
-    /// hold it.
+    /// For DriveConditions::hold: returns whether the robot must be stopped but takes no stop commands, so
+    /// that zeros must hold it.
     [[nodiscard]] bool holdsByZeros(const std::string& robot) const;
 
 private:

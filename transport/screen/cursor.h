@@ -8,8 +8,8 @@
 
 namespace leitstand::screen {
 
-/// Reads a part of a datagram in either byte order. After the first read that does not fit, all reads return
-/// zero and ok() is false.
+/// Reads a part of a datagram in either byte order. After the first read that does not fit, all further reads
+/// return zero and ok() is false.
 class Cursor {
 public:
     Cursor(std::span<const std::byte> bytes, bool little) : m_bytes(bytes), m_little(little) {}
@@ -18,7 +18,7 @@ public:
     [[nodiscard]] std::size_t left() const { return m_bytes.size(); }
     void setLittle(bool little) { m_little = little; }
 
-    /// Returns the next @p size bytes; none when there are fewer.
+    /// Returns the next @p size bytes; empty when there are fewer.
     std::span<const std::byte> take(std::size_t size) {
         if (!m_ok || size > m_bytes.size()) {
             m_ok = false;
@@ -30,19 +30,18 @@ public:
         return taken;
     }
     std::span<const std::byte> rest() { return take(m_bytes.size()); }
-    /// Skips the padding after @p size bytes, up to a multiple of four, or fewer bytes when the data ends
-    /// before.
+    /// Skips the padding after @p size bytes, up to a multiple of four. Stops at the end of the data.
     void skipPadding(std::size_t size) { take(std::min((4 - size % 4) % 4, m_bytes.size())); }
 
     std::uint8_t u8() { return static_cast<std::uint8_t>(number(1)); }
     std::uint16_t u16() { return static_cast<std::uint16_t>(number(2)); }
     std::uint32_t u32() { return static_cast<std::uint32_t>(number(4)); }
-    /// Reads the number of a sample as RTPS writes it: the high half first, in either byte order.
+    /// Reads the number of a sample in the format of RTPS: the high half comes first, in either byte order.
     std::int64_t sequenceNumber() {
         const std::uint64_t high = u32();
         return static_cast<std::int64_t>(high << 32 | u32());
     }
-    /// Reads the id of an entity, which is big-endian in either byte order.
+    /// Reads the id of an entity, which is always big-endian.
     std::uint32_t entityId() {
         std::uint32_t id = 0;
         for (const std::byte byte : take(4)) id = id << 8 | std::to_integer<std::uint32_t>(byte);

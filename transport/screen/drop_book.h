@@ -11,7 +11,7 @@
 namespace leitstand::screen {
 
 /// Counts dropped datagrams by reason and sender's address. The first sixteen addresses of each reason are
-/// counted separately, all others together: a flooder may use a new address each time.
+/// counted separately, all others together, because an attacker may use a new address each time.
 class DropBook {
 public:
     void note(ScreenDrop::Kind why, const Address& from, Fault fault);

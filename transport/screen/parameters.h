@@ -9,7 +9,7 @@
 
 namespace leitstand::screen {
 
-/// Numbers on the wire of the parameters that the screen reads itself (RTPS 2.3, tables 9.12 and 9.14).
+/// Numbers of the parameters that the screen reads itself (RTPS 2.3, tables 9.12 and 9.14).
 namespace pid {
 constexpr std::uint16_t Sentinel = 0x0001, LeaseDuration = 0x0002, KeyHash = 0x0070, StatusInfo = 0x0071,
                         UnicastLocator = 0x0031, MetatrafficUnicastLocator = 0x0032,
@@ -23,12 +23,12 @@ struct Parameter {
     bool littleEndian = false;
 };
 
-/// Checks that @p parameter is as long as its kind requires, and that every count, text and sequence in it
-/// fits.
+/// Checks that @p parameter is as long as its kind requires, and that all counts, texts and sequences in it
+/// fit.
 [[nodiscard]] Fault checkParameter(const Parameter& parameter);
 
-/// Checks each parameter of a list and calls @p take with it, up to the list's end, which must be there.
-/// Stops at the first fault.
+/// Checks each parameter of a list and calls @p take with it. The list must have an end. Stops at the first
+/// fault.
 template <class Take>
 [[nodiscard]] Fault eachParameter(Cursor& in, bool littleEndian, Take take) {
     for (;;) {
@@ -48,14 +48,14 @@ template <class Take>
 
 using Seconds = std::chrono::duration<double>;
 
-/// What a participant announces about itself, as far as the screen cares.
+/// What a participant announces about itself, as far as the screen uses it.
 struct Announcement {
     Prefix participant{};
-    bool ends = false;               ///< the participant leaves
-    Seconds lease{100.0};            ///< the standard's default
-    std::vector<Address> addresses;  ///< that it claims to have; at most sixteen
+    bool ends = false;               ///< whether the participant leaves
+    Seconds lease{100.0};            ///< default is that of the standard
+    std::vector<Address> addresses;  ///< addresses that it claims to have, at most sixteen
     std::vector<std::uint16_t> discoveryPorts,
-        samplePorts;  ///< ports on which it receives discovery, and samples; at most sixteen each
+        samplePorts;  ///< ports on which it receives discovery and samples, at most sixteen each
 };
 /// What a participant announces about a writer or reader.
 struct EndpointAnnouncement {
@@ -63,16 +63,16 @@ struct EndpointAnnouncement {
     bool ends = false;
 };
 
-/// Reads what @p data announces or ends: a participant; in the second form, a writer or reader. Faults: as of
-/// checkParameter(), an unknown encapsulation, or nobody is named.
+/// Reads what @p data announces or ends: a participant, or (second form) a writer or reader. Faults are those
+/// of checkParameter(), an unknown encapsulation, or that no participant or endpoint is named.
 [[nodiscard]] Fault read(const Submessage& data, Announcement& into);
 [[nodiscard]] Fault read(const Submessage& data, EndpointAnnouncement& into);
 
-/// Checks a sample of the writer by which participants prove their identity (DDS-Security 1.1, section
+/// Checks a sample from the writer with which participants prove their identity (DDS-Security 1.1, section
 /// 7.4.3).
 [[nodiscard]] Fault checkAuthentication(std::span<const std::byte> sample);
-/// Checks a sample of the writer by which participants assert liveliness. Sets @p participant to the one that
-/// the sample names.
+/// Checks a sample from the writer with which participants assert liveliness. Sets @p participant to the
+/// participant in the sample.
 [[nodiscard]] Fault checkLiveliness(std::span<const std::byte> sample, Prefix& participant);
 
 }  // namespace leitstand::screen

@@ -7,7 +7,7 @@
 
 namespace leitstand::screen {
 
-using Address = std::array<std::uint8_t, 16>;  ///< of a locator; IPv4 in the last four bytes
+using Address = std::array<std::uint8_t, 16>;  ///< address in a locator; IPv4 is in the last four bytes
 
 /// Where a datagram comes from.
 struct Place {
@@ -22,7 +22,7 @@ struct Place {
 /// Formats @p address as "10.0.0.7".
 [[nodiscard]] std::string toString(const Address& address);
 
-/// Hash for tables whose keys come from outside.
+/// Hash for tables whose keys are chosen by others.
 struct BytesHash {
     template <std::size_t N>
     std::size_t operator()(const std::array<std::uint8_t, N>& bytes) const {

@@ -9,18 +9,18 @@
 
 namespace leitstand::screen {
 
-/// How a node takes part, as far as the screen cares.
+/// How a node takes part in the domain, as far as the screen uses it.
 struct ScreenSettings {
-    bool encrypted = false;  ///< messages are protected as a whole; plain are only announcements of
-                             ///< participants and proofs of identity
-    bool relayed = false;    ///< there is a discovery server, so participants may announce others
+    /// Messages are protected as a whole; only announcements of participants and proofs of identity are not.
+    bool encrypted = false;
+    bool relayed = false;  ///< there is a discovery server, so participants may announce others
 };
 
-/// Stands between the network and the DDS library and decides which datagrams pass. What it stores about the
-/// domain is bounded (docs/wire.md); it changes no datagram. Any thread.
+/// Is between the network and the DDS library and decides which datagrams are passed. It changes no datagram.
+/// What it stores about the domain is limited (docs/wire.md). Any thread.
 class Screen {
 public:
-    /// Calls @p dropped when something was dropped, at most once a second, on the thread that called
+    /// Calls @p dropped after something was dropped, at most once a second, on the thread that called
     /// passes(). @p dropped must not call the screen.
     explicit Screen(const ScreenSettings& settings, std::function<void()> dropped = {})
         : m_settings(settings), m_dropped(std::move(dropped)) {}
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] bool passes(std::span<const std::byte> bytes, const Place& place,
                               Moment now = Clock::now());
 
-    /// Returns whether participants that were let in receive discovery on @p port, and nothing else.
+    /// Returns whether admitted participants receive discovery on @p port, and nothing else.
     [[nodiscard]] bool isDiscoveryPort(std::uint16_t port) const;
 
     /// Returns what was dropped so far, by reason and sender.
@@ -52,7 +52,7 @@ private:
     [[nodiscard]] Verdict judgeEndpoint(const Submessage& next, Moment now);
     [[nodiscard]] Verdict judgeStranger(const Place& place, Moment now);
 
-    /// Counts a verdict; returns whether drops are to be reported now.
+    /// Counts a verdict. Returns whether drops should be reported now.
     [[nodiscard]] bool count(const Verdict& verdict, const Place& place, Moment now);
 
     const ScreenSettings m_settings;

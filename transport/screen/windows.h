@@ -7,12 +7,12 @@
 
 namespace leitstand::screen {
 
-/// Bounds how far the counts of one writer or reader advance. Counts that are not higher than an earlier one
-/// pass: the library ignores them.
+/// Limits how fast the counts of one writer or reader increase. Counts that are not higher than an earlier
+/// one are passed, since the library ignores them.
 class CountWindow {
 public:
-    /// @p leads: the count comes from where the sender speaks (Remote::leads()). A count from elsewhere may
-    /// be ahead by limits::Beside at most, and uses up nothing of the sender's budget.
+    /// @p leads: whether the count comes from the place where the sender speaks (Remote::leads()). A count
+    /// from elsewhere may be ahead by at most limits::Beside, and does not use the sender's budget.
     [[nodiscard]] bool admits(std::uint32_t count, bool leads, Moment now);
 
 private:
@@ -21,7 +21,8 @@ private:
     Budget m_budget{limits::Counts};
 };
 
-/// Bounds how far the sample numbers of a writer advance. The first may be any up to limits::MostNumber.
+/// Limits how fast the sample numbers of a writer increase. The first number may be any up to
+/// limits::MostNumber.
 class WriterWindow {
 public:
     /// @p leads: as in CountWindow::admits(). @p unfinished: budget of the writer's participant.

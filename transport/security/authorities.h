@@ -16,7 +16,7 @@ struct Authorities {
     std::string identityCaPem;  ///< the certificate, and the revocation list if there is one
 };
 
-/// Opens the authorities of @p layout; makes them when the folder is empty or absent.
+/// Opens the authorities of @p layout. Makes them when the folder is empty or missing.
 [[nodiscard]] Result<Authorities> openAuthorities(const KeystoreLayout& layout, const KeySettings& settings);
 /// Opens the authorities of @p layout. Error when they are missing.
 [[nodiscard]] Result<Authorities> readAuthorities(const KeystoreLayout& layout);

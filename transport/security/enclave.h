@@ -11,16 +11,16 @@
 
 namespace leitstand {
 
-/// Returns the files of the enclave @p folder ("KEYS/enclaves/station1") after checks whose failure DDS would
-/// not explain. All files must exist, and others must not be able to read the key. The identity authority
-/// must have signed the certificate, which is neither expired nor revoked and fits the key. The permissions
-/// authority must have signed governance and permissions, and the permissions must be for the certificate's
-/// subject. Errors name the file and what to do.
+/// Returns the files of the enclave @p folder ("KEYS/enclaves/station1") after checking what DDS would not
+/// explain. All files must exist, and others must not be able to read the key. The certificate must be signed
+/// by the identity authority, fit the key, and be neither expired nor revoked. Governance and permissions
+/// must be signed by the permissions authority, and the permissions must be for the certificate's subject.
+/// Errors name the file and what to do.
 [[nodiscard]] Result<SecurityFiles> securityFiles(const std::filesystem::path& folder,
                                                   Time now = std::chrono::system_clock::now());
 
-/// Returns one line for the operator on whether the domain is secured: "Security is OFF: ..." or "Security is
-/// on: station1 (station), valid until 2027-01-31".
+/// Returns one line for the operator that says whether the domain is secured: "Security is OFF: ..." or
+/// "Security is on: station1 (station), valid until 2027-01-31".
 [[nodiscard]] std::string securityLine(const std::optional<SecurityFiles>& files);
 
 }  // namespace leitstand

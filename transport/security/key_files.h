@@ -27,19 +27,20 @@ struct KeystoreLayout {
     [[nodiscard]] std::filesystem::path retired() const { return folder / "retired"; }
 };
 
-/// Reads a small file. Error, with its name, when it is absent, unreadable or above 1 MB.
+/// Reads a small file. The error names the file: it is missing, unreadable or above 1 MB.
 [[nodiscard]] Result<std::string> readKeyFile(const std::filesystem::path& file);
-/// Writes a new file down to the disk, with mode 0600 when @p secret, else 0644. Error when it exists.
+/// Writes a new file and waits until it is on the disk. Its mode is 0600 if @p secret, otherwise 0644. Error
+/// when it exists.
 [[nodiscard]] Result<void> writeNewFile(const std::filesystem::path& file, const std::string& text,
                                         bool secret);
-/// Replaces @p file by @p text, whole or not at all; mode 0644.
+/// Replaces @p file by @p text, completely or not at all; mode 0644.
 [[nodiscard]] Result<void> replaceFile(const std::filesystem::path& file, const std::string& text);
-/// Makes @p folder with mode 0700 when @p secret, else 0755. Missing folders above it get mode 0755.
+/// Makes @p folder with mode 0700 if @p secret, otherwise 0755. Missing folders above it get mode 0755.
 [[nodiscard]] Result<void> makeFolder(const std::filesystem::path& folder, bool secret);
-/// Moves a file or folder to a place that must be free.
+/// Moves a file or folder to a path where nothing exists.
 [[nodiscard]] Result<void> moveTo(const std::filesystem::path& from, const std::filesystem::path& to);
-/// Returns why @p file is no safe place for a key: others may read or change it. Empty when all is well.
+/// Returns why @p file is no safe place for a key: others may read or change it. Empty: it is safe.
 [[nodiscard]] std::string accessProblem(const std::filesystem::path& file);
-[[nodiscard]] std::string dateOf(Time time);  ///< "2027-01-31", UTC
+[[nodiscard]] std::string dateOf(Time time);  ///< "2027-01-31", in UTC
 
 }  // namespace leitstand

@@ -23,18 +23,19 @@ using Key = std::unique_ptr<EVP_PKEY, Free>;
 using Certificate = std::unique_ptr<X509, Free>;
 using RevocationList = std::unique_ptr<X509_CRL, Free>;
 
-/// Particulars of a certificate. Keys are on the curve P-256; certificates are signed with SHA-256.
+/// Contents of a certificate. Keys are on the curve P-256; certificates are signed with SHA-256.
 struct CertificateSettings {
-    std::string organisation, unit, commonName;  ///< ASCII; together "CN=...,OU=...,O=..."
+    std::string organisation, unit, commonName;  ///< ASCII; the subject is "CN=...,OU=...,O=..."
     Time from{}, until{};
-    bool authority = false;  ///< may sign certificates, revocation lists and messages
+    bool authority = false;  ///< whether it may sign certificates, revocation lists and messages
 };
 
 [[nodiscard]] Result<Key> makeKey();
-/// Makes a certificate of @p key, signed by @p authorityKey; self-signed when there is no @p authority.
+/// Makes a certificate for @p key, signed with @p authorityKey. It is self-signed if there is no
+/// @p authority.
 [[nodiscard]] Result<Certificate> makeCertificate(const CertificateSettings& settings, EVP_PKEY* key,
                                                   X509* authority, EVP_PKEY* authorityKey);
-/// Returns @p text signed by @p certificate, in DDS-Security's S/MIME form (detached, text/plain).
+/// Returns @p text signed with @p certificate, in the S/MIME form of DDS-Security (detached, text/plain).
 [[nodiscard]] Result<std::string> signText(const std::string& text, X509* certificate, EVP_PKEY* key);
 /// Returns the text of @p smime. Error when @p authority did not sign it.
 [[nodiscard]] Result<std::string> verifiedText(const std::string& smime, X509* authority);
@@ -48,12 +49,12 @@ struct CertificateSettings {
 /// Returns the first certificate in @p pem. The error has no file name.
 [[nodiscard]] Result<Certificate> certificateFrom(const std::string& pem);
 [[nodiscard]] Result<Key> keyFrom(const std::string& pem);
-/// Returns the serial numbers that the revocation lists in @p pem revoke: hexadecimal, sorted. Error when
-/// @p authority did not sign a list.
+/// Returns the serial numbers in the revocation lists of @p pem: hexadecimal, sorted. Error when @p authority
+/// did not sign a list.
 [[nodiscard]] Result<std::vector<std::string>> revokedIn(const std::string& pem, X509* authority);
 
-[[nodiscard]] std::string subjectOf(const X509* certificate);  ///< in the order of RFC 2253
-/// Returns "CN", "OU" or "O" of the subject; empty when absent.
+[[nodiscard]] std::string subjectOf(const X509* certificate);  ///< its parts are in the order of RFC 2253
+/// Returns "CN", "OU" or "O" of the subject; empty: it has none.
 [[nodiscard]] std::string subjectPart(const X509* certificate, const char* part);
 [[nodiscard]] std::string serialOf(const X509* certificate);  ///< hexadecimal
 [[nodiscard]] Time validFrom(const X509* certificate);

@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// Paints an alarm into a row: its sign, its robot's letter, its text (wrapped when long) and its age.
+/// Paints an alarm in a row: its sign, its robot's letter, its text (wrapped if long) and its age.
 class AlarmDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -19,7 +19,7 @@ public:
 };
 
 /// Paints the sign of @p severity into @p box: a triangle for Attention, an octagon for Act, each with an
-/// exclamation mark. @p filled, for standing alarms: the shape is filled with @p colour and the mark is drawn
+/// exclamation mark. @p filled (for active alarms): the shape is filled with @p colour and the mark is drawn
 /// in @p ink. Otherwise both are lines in @p colour.
 void paintAlarmSign(QPainter& painter, const QRectF& box, AlarmSeverity severity, bool filled,
                     const QColor& colour, const QColor& ink);

@@ -12,19 +12,19 @@ class QToolButton;
 namespace leitstand {
 
 /// Lists all alarms, newest first: severity (by shape and colour), robot, text and age. Emits requests to
-/// acknowledge and to mute. It never opens a box in front of the driver.
+/// acknowledge and to mute. It never opens a dialog in front of the driver.
 class AlarmPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit AlarmPanel(QWidget* parent = nullptr);
 
     /// Shows @p lines, made by alarmLinesOf(). @p mute: muteText(); empty: tones are not muted. @p brief:
-    /// muteBrief(), shown when @p mute has no room.
+    /// muteBrief(), shown if there is no space for @p mute.
     void show(const std::vector<AlarmLine>& lines, const QString& mute, const QString& brief = {});
     using QWidget::show;
     /// Shows why tones cannot be heard: "no sound device". Empty: they are heard.
     void setSoundTrouble(const QString& trouble);
-    /// Hides the buttons that acknowledge and mute while @p on, as for the alarms of a past mission.
+    /// Hides the buttons that acknowledge and mute while @p on, for example for alarms of a past mission.
     /// Activating a row still emits acknowledged().
     void setReadOnly(bool on);
 
@@ -42,7 +42,7 @@ protected:
 
 private:
     void refresh();
-    void fitHead();  ///< shortens the head's words, then drops them; numbers and keys stay
+    void fitHead();  ///< shortens the words of the header, then removes them; numbers and keys remain
 
     AlarmListModel m_model;
     QListView* m_list;
@@ -50,7 +50,7 @@ private:
     QLabel *m_title, *m_calm;
     QToolButton *m_acknowledge, *m_mute;
     QString m_muted, m_mutedBrief, m_trouble;
-    QString m_fitted;  ///< texts and width that the head was last fitted to
+    QString m_fitted;  ///< texts and width for which the header was last fitted
 };
 
 }  // namespace leitstand

@@ -10,17 +10,18 @@
 
 namespace leitstand {
 
-/// Returns @p picture as a QImage, a deep copy. Values of Grey16 and Float32 are scaled: the least becomes
-/// black, the greatest white. Null when size and bytes do not match.
+/// Returns @p picture as a QImage, a deep copy. Values of Grey16 and Float32 are scaled: the lowest becomes
+/// black, the highest white. Null when size and bytes do not match.
 [[nodiscard]] QImage imageOf(const Picture& picture);
 
-/// The temperatures that the palette spans; the same for all pictures, so that a colour keeps its meaning.
+/// Range of temperatures of the palette. It is the same for all pictures, so that each colour keeps its
+/// meaning.
 struct ThermalRange {
     float coolest = 15.0F, hottest = 40.0F;  ///< [degrees C]
     friend bool operator==(const ThermalRange&, const ThermalRange&) = default;
 };
 enum class ThermalPalette {
-    Iron,      ///< dark violet over red to pale yellow
+    Iron,      ///< from dark violet through red to pale yellow
     GreyHot,   ///< hot is white
     GreyCold,  ///< hot is black
 };
@@ -29,13 +30,13 @@ enum class ThermalPalette {
 [[nodiscard]] QRgb thermalColour(float celsius, const ThermalRange& range, ThermalPalette palette);
 [[nodiscard]] QImage imageOf(const ThermalPicture& picture, const ThermalRange& range = {},
                              ThermalPalette palette = ThermalPalette::Iron);
-/// Returns the temperature at @p x, @p y (0 to 1 of width and height) [degrees C]; empty outside or where
-/// none was measured.
+/// Returns the temperature at (@p x, @p y), given as shares of width and height (0 to 1) [degrees C]. Empty
+/// outside, or where none was measured.
 [[nodiscard]] std::optional<float> celsiusAt(const ThermalPicture& picture, double x, double y);
-/// Returns the least and greatest temperatures of @p picture, at least 2 K apart.
+/// Returns the lowest and highest temperatures of @p picture, at least 2 K apart.
 [[nodiscard]] ThermalRange rangeOf(const ThermalPicture& picture);
 /// Returns a range between @p before and @p now, so that colours do not flicker. Each end moves a fifth of
-/// the way; an end that differs by more than 10 K moves all the way.
+/// the difference. An end that differs by more than 10 K moves all the way.
 [[nodiscard]] ThermalRange eased(const ThermalRange& before, const ThermalRange& now);
 
 }  // namespace leitstand

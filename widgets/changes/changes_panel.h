@@ -15,13 +15,13 @@ class QTableView;
 
 namespace leitstand {
 
-/// Lists what is new and what is gone since the missions before, largest first.
+/// Lists what is new and what has disappeared since the earlier missions, largest first.
 class ChangesPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit ChangesPanel(QWidget* parent = nullptr);
 
-    /// Shows @p changes; null until they are known. @p robotInMap: pose of the selected robot.
+    /// Shows @p changes; null: not known yet. @p robotInMap: pose of the selected robot.
     void show(const MapChanges* changes, const std::optional<Pose>& robotInMap);
     using QWidget::show;
     /// Adds a button below the list for each of @p commands.

@@ -14,13 +14,13 @@ class QAction;
 
 namespace leitstand {
 
-/// Lists reachable floor that a kind of sensor did not see, largest piece first.
+/// Lists reachable floor that a kind of sensor has not seen, largest piece first.
 class MissedPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit MissedPanel(QWidget* parent = nullptr);
 
-    /// Shows @p searched; null until there is a map. @p robotInMap: pose of the selected robot.
+    /// Shows @p searched; null: there is no map yet. @p robotInMap: pose of the selected robot.
     void show(const SearchedFloorPtr& searched, const std::optional<Pose>& robotInMap);
     using QWidget::show;
     [[nodiscard]] SearchSensor sensor() const;

@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Shows roll and pitch of a robot as the horizon seen from its cab. The dial is dotted beyond the limits
-/// where the robot tips over.
+/// Shows roll and pitch of a robot as the horizon seen from inside it. The dial is dotted beyond the angles
+/// at which the robot tips over.
 class AttitudeGauge final : public QWidget {
     Q_OBJECT
 public:

@@ -11,14 +11,13 @@ class EnergyCell;
 class GasCell;
 class ModeCell;
 
-/// The strip below the panes. Shows mode, hold, motion, attitude, battery, link and CO2 of the selected
-/// robot.
+/// The strip below the panes: mode, hold, motion, attitude, battery, link and CO2 of the selected robot.
 class DriveStrip final : public QWidget {
     Q_OBJECT
 public:
     explicit DriveStrip(QWidget* parent = nullptr);
 
-    /// Shows @p state, the driveStateOf() of the selected robot.
+    /// Shows @p state, the result of driveStateOf() for the selected robot.
     void show(const DriveState& state);
     using QWidget::show;
 

@@ -8,8 +8,8 @@ class QToolButton;
 
 namespace leitstand {
 
-/// Shows the mode of the selected robot as the largest text of the window, on the background of that mode.
-/// Below are a hint, the holder of the grant to drive, speeds of chains, speed, turn rate and the nearest
+/// Shows the mode of the selected robot in the largest text of the window, on the background of that mode.
+/// Below it are a hint, the holder of the grant to drive, speeds of chains, speed, turn rate and the nearest
 /// obstacle.
 class ModeCell final : public QWidget {
     Q_OBJECT
@@ -35,7 +35,7 @@ private:
     [[nodiscard]] QRectF grantLine() const;
 
     DriveState m_state;
-    QToolButton *m_first, *m_second;  ///< first: ask, give up or consent; second: refuse
+    QToolButton *m_first, *m_second;  ///< first button: ask, give up or consent; second button: refuse
 };
 
 }  // namespace leitstand

@@ -4,8 +4,8 @@
 
 namespace leitstand {
 
-/// The button that stops all robots: large, of fixed size, red in every theme and state. It shows Esc; the
-/// window handles that key.
+/// The button that stops all robots: large, of fixed size, red in every theme and state. It shows the key
+/// Esc, which the window handles.
 class StopButton final : public QAbstractButton {
     Q_OBJECT
 public:

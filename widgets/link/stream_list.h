@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// A table of the streams of all robots, one row each. Columns that do not fit are hidden, the least needed
-/// first.
+/// A table of the streams of all robots, one row each. Columns that do not fit are hidden, the least
+/// important first.
 class StreamList final : public QTableView {
     Q_OBJECT
 public:
@@ -17,7 +17,7 @@ public:
 
     void setRows(std::vector<StreamRow> rows) { m_streams.setRows(std::move(rows)); }
     [[nodiscard]] const StreamTable& streams() const { return m_streams; }
-    /// The chosen stream; null: none.
+    /// The selected stream; null: none.
     [[nodiscard]] const StreamRow* chosen() const { return m_streams.row(currentIndex().row()); }
 
 signals:

@@ -19,11 +19,11 @@ class KeyScanModel;
 class NumberBox;
 
 /// Lists the scans of a live map with their doubts, and offers the decisions accept, reject, retry, rewind
-/// and undo. Below, it sets which part of the world enters the map.
+/// and undo. Below the list, the operator limits the map to an area.
 class DecisionsPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// Shows @p scans, which must outlive it.
+    /// Shows @p scans, which must outlive this panel.
     explicit DecisionsPanel(KeyScanModel& scans, QWidget* parent = nullptr);
     ~DecisionsPanel() override;
 
@@ -35,12 +35,12 @@ public:
 
     [[nodiscard]] std::uint64_t chosen() const;  ///< KeyScanSample::id; 0: none
     void choose(std::uint64_t id);
-    /// Returns the chosen maximum pair distances for registering a scan again, one per stage, from wide to
-    /// narrow [m].
+    /// Returns the selected maximum pair distances for registering a scan again, one per stage, from large to
+    /// small [m].
     [[nodiscard]] std::vector<double> retrySchedule() const;
-    /// Shows the ceiling in force: the height above which nothing enters the map, map frame [m]; empty: none.
+    /// Shows the present ceiling in the map [m]: nothing above it enters the map. Empty: none.
     void setCeiling(const std::optional<double>& height);
-    /// Shows @p text about the area in force.
+    /// Shows @p text about the present area.
     void setAreaText(const QString& text);
 
 signals:

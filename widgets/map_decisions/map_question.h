@@ -12,14 +12,14 @@ class QLabel;
 
 namespace leitstand {
 
-/// A question to the operator, shown over the map with buttons for the answers. It lies centred at the map's
-/// lower edge, above the questions created before. On a small map it takes one line. It never takes the
-/// focus, so that driving goes on.
+/// A question to the operator, shown over the map with buttons for the answers. It is centred at the map's
+/// lower edge, above questions that were created earlier. On a small map it takes one line. It never takes
+/// the focus, so that driving continues.
 class MapQuestion final : public QFrame {
     Q_OBJECT
 public:
-    /// @p name: becomes the objectName(). @p answers: commands of the buttons. @p over: the map, which
-    /// becomes the parent.
+    /// @p name: its objectName(). @p answers: commands of the buttons. @p over: the map, which becomes the
+    /// parent.
     MapQuestion(const QString& name, const std::vector<QAction*>& answers, QWidget& over);
 
     /// Shows @p question; empty hides it. A small map shows only the first line.

@@ -34,9 +34,9 @@ struct MapOverlay {
 
     void paint(QPainter& painter, const MapProjection& projection, const SceneContent& content,
                const OverlayStyle& style);
-    /// Returns the robot drawn at @p position; null: none.
+    /// Returns the robot that is drawn at @p position; null: none.
     [[nodiscard]] const RobotMark* robotAt(const QPointF& position, const MapProjection& projection) const;
-    [[nodiscard]] QString description() const;  ///< for screen readers
+    [[nodiscard]] QString description() const;  ///< text for screen readers
 };
 
 }  // namespace leitstand

@@ -13,8 +13,8 @@
 
 namespace leitstand {
 
-/// What the mouse and the keys do in a MapView: they move its camera, draw on its floor, and measure. Emits
-/// the view's signals.
+/// What the mouse and the keys do in a MapView: move its camera, draw on its floor, and measure. Emits the
+/// view's signals.
 class MapPointer {
 public:
     MapPointer(MapView& view, MapScenery& scenery, MapOverlay& overlay);
@@ -37,13 +37,15 @@ private:
     static constexpr std::chrono::milliseconds HoverInterval{50};
 
     [[nodiscard]] static Drag dragFor(const QMouseEvent& event, MapLook look);
-    /// Returns the depth of the point drawn at @p position, or else of the camera's focus [m].
+    /// Returns the depth of the point drawn at @p position [m]. If there is none, returns that of the
+    /// camera's focus.
     [[nodiscard]] double depthAt(const QPoint& position) const;
     void measureAt(const QPoint& position);
-    /// Returns the floor under @p position: scanned floor, else the ground's plane. In the map's frame [m].
+    /// Returns the floor under @p position in the map's frame [m]: scanned floor, otherwise the plane of the
+    /// ground.
     [[nodiscard]] std::optional<Eigen::Vector3d> groundAt(const QPointF& position) const;
     void moveBy(Drag how, const QPointF& pull);
-    /// Handle mouse events of gestures. False: no gesture is active and the camera gets the event.
+    /// Handle mouse events of gestures. False: no gesture is active, so the camera gets the event.
     bool pressGesture(const QMouseEvent& event);
     bool moveGesture(const QMouseEvent& event);
     bool releaseGesture(const QMouseEvent& event);
@@ -52,10 +54,10 @@ private:
     MapScenery& m_scenery;
     MapOverlay& m_overlay;
     Drag m_drag = Drag::None;
-    QPoint m_pressed, m_cursor;   ///< where the drag began, where the mouse is
-    double m_pressedDepth = 0.0;  ///< of the point drawn at m_pressed [m]
-    bool m_dragged = false;       ///< moved farther than a click allows
-    bool m_drawn = false;         ///< a pose was drawn since the button was pressed
+    QPoint m_pressed, m_cursor;   ///< where the drag began; where the mouse is now
+    double m_pressedDepth = 0.0;  ///< depth of the point drawn at m_pressed [m]
+    bool m_dragged = false;       ///< whether the mouse moved farther than a click allows
+    bool m_drawn = false;         ///< whether a pose was drawn since the button was pressed
     bool m_measuring = false;
     QTimer m_hover;  ///< limits how often hovering picks
 };

@@ -14,7 +14,7 @@ namespace leitstand {
 class MapRuler {
 public:
     /// Sets the next end of the measurement to @p picked, a point of @p content: the first end, then the
-    /// second. A third pick starts a new measurement.
+    /// second. A third pick begins a new measurement.
     void pick(const PickedPoint& picked, const SceneContent& content);
     void clear();
     [[nodiscard]] bool begun() const { return m_from.has_value(); }
@@ -25,10 +25,12 @@ public:
 
 private:
     struct End {
-        std::size_t index = 0;  ///< of the end's scan in SceneContent::scans; used when scans have no id
-        std::uint64_t id = 0;   ///< SceneScan::id
-        Eigen::Vector3d inScan = Eigen::Vector3d::Zero();  ///< [m]
-        Eigen::Vector3d inMap = Eigen::Vector3d::Zero();   ///< as picked; used when its scan is gone [m]
+        /// Index of the end's scan in SceneContent::scans; used when scans have no id.
+        std::size_t index = 0;
+        std::uint64_t id = 0;                              ///< SceneScan::id of the end's scan
+        Eigen::Vector3d inScan = Eigen::Vector3d::Zero();  ///< position in the scan's frame [m]
+        /// Position in the map when it was picked; used when its scan is gone [m].
+        Eigen::Vector3d inMap = Eigen::Vector3d::Zero();
     };
     [[nodiscard]] static std::optional<Eigen::Vector3d> placeOf(const std::optional<End>& end,
                                                                 const SceneContent& content);

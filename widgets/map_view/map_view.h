@@ -25,7 +25,7 @@ struct RobotMark;
 
 /// A point of the map under the cursor.
 struct PickedPoint {
-    Eigen::Vector3d pointInMap;  ///< [m]
+    Eigen::Vector3d pointInMap;  ///< position in the map [m]
     int scan = -1;               ///< index of the point's scan in Map::scans; -1: none
     Label label = Label::Unlabelled;
 };
@@ -37,29 +37,29 @@ struct Measurement {
 
 /// A text about a part of the map, drawn above that part's highest place on screen.
 struct MapCaption {
-    std::vector<Eigen::Vector3d> places;  ///< of the part, in the map's frame [m]
+    std::vector<Eigen::Vector3d> places;  ///< points of that part, in the map's frame [m]
     QString text;
 };
 
-/// Shows a map. A plain raster widget: VTK draws in its own EGL context on one render thread; the widget
-/// paints the last picture. Mouse: left turns, middle or Shift+left shifts, wheel and right zoom. GUI thread
-/// only.
+/// Shows a map. It is a plain raster widget: VTK draws in its own EGL context on one render thread, and the
+/// widget paints the last picture. Mouse: left turns, middle or Shift+left shifts, wheel and right zoom. GUI
+/// thread only.
 class MapView final : public QWidget {
     Q_OBJECT
 public:
     explicit MapView(QWidget* parent = nullptr);
     ~MapView() override;
 
-    /// Shows @p map. Scans already shown only move; a worker adds new ones. The camera frames the map
-    /// whenever scans come or go, until the user moves it.
+    /// Shows @p map. Scans that are already shown only move; a worker adds new ones. The camera frames the
+    /// map whenever scans are added or removed, until the user moves it.
     void setMap(MapPtr map);
     /// Hides the scans whose entry is false; scans beyond the end are shown.
     void setVisible(std::vector<bool> scanIsVisible);
     using QWidget::setVisible;
 
-    /// Applies @p settings. The top look has a camera of its own; leaving it restores the other camera.
+    /// Applies @p settings. The top look has its own camera; after it, the other camera is used again.
     void setSettings(const MapViewSettings& settings);
-    /// Applies @p settings; a camera that stops following a robot returns to where it was left.
+    /// Applies @p settings. A camera that stops following a robot returns to where it was before.
     void recall(const MapViewSettings& settings);
     [[nodiscard]] const MapViewSettings& settings() const;
 
@@ -67,8 +67,8 @@ public:
     /// look the camera always looks straight down.
     void setCamera(CameraPreset preset);
 
-    /// Shows robots at their current poses, without drawing points again. The camera follows the selected one
-    /// when the settings ask for it.
+    /// Shows robots at their present poses, without drawing points again. The camera follows the selected
+    /// robot if the settings say so.
     void setRobots(std::vector<RobotMark> robots);
     /// Marks victims and other finds; highlights @p chosen.
     void setFinds(std::vector<VictimRow> finds, const std::optional<FindKey>& chosen);
@@ -76,26 +76,26 @@ public:
     void setFloorTint(FloorTintPtr tint);
     /// Highlights the scan of this MapScan::id; 0: none.
     void setHighlighted(std::uint64_t id);
-    /// Shows scans a second time, in one colour, at poses that they might get. @p scansInMap: these poses by
+    /// Also shows scans at poses that they may get, in a single colour. @p scansInMap: these poses by
     /// MapScan::id, in the map's frame; empty: none.
     void setGhosts(std::map<std::uint64_t, Pose> scansInMap);
-    /// Does the same for scans that the operator drags. While there are any, the scans of setGhosts() are
-    /// hidden.
+    /// Does the same for scans that the operator drags. Meanwhile, the scans of setGhosts() are hidden.
     void setDragged(std::map<std::uint64_t, Pose> scansInMap);
-    /// Shows new and gone things in colours of their own and dims all else; null: neither.
+    /// Shows new things and things that have disappeared in their own colours, and dims everything else.
+    /// Null: neither.
     void setChanges(std::shared_ptr<const MapChanges> changes);
     /// Frames the scan of this MapScan::id.
     void showScan(std::uint64_t id);
     /// Moves the camera to @p place of the map [m] and stops following.
     void showPlace(const Eigen::Vector3d& place);
-    /// Sets whether the map is greyed, as when it got no new data lately. Robots and finds keep their
-    /// colours.
+    /// Sets whether the map is grey, for example because it received no new data recently. Robots and finds
+    /// keep their colours.
     void setStale(bool stale);
     /// Outlines an area on the floor (map frame [m]); empty: none.
     void setArea(std::vector<Eigen::Vector2d> area);
     /// Shows two places that may be the same, and the distance between them; empty: none.
     void setSeam(const std::optional<Measurement>& seam);
-    /// Draws @p captions. They are hidden while the camera follows a robot, since the map then serves
+    /// Draws @p captions. They are hidden while the camera follows a robot, since the map is then used for
     /// driving.
     void setCaptions(std::vector<MapCaption> captions);
     /// Draws these links as lines; empty: none.
@@ -117,7 +117,8 @@ public:
     void endGesture();
     [[nodiscard]] bool drawing() const;  ///< whether a gesture is active
 
-    /// While on, left clicks pick the two ends of a measurement. Esc or off removes it.
+    /// While on, left clicks pick the two ends of a measurement. Esc, or switching it off, removes the
+    /// measurement.
     void setMeasuring(bool on);
     [[nodiscard]] std::optional<Measurement> measurement() const;
 
@@ -127,34 +128,34 @@ public:
     /// Returns where a map point is drawn now, in widget coordinates; empty when it is behind the camera.
     [[nodiscard]] std::optional<QPointF> project(const Eigen::Vector3d& pointInMap) const;
 
-    /// Draws everything set so far in full detail, with legend and scale. Waits for the render thread. Null
-    /// when nothing can be drawn.
+    /// Draws everything that was set so far in full detail, with legend and scale. Waits for the render
+    /// thread. Null when nothing can be drawn.
     [[nodiscard]] QImage picture();
-    /// Whether the picture on screen shows everything set so far in full detail.
+    /// Whether the picture on the screen shows everything that was set so far in full detail.
     [[nodiscard]] bool settled() const;
-    /// Whether points of some scan are on screen, even if the picture is out of date.
+    /// Whether points of any scan are on the screen, even if the picture is out of date.
     [[nodiscard]] bool showsScans() const;
 
 signals:
     void measured(const leitstand::Measurement& measurement);
-    /// The operator drew a pose after startPose(); drawing goes on until endGesture().
+    /// The operator drew a pose after startPose(). Drawing continues until endGesture().
     void poseDrawn(const leitstand::GroundPose& pose);
     void areaDrawn(const std::vector<Eigen::Vector2d>& area);
     void groundDragged(const leitstand::GroundDrag& drag);
-    void gestureEnded();  ///< by the operator, without a result
+    void gestureEnded();  ///< the operator ended it without a result
     /// A double click on the floor while no gesture is active.
     void groundActivated(const Eigen::Vector3d& place);
     /// The operator moved the camera away from the robot it followed.
     void followEnded();
     void hovered(const std::optional<leitstand::PickedPoint>& point);
-    /// The render thread could not start; nothing will be drawn. @p why: in the user's language.
+    /// The render thread could not be started, so nothing will be drawn. @p why: in the user's language.
     void failed(const QString& why);
     void drawn();  ///< the points were drawn again, coarsely or fully
     /// The picture on screen is complete.
     void becameSettled();
 
 protected:
-    bool event(QEvent* event) override;  ///< tooltip of a robot: how certain its position is
+    bool event(QEvent* event) override;  ///< also shows the tooltip of a robot: how certain its position is
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;

@@ -10,8 +10,8 @@ class MapProjection;
 struct PickedPoint;
 struct SceneContent;
 
-/// Returns the point of @p content at @p position: the frontmost point drawn within 2 pixels, else within 4,
-/// else within 8. Empty: none.
+/// Returns the point of @p content at @p position: the frontmost point that is drawn within 2 pixels; if
+/// there is none, within 4, then within 8. Empty: none.
 [[nodiscard]] std::optional<PickedPoint> pickPoint(const SceneContent& content,
                                                    const MapProjection& projection, const QPointF& position);
 

@@ -15,7 +15,7 @@ public:
     /// The keys that it handles while it has the focus.
     enum class Keys { CopyAndDelete, Copy };
 
-    /// Shows @p messages, which must outlive it.
+    /// Shows @p messages, which must outlive this panel.
     explicit MessagesPanel(MessageListModel& messages, QWidget* parent = nullptr,
                            Keys keys = Keys::CopyAndDelete);
 

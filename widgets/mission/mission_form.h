@@ -13,7 +13,8 @@ class QSpinBox;
 
 namespace leitstand {
 
-/// Edits the mission's data for the report, and the rules of its score. Not modal: robots may be driving.
+/// Edits the mission's data for the report, and selects the rules for its score. Not modal, since robots may
+/// be driving.
 class MissionForm final : public QDialog {
     Q_OBJECT
 public:

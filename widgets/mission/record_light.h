@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// Shows in the top bar whether the mission is recorded: a dot and a word. The size is the same for every
+/// Shows in the top bar whether the mission is recorded: a dot and a word. Its size is the same for every
 /// state.
 class RecordLight final : public QWidget {
     Q_OBJECT

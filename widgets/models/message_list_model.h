@@ -15,15 +15,15 @@ public:
 
     using QAbstractListModel::QAbstractListModel;
 
-    /// Adds a message with the present time of day. A text that is already in the list is not repeated;
-    /// beyond 500 the oldest are removed. Several lines become one, with dots between.
+    /// Adds a message with the present time of day. If the text is already in the list, it is not added.
+    /// Beyond 500 messages, the oldest are removed. Several lines become one, with dots in between.
     void add(Severity severity, const QString& reported);
-    /// Adds a warning. A text that is already in the list moves to the end, with the present time.
+    /// Adds a warning. If the text is already in the list, it moves to the end, with the present time.
     void addReported(const QString& reported);
     /// Removes the message in @p row.
     void dismiss(int row);
     void clear();
-    /// Returns the number of errors in the list; the rest are warnings.
+    /// Returns the number of errors in the list; all others are warnings.
     [[nodiscard]] int errorCount() const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

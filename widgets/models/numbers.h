@@ -12,18 +12,18 @@ namespace leitstand {
 
 /// @p value with @p decimals digits after the point.
 [[nodiscard]] QString numberText(double value, int decimals);
-/// @p value with as many digits after the point as it needs, @p decimals at most: "10", "2.5".
+/// @p value with as many digits after the point as needed, but at most @p decimals: "10", "2.5".
 [[nodiscard]] QString figureText(double value, int decimals);
-/// @p reported, a number of a log such as "0.40", with as many digits after the point. Any other text stays
-/// as it is.
+/// @p reported, a number from a log such as "0.40", with the same number of digits after the point. Any other
+/// text is not changed.
 [[nodiscard]] QString loggedFigureText(const std::string& reported);
-/// A whole number, thousands grouped.
+/// A whole number, with thousands grouped.
 [[nodiscard]] QString countText(std::size_t count);
-/// A number of points in short: "812", "7.6 k", "0.24 M".
+/// A number of points as a short text: "812", "7.6 k", "0.24 M".
 [[nodiscard]] QString shortCountText(std::size_t count);
-/// A share of 1 as whole per cent: "83 %".
+/// A share (0 to 1) in whole per cent: "83 %".
 [[nodiscard]] QString percentText(double share);
-/// Metres as millimetres with one digit: "12.3".
+/// Metres in millimetres with one digit after the point: "12.3".
 [[nodiscard]] QString millimetresText(double metres);
 /// Radians as degrees with one digit after the point and the degree sign: "−0.7°".
 [[nodiscard]] QString degreesText(double radians);

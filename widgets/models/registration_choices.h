@@ -9,23 +9,23 @@
 
 namespace leitstand {
 
-/// One of the methods to choose from.
+/// One of several methods from which the operator can choose.
 template <class T>
 struct Choice {
     T value;
-    const char* key;  ///< as on leitstandctl's command line and in the remembered state
-    QString name;     ///< for the operator
-    QString hint;     ///< what it does and where it comes from
+    const char* key;  ///< key on leitstandctl's command line and in the stored state
+    QString name;     ///< name for the operator
+    QString hint;     ///< what it does and who published it
 };
 
 // The choices of the registration's settings, in the order in which they are offered.
 [[nodiscard]] std::vector<Choice<SearchMethod>> searchChoices();
 [[nodiscard]] std::vector<Choice<Minimizer>> minimizerChoices();
 [[nodiscard]] std::vector<Choice<ScanFilter>> filterChoices();
-[[nodiscard]] std::vector<Choice<GuessSource>> guessChoices();  ///< without Poses, which need a file
+[[nodiscard]] std::vector<Choice<GuessSource>> guessChoices();  ///< without Poses, which would need a file
 [[nodiscard]] std::vector<Choice<Reference>> referenceChoices();
 
-/// Returns the value whose key is @p key; empty for unknown keys.
+/// Returns the value with the key @p key; empty for unknown keys.
 template <class T>
 [[nodiscard]] std::optional<T> valueOf(const std::vector<Choice<T>>& choices, const QString& key) {
     for (const Choice<T>& choice : choices) {
@@ -42,13 +42,13 @@ template <class T>
     return {};
 }
 
-/// Parses maximum distances as the operator writes them, "1.5, 0.5" [m]. Empty unless all are within 0.01 and
-/// 10 m and none is larger than the one before.
+/// Parses maximum distances as an operator writes them, "1.5, 0.5" [m]. Empty unless all are between 0.01 and
+/// 10 m and none is larger than the one before it.
 [[nodiscard]] std::optional<std::vector<double>> parseSchedule(const QString& text);
 /// Returns the text that parseSchedule() reads.
 [[nodiscard]] QString scheduleText(const std::vector<double>& maxDistances);
 
-/// Whether both register in the same way.
+/// Whether both give the same registration.
 [[nodiscard]] bool sameSettings(const RegistrationSettings& a, const RegistrationSettings& b);
 
 }  // namespace leitstand

@@ -8,8 +8,8 @@
 
 namespace leitstand {
 
-/// The scans of a map, one row each, with a box that shows or hides it. Ticks stay with their rows while the
-/// map grows or is registered again.
+/// The scans of a map, one row each, with a box that shows or hides the scan. Ticks stay with their rows
+/// while the map grows or is registered again.
 class ScanListModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -31,7 +31,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Shows @p map, which is not null.
+    /// Shows @p map, which must not be null.
     void setMap(MapPtr map);
     [[nodiscard]] const MapPtr& map() const { return m_map; }
     /// Which scans are ticked, one entry per row.

@@ -10,13 +10,13 @@
 
 namespace leitstand {
 
-/// Returns the text for @p scan in a column of the scans list; a dash when a figure has no meaning.
+/// Returns the text for @p scan in a column of the list; a dash if a figure has no meaning.
 [[nodiscard]] QString scanText(const MapScan& scan, ScanListModel::Column column);
-/// Returns what the figure is made of, for the tool tip.
+/// Returns from what the figure is computed, for the tooltip.
 [[nodiscard]] QString scanHint(const MapScan& scan, ScanListModel::Column column);
 /// Returns the header of a column, with its unit.
 [[nodiscard]] QString columnTitle(ScanListModel::Column column);
-/// Returns what a column shows, in a sentence or two.
+/// Returns what a column shows, in one or two sentences.
 [[nodiscard]] QString columnHint(ScanListModel::Column column);
 
 /// Caption and value.

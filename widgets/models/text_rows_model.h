@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// Read-only rows: texts in columns with headers, each row with one hint for all of its cells.
+/// Read-only rows: texts in columns with headers. Each row has one hint for all of its cells.
 class TextRowsModel : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -24,12 +24,12 @@ public:
 protected:
     [[nodiscard]] virtual int rowsInAll() const = 0;
     [[nodiscard]] virtual QStringList headers() const = 0;
-    [[nodiscard]] virtual QString cell(int row, int column) const = 0;  ///< both are within bounds
+    [[nodiscard]] virtual QString cell(int row, int column) const = 0;  ///< row and column must exist
     [[nodiscard]] virtual QString hint(int row) const = 0;  ///< also the accessible text; may be empty
     [[nodiscard]] virtual Tone tone(int row, int column) const;
 
     /// Replaces @p mine by @p rows. If both have the same length and @p same is true for each pair, only the
-    /// texts change and the selection stays. Otherwise the model is reset.
+    /// texts change and the selection is kept. Otherwise the model is reset.
     template <class Row, class Same>
     void replace(std::vector<Row>& mine, const std::vector<Row>& rows, Same same) {
         if (rows == mine) return;

@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// How prominent something is shown. Text or shape expresses the same; colour only repeats it.
+/// How prominently something is shown. Text or shape says the same; colour only repeats it.
 enum class Tone { Normal, Muted, Attention, Act };
 
 /// Item role under which models return a Tone, as int.

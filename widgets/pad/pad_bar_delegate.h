@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// Draws a bar below a control: how far it is pushed (PadTable::AmountRole).
+/// Draws a bar below a control that shows how far it is pushed (PadTable::AmountRole).
 class PadBarDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:

@@ -9,14 +9,14 @@
 
 namespace leitstand {
 
-/// An overlay with a drawing of the gamepad and what each control does; a list for an unknown joystick. Takes
-/// no keys; a click closes it.
+/// An overlay with a drawing of the gamepad and what each control does; for an unknown joystick, a list. It
+/// takes no keys; a click closes it.
 class PadLegend final : public QWidget {
     Q_OBJECT
 public:
     explicit PadLegend(QWidget* parent = nullptr);
 
-    /// @p name: of the pad; empty: none is connected.
+    /// @p name: name of the pad; empty: none is connected.
     void setPad(const QString& name, const PadBindings& bindings);
     void setCommands(std::vector<PadCommandFace> commands);
     void setState(const PadState& state);

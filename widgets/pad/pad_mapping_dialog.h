@@ -17,15 +17,15 @@ namespace leitstand {
 
 class StickGauge;
 
-/// A pad that can be chosen.
+/// A pad that can be selected.
 struct PadChoice {
     int id = -1;
     QString name;
 };
 
-/// Lets the operator choose the gamepad that drives and what its controls do. Has a row per action, to which
-/// the next pushed control can be bound. Sliders for dead zone and curve stand above live bars of the sticks.
-/// A separate window, never modal.
+/// Lets the operator select the gamepad that drives, and what its controls do. It has a row per action, to
+/// which the next pushed control can be bound. Sliders for dead zone and curve are above bars that show the
+/// sticks. It is a separate window, never modal.
 class PadMappingDialog final : public QWidget {
     Q_OBJECT
 public:

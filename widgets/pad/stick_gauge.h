@@ -6,12 +6,12 @@
 
 namespace leitstand {
 
-/// Shows one stick of a gamepad as a bar: its deflection (tick), the dead zone (shade) and the resulting
-/// value (fill).
+/// Shows one stick of a gamepad as a bar: its position (tick), the dead zone (shade) and the resulting value
+/// (fill).
 class StickGauge final : public QWidget {
     Q_OBJECT
 public:
-    /// Shows the axis from the action @p plus, at the left end, to the opposite action, at the right end.
+    /// Shows the axis from the action @p plus at the left end to the opposite action at the right end.
     explicit StickGauge(PadAction plus, QWidget* parent = nullptr);
 
     void show(const PadBindings& bindings, const PadState& state);

@@ -5,8 +5,8 @@
 
 namespace leitstand {
 
-/// Returns the icon with file name @p name (without .svg) in resources/icons; null when there is none. It is
-/// crisp at every scale and follows the theme. It has the application's text colour, the highlight colour
+/// Returns the icon with the file name @p name (without .svg) in resources/icons; null: there is none. It is
+/// sharp at every scale and follows the theme. It has the application's text colour, the highlight colour
 /// while checked, and the muted colour while disabled.
 [[nodiscard]] QIcon themedIcon(const QString& name);
 

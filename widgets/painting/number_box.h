@@ -4,12 +4,12 @@
 
 namespace leitstand {
 
-/// A spin box that shows negative numbers with a real minus sign and reads both signs. Letters remain the
-/// window's shortcuts while it has the focus.
+/// A spin box that shows negative numbers with a real minus sign and accepts both signs. Letters are still
+/// shortcuts of the window while it has the focus.
 class NumberBox final : public QDoubleSpinBox {
     Q_OBJECT
 public:
-    /// Takes values from @p low to @p high with @p decimals digits, in steps of @p step, with @p unit as
+    /// Accepts values from @p low to @p high with @p decimals digits, in steps of @p step, with @p unit as
     /// suffix.
     NumberBox(double low, double high, double step, int decimals, const QString& unit,
               QWidget* parent = nullptr);

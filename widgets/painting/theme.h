@@ -10,7 +10,7 @@ class QApplication;
 
 namespace leitstand {
 
-/// The colours of the window; their meaning is the same in every theme.
+/// The colours of the window. Their meaning is the same in every theme.
 struct ThemeColours {
     QColor window, pane, strip;   ///< surfaces, from back to front
     QColor field, hover, chosen;  ///< inputs, hovered items, selected items
@@ -18,8 +18,8 @@ struct ThemeColours {
     QColor text, muted;
     QColor select;  ///< selected or controllable
     QColor fine;
-    QColor attention;  ///< look here
-    QColor act;        ///< act now
+    QColor attention;  ///< the operator should look here
+    QColor act;        ///< the operator must act now
     QColor stop;
     QColor wall;                                      ///< outer contour of the virtual scan
     QColor obstacle;                                  ///< inner contour of the virtual scan
@@ -27,7 +27,7 @@ struct ThemeColours {
     QColor teleoperation, autonomous, stopped, lost;  ///< backgrounds of modes; a stop has the colour stop
     std::array<QColor, 8> robots;                     ///< edges of panes, by the robot's place in the team
 
-    /// Returns the colour of the robot at @p place in the team, from 0. Colours repeat after eight robots.
+    /// Returns the colour of the robot at @p place in the team (from 0). Colours repeat after eight robots.
     [[nodiscard]] const QColor& robot(int place) const {
         return robots[static_cast<std::size_t>(place < 0 ? 0 : place) % robots.size()];
     }
@@ -35,7 +35,7 @@ struct ThemeColours {
 
 /// Returns the colours of @p theme.
 [[nodiscard]] const ThemeColours& coloursOf(Theme theme);
-/// Returns the application's current theme, for painters.
+/// Returns the application's present theme, for painters.
 [[nodiscard]] Theme presentTheme();
 
 /// Sets style, font and colours of @p theme for @p application. In the palette, PlaceholderText is the colour

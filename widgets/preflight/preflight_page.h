@@ -18,22 +18,22 @@ class QTimer;
 
 namespace leitstand {
 
-/// Shows the checks before a mission, grouped by robot. Below are the brake test and the robots that can be
-/// added. Emits the operator's requests.
+/// Shows the checks before a mission, grouped by robot. Below them are the brake test and the robots that can
+/// be added. Emits the operator's requests.
 class PreflightPage final : public QWidget {
     Q_OBJECT
 public:
     explicit PreflightPage(QWidget* parent = nullptr);
 
-    /// @p faces: of all robots, in their order. @p strangers: names of robots that can be added.
+    /// @p faces: faces of all robots, in their order. @p strangers: names of robots that can be added.
     void show(std::vector<PreflightCheck> checks, const std::vector<RobotFace>& faces,
               const QStringList& strangers);
     using QWidget::show;
-    /// Shows the state of the chosen robot's brake test. @p refused: the test failed, so driving needs the
-    /// override. @p overridden: the override is on.
+    /// Shows the state of the selected robot's brake test. @p refused: whether the test failed, so that
+    /// driving needs the override. @p overridden: whether the override is on.
     void showBrake(const QString& text, bool refused, bool overridden);
     void complain(const QString& text);        ///< shows why a robot cannot be added
-    [[nodiscard]] QString brakeRobot() const;  ///< name of the robot chosen for the brake test
+    [[nodiscard]] QString brakeRobot() const;  ///< name of the robot selected for the brake test
     [[nodiscard]] const PreflightList& list() const { return m_list; }
 
 signals:

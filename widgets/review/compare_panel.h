@@ -17,14 +17,14 @@ namespace leitstand {
 
 class NumberBox;
 
-/// Compares the map of a mission with the map that other registration settings give. Holds the settings, the
-/// figures, and the choice of the map shown.
+/// Compares the map of a mission with the map that other registration settings give. Has the settings, the
+/// figures, and the choice of the map that is shown.
 class ComparePanel final : public QWidget {
     Q_OBJECT
 public:
     explicit ComparePanel(QWidget* parent = nullptr);
 
-    /// Returns the settings; invalid distances keep their last valid value.
+    /// Returns the settings. Invalid distances keep their last valid value.
     [[nodiscard]] RegistrationSettings settings() const;
     void setSettings(const RegistrationSettings& settings);
     void setComparing(bool on);
@@ -39,7 +39,7 @@ public:
 signals:
     void wanted(const leitstand::RegistrationSettings& settings);
     void cancelled();
-    void mapChosen(leitstand::ComparedMap which);  ///< the operator chose a map of the newest result
+    void mapChosen(leitstand::ComparedMap which);  ///< the operator selected a map of the newest result
 
 private:
     void addSettings(QFormLayout& form);

@@ -12,7 +12,7 @@ class MoreRobotsButton final : public QAbstractButton {
     Q_OBJECT
 public:
     enum class End { Before, After };
-    static constexpr int Width = 40;  ///< [px]
+    static constexpr int Width = 40;  ///< width [px]
 
     explicit MoreRobotsButton(End end, QWidget* parent = nullptr);
 

@@ -9,8 +9,8 @@
 namespace leitstand {
 
 /// Shows the stage of one robot's stop. Requests the release when it is held for a second with the pointer,
-/// Space or Return. Letting go, losing the focus or moving the pointer off the handle cancels the hold. While
-/// nothing can be released, clicks go to the widget below.
+/// Space or Return. Releasing it, losing the focus or moving the pointer away cancels this. While nothing can
+/// be released, clicks go to the widget below.
 class ReleaseHandle final : public QWidget {
     Q_OBJECT
 public:
@@ -19,8 +19,8 @@ public:
     void show(const StopLine& line);
     using QWidget::show;
     [[nodiscard]] bool isHeld() const { return m_hold.isHeld(); }
-    /// Returns the width that has room for the shortest text of every state, in @p font and the window's
-    /// language [px].
+    /// Returns the width needed for the shortest text of every state, in @p font and the window's language
+    /// [px].
     [[nodiscard]] static int foldedWidth(const QFont& font);
 
 signals:

@@ -15,10 +15,10 @@ class MoreRobotsButton;
 class RobotChipButton;
 
 /// The bar of all robots at the top. Each robot is a button of the same width: letter, link, battery, mode,
-/// and stage of a stop. The selected robot is framed. A click or a number key selects a robot; holding the
-/// lower half of a stopped robot's button releases the robot. With little room, buttons fold to letters, then
-/// the bar scrolls. The selected robot stays visible, and buttons at the ends show what is hidden. Changes of
-/// robot states move no button.
+/// and stage of a stop. The selected robot is framed. A click or a number key selects a robot. If a robot is
+/// stopped, holding the lower half of its button releases it. With little space, buttons shrink to letters,
+/// then the bar scrolls. The selected robot is always visible, and buttons at the ends show what is hidden.
+/// Changes of robots' states move no button.
 class RobotBar final : public QWidget {
     Q_OBJECT
 public:
@@ -30,8 +30,8 @@ public:
               const QString& selected);
     using QWidget::show;
 
-    /// sizeHint() has room for all important details of all robots, at least 160 px each. minimumSizeHint()
-    /// has room for a few robots folded to letters.
+    /// sizeHint() is wide enough for all important details of all robots, at least 160 px each.
+    /// minimumSizeHint() is wide enough for a few robots shown only as letters.
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -55,11 +55,11 @@ private:
     QButtonGroup* m_group;
     MoreRobotsButton *m_before, *m_after;
     std::vector<RobotChipButton*> m_buttons;
-    std::vector<RobotChip> m_chips;  ///< as shown
+    std::vector<RobotChip> m_chips;  ///< chips that are shown
     std::vector<StopLine> m_stops;
     int m_selected = -1;  ///< place of the selected robot; -1: none
     int m_first = 0;      ///< first robot of the scrolled row
-    int m_turned = 0;     ///< wheel rotation below a whole step [1/8 degree]
+    int m_turned = 0;     ///< wheel rotation that is less than a whole step [1/8 degree]
 };
 
 }  // namespace leitstand

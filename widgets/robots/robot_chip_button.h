@@ -11,8 +11,8 @@ namespace leitstand {
 class ReleaseHandle;
 
 /// The button of one robot in the bar. The upper line shows link, letter, name and figures; the lower line
-/// shows the mode. While a stop holds the robot, the lower line is the release handle. A narrow button drops
-/// words before figures, down to the letter. Its size does not depend on its contents.
+/// shows the mode. While a stop holds the robot, the lower line is the release handle. A narrow button leaves
+/// out words first, then figures, down to the letter. Its size does not depend on its contents.
 class RobotChipButton final : public QAbstractButton {
     Q_OBJECT
 public:
@@ -24,8 +24,8 @@ public:
     [[nodiscard]] const RobotChip& chip() const { return m_chip; }
     [[nodiscard]] ReleaseHandle& handle() const { return *m_handle; }
 
-    /// Returns the width that has room for letter, battery and every state of a stop, in @p font and the
-    /// window's language [px].
+    /// Returns the width needed for letter, battery and every state of a stop, in @p font and the window's
+    /// language [px].
     [[nodiscard]] static int foldedWidth(const QFont& font);
     [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
     [[nodiscard]] QSize minimumSizeHint() const override { return {foldedWidth(font()), robot_bar::Height}; }

@@ -18,12 +18,13 @@ class NumberBox;
 class RegistrationPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// The panel has a button for each command. @p again: registers again. @p before: shows the start poses.
+    /// The panel has a button for each of the two commands. @p again: registers again. @p before: shows the
+    /// start poses.
     RegistrationPanel(QAction& again, QAction& before, QWidget* parent = nullptr);
 
     /// Shows @p settings.
     void setSettings(const RegistrationSettings& settings);
-    /// Returns the settings; invalid texts keep their last valid value.
+    /// Returns the settings. Invalid texts keep their last valid value.
     [[nodiscard]] const RegistrationSettings& settings() const { return m_settings; }
 
 signals:
@@ -39,7 +40,8 @@ private:
     void showWhatApplies();
 
     RegistrationSettings m_settings;
-    bool m_showing = false;  ///< fields are being filled: their signals do not come from the operator
+    /// Whether fields are being filled: then their signals do not come from the operator.
+    bool m_showing = false;
     QComboBox* m_minimizer;
     QComboBox* m_search;
     NumberBox* m_epsilon;

@@ -14,7 +14,7 @@ class ScanDetailsView final : public QWidget {
 public:
     explicit ScanDetailsView(QWidget* parent = nullptr);
 
-    /// Shows @p scan, or nothing when null; keeps no reference to it.
+    /// Shows @p scan; null: nothing. Keeps no reference to it.
     void setScan(const MapScan* scan);
 
 private:

@@ -13,7 +13,7 @@ class ScanDetailsView;
 class ScansPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// Shows @p scans, which must outlive it.
+    /// Shows @p scans, which must outlive this panel.
     explicit ScansPanel(ScanListModel& scans, QWidget* parent = nullptr);
 
 private:

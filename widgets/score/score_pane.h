@@ -15,7 +15,7 @@ class QVBoxLayout;
 
 namespace leitstand {
 
-/// Shows the estimated score of the mission: the sum, the points of each find, and what would add more.
+/// Shows the estimated score of the mission: the sum, the points of each find, and what would add points.
 class ScorePane final : public QWidget {
     Q_OBJECT
 public:

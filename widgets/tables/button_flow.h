@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// A layout that puts widgets side by side at their size hints and wraps them into lines.
+/// A layout that puts widgets side by side in their preferred sizes, on as many lines as needed.
 class ButtonFlow final : public QLayout {
 public:
     ButtonFlow();
@@ -20,12 +20,12 @@ public:
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }
     [[nodiscard]] int heightForWidth(int width) const override;
     [[nodiscard]] QSize sizeHint() const override { return minimumSize(); }
-    [[nodiscard]] QSize minimumSize() const override;  ///< fits the widest and the highest item
+    [[nodiscard]] QSize minimumSize() const override;  ///< large enough for the widest and the highest item
     void setGeometry(const QRect& area) override;
 
 private:
-    /// Returns the height that the lines need within @p area [px]. If @p place is true, also places the
-    /// items.
+    /// Returns the height that the lines need within @p area [px]. @p place: whether to place the items as
+    /// well.
     int lay(const QRect& area, bool place) const;
 
     std::vector<QLayoutItem*> m_items;

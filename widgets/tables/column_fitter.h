@@ -8,13 +8,13 @@ class QTableView;
 
 namespace leitstand {
 
-/// Keeps a table free of clipped numbers. Columns are as wide as their contents; if the table is too narrow,
-/// some are hidden in a given order.
+/// Prevents numbers in a table from being cut. Columns are as wide as their contents; if the table is too
+/// narrow, some columns are hidden in a given order.
 class ColumnFitter final : public QObject {
     Q_OBJECT
 public:
-    /// Fits @p table, which must have a model. Columns of @p givingWay are hidden in that order when there is
-    /// too little room; all others stay. The column @p stretched takes the remaining width.
+    /// Fits @p table, which must have a model. The columns @p givingWay are hidden, in this order, if there
+    /// is not enough space; all others are always shown. The column @p stretched takes the remaining width.
     ColumnFitter(QTableView& table, std::vector<int> givingWay, int stretched);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -26,7 +26,7 @@ private:
     QTableView& m_table;
     std::vector<int> m_givingWay;
     int m_stretched;
-    bool m_changed = false;  ///< contents changed since the last fit
+    bool m_changed = false;  ///< whether contents changed since the columns were last fitted
 };
 
 }  // namespace leitstand

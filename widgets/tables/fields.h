@@ -27,13 +27,13 @@ QComboBox* choiceBox(const std::vector<Choice<T>>& choices, QWidget* parent) {
     return box;
 }
 
-/// Returns the value chosen in a choiceBox of T.
+/// Returns the value selected in a choiceBox of T.
 template <class T>
 [[nodiscard]] T chosen(const QComboBox& box) {
     return static_cast<T>(box.currentData().toInt());
 }
 
-/// Chooses @p value, if it is offered.
+/// Selects @p value, if it is offered.
 template <class T>
 void choose(QComboBox& box, T value) {
     if (const int index = box.findData(static_cast<int>(value)); index >= 0) box.setCurrentIndex(index);
@@ -46,7 +46,7 @@ void addField(QFormLayout& form, const QString& caption, QWidget* field, const Q
 /// Returns a widget that shows @p field and, to its right, @p unit.
 [[nodiscard]] QWidget* withUnit(QWidget* field, const QString& unit);
 
-/// Lets the wheel scroll the panel instead of changing @p field, unless the field has the focus.
+/// Makes the wheel scroll the panel instead of changing @p field, unless the field has the focus.
 void keepFromWheel(QWidget& field);
 
 }  // namespace leitstand

@@ -10,8 +10,8 @@
 
 namespace leitstand {
 
-/// Shows a mission's time from left to right. Finds and candidates are on top, all other marks below, each
-/// kind with its own shape. Gaps in the recording are hatched. The mouse drags the current moment. Arrows
+/// Shows a mission's time from left to right. Finds and candidates are at the top, all other marks below;
+/// each kind has its own shape. Gaps in the recording are hatched. The mouse drags the present moment. Arrows
 /// step by one second, with Shift by ten; Home and End go to the ends.
 class TimelineBar final : public QWidget {
     Q_OBJECT
@@ -20,21 +20,21 @@ public:
 
     void setMission(const TimelineAxis& axis, std::vector<TimelineGlyph> glyphs);
     void setPosition(Time at);
-    /// Shows the progress of reading the mission; 1: done. @p doing: the current work in words; empty: the
-    /// default text.
+    /// Shows the progress of reading the mission; 1: finished. @p doing: text for the present work; empty:
+    /// the default text.
     void setOpening(double fraction, const QString& doing = {});
 
     /// Returns the x coordinate of @p at in the widget [px].
     [[nodiscard]] double pixelOf(Time at) const;
     /// Returns the glyph at @p point; null: none.
     [[nodiscard]] const TimelineGlyph* glyphAt(const QPointF& point) const;
-    static constexpr int Height = 80;  ///< [px]
+    static constexpr int Height = 80;  ///< height [px]
     [[nodiscard]] QSize sizeHint() const override { return {640, Height}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, Height}; }
 
 signals:
-    void sought(leitstand::Time at);  ///< the operator chose a moment
-    void stepped(double seconds);     ///< negative: back
+    void sought(leitstand::Time at);  ///< the operator selected a moment
+    void stepped(double seconds);     ///< negative: backwards
 
 protected:
     void paintEvent(QPaintEvent* event) override;

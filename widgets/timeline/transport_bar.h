@@ -11,7 +11,7 @@ class QLabel;
 
 namespace leitstand {
 
-/// Controls a review: its commands as buttons in a row, its current moment and its speed.
+/// Controls a review: its commands as buttons in a row, its present moment and its speed.
 class TransportBar final : public QWidget {
     Q_OBJECT
 public:
@@ -20,7 +20,7 @@ public:
     /// Adds a button for @p action at the end of the row.
     void addCommand(QAction& action);
     void addGap();
-    /// Shows the moment @p at on @p axis. @p rate: mission time over real time.
+    /// Shows the moment @p at on @p axis. @p rate: how many times as fast as real time.
     void show(const TimelineAxis& axis, Time at, double rate);
     using QWidget::show;
 

@@ -14,13 +14,13 @@ struct EvidenceImage {
     QString caption;
 };
 
-/// Shows the pictures of a find side by side, as large as they fit. Captions are tooltips.
+/// Shows the pictures of a find side by side, as large as possible. Captions are tooltips.
 class EvidenceStrip final : public QWidget {
     Q_OBJECT
 public:
     explicit EvidenceStrip(QWidget* parent = nullptr);
 
-    /// @p awaited: pictures exist and are still being read.
+    /// @p awaited: whether pictures exist that are still being read.
     void show(std::vector<EvidenceImage> images, bool awaited = false);
     using QWidget::show;
     [[nodiscard]] int count() const { return static_cast<int>(m_images.size()); }

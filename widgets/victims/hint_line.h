@@ -5,13 +5,13 @@
 
 namespace leitstand {
 
-/// A line edit whose grey placeholder suggests words: as many as fit, none of them cut.
+/// A line edit whose grey placeholder suggests words: as many as fit, without cutting any.
 class HintLine final : public QLineEdit {
     Q_OBJECT
 public:
     using QLineEdit::QLineEdit;
 
-    /// @p more: words other than @p words are possible, too.
+    /// @p more: whether words other than @p words are possible, too.
     void setHints(const QStringList& words, bool more);
 
 protected:

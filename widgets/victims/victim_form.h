@@ -27,7 +27,7 @@ public:
     explicit VictimForm(QWidget* parent = nullptr);
     ~VictimForm() override;
 
-    /// Shows the current state of @p find; text being typed stays. Empty: none is chosen.
+    /// Shows the present state of @p find; text that is being typed is kept. Empty: none is selected.
     void show(const std::optional<FindSample>& find);
     using QWidget::show;
 
@@ -35,15 +35,15 @@ public:
     void nextField(int step);
     /// Sets the tags that change() steps through.
     void setTags(const QStringList& tags) { m_tags = tags; }
-    /// Sets the focused field to the next choice, word or value; to the previous one when @p step is
-    /// negative. Returns false when the field has none, or when typed text would be lost.
+    /// Sets the focused field to its next choice, word or value; to the previous one if @p step is negative.
+    /// Returns false if the field has none, or if typed text would be lost.
     bool change(int step);
 
-    /// Sets the pictures of the find. @p awaited: pictures exist and are still being read.
+    /// Sets the pictures of the find. @p awaited: whether pictures exist that are still being read.
     void setPictures(std::vector<EvidenceImage> pictures, bool awaited = false);
 
     [[nodiscard]] QSize sizeHint() const override;
-    /// Wide enough that no field is cut, in any language.
+    /// Wide enough that no field is cut in any language.
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
@@ -51,7 +51,7 @@ signals:
     void done();  ///< the operator closed the form
 
 protected:
-    void hideEvent(QHideEvent* event) override;  ///< applies typed text, also when a window closes
+    void hideEvent(QHideEvent* event) override;  ///< also applies typed text when a window closes
 
 private:
     struct Sign {
@@ -67,16 +67,16 @@ private:
     [[nodiscard]] QLabel* label(const QString& text, QWidget* field);
     void read();
     void setEnabledParts(bool on);
-    /// @p hints: suggested words; @p more: other words are possible, too.
+    /// @p hints: suggested words. @p more: whether other words are possible, too.
     [[nodiscard]] QLineEdit* line(const QString& name, const QStringList& hints, bool more = false);
 
     std::optional<FindSample> m_find;
     std::optional<Time>
-        m_edited;  ///< stamp of the entry that an edit is based on, until a newer one is shown
+        m_edited;  ///< stamp of the entry on which an edit is based, until a newer one is shown
     bool m_showing = false;
     QLabel* m_title;
     EvidenceStrip* m_pictures;
-    QWidget* m_grid = nullptr;  ///< holds all fields
+    QWidget* m_grid = nullptr;  ///< contains all fields
     std::vector<Sign> m_signs;
     QStringList m_tags;
     QComboBox *m_situation, *m_area;

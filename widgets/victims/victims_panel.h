@@ -14,9 +14,9 @@ class QTableView;
 
 namespace leitstand {
 
-/// Lists victims, other finds and candidates, with the window's commands for them. Live, it shows what is
-/// known of each, and its distance and direction from the robot. In a review, it shows when each was found,
-/// and what was discarded.
+/// Lists victims, other finds and candidates, with the window's commands for them. With live robots, it shows
+/// what is known about each, and its distance and direction from the robot. In a review, it shows when each
+/// was found, and what was discarded.
 class VictimsPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -27,9 +27,9 @@ public:
     using QWidget::show;
     /// Adds a button below the list for each of @p commands.
     void addCommands(const std::vector<QAction*>& commands);
-    /// Returns the chosen row; empty: none.
+    /// Returns the selected row; empty: none.
     [[nodiscard]] std::optional<VictimRow> chosen() const;
-    bool choose(const FindKey& find);  ///< false: not in the list
+    bool choose(const FindKey& find);  ///< false: it is not in the list
 
     [[nodiscard]] QSize sizeHint() const override { return {360, 180}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {198, 90}; }

@@ -16,14 +16,14 @@ namespace leitstand {
 /// Draws the surroundings of a robot in base_link, with x up.
 class VirtualScanDrawing {
 public:
-    /// @p origin: of base_link [px]; @p scale [px/m]; @p grey: draws without colour.
+    /// @p origin: where base_link is [px]. @p scale: [px/m]. @p grey: whether to draw without colours.
     VirtualScanDrawing(QPainter& painter, const ThemeColours& colours, const QPointF& origin, double scale,
                        bool grey);
 
-    /// Draws range rings with their radii as text, but no text in @p taken.
+    /// Draws range rings with their radii as text; no text is drawn in @p taken.
     void rings(const QRectF& area, double range, const QRectF& taken) const;
-    /// @p withLaser: also draws the points of planar lasers, below the contours. Without other scanners, the
-    /// contours come from these points.
+    /// @p withLaser: whether to draw also the points of planar lasers, below the contours. If there are no
+    /// other scanners, the contours come from these points.
     void surroundings(const VirtualScanView& view, bool withLaser) const;
     void path(const PredictedPath& path) const;
     void robot(const std::vector<Eigen::Vector2d>& footprint, const BodyBox& body) const;

@@ -6,8 +6,8 @@ class QGuiApplication;
 
 namespace leitstand::cli {
 
-/// Holds the QGuiApplication that Qt needs to lay out text without a display. Only one may exist at a time,
-/// in the main thread. Also sets the default QLocale to C.
+/// Owns the QGuiApplication that Qt needs to lay out text without a display. Only one may exist at a time, in
+/// the main thread. Also sets the default QLocale to C.
 class OffscreenFonts {
 public:
     OffscreenFonts();

@@ -9,9 +9,9 @@
 
 namespace leitstand::cli {
 
-/// Prints @p text on stdout. All output of leitstandctl goes through here, so that no name chosen by others
-/// reaches a terminal raw (core/base/printable.h). Line ends stay: pass such a name through printable()
-/// before putting it into a line.
+/// Prints @p text on stdout. All output of leitstandctl goes through this function, so that names chosen by
+/// others cannot send control characters to the terminal (core/base/printable.h). Line ends are kept, so pass
+/// such a name through printable() before you put it into a line.
 void print(std::string_view text);
 /// Prints @p text with @p arguments, also on stdout.
 template <class... Arguments>
@@ -19,10 +19,10 @@ void print(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
     print(std::string_view(fmt::format(text, std::forward<Arguments>(arguments)...)));
 }
 
-/// Prints "leitstandctl: TEXT" on stderr, as one line.
+/// Prints "leitstandctl: TEXT" on stderr, on one line.
 void printError(std::string_view text);
 
-/// Returns @p json as printJson() prints it, with a line end. Bytes that are no UTF-8 become U+FFFD.
+/// Returns @p json as printJson() prints it, with a line end. Bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string jsonText(const nlohmann::ordered_json& json);
 /// Prints jsonText() on stdout.
 void printJson(const nlohmann::ordered_json& json);

@@ -4,19 +4,20 @@
 
 namespace leitstand::cli {
 
-/// One line on stderr that shows the progress of the work. Silent when stderr is no terminal.
+/// One line on stderr that shows the progress of the work. Prints nothing if stderr is no terminal.
 class ProgressLine {
 public:
     ProgressLine();
-    ~ProgressLine();  ///< wipes the line
+    ~ProgressLine();  ///< clears the line
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// Shows @p what and the @p fraction of it that is done, 0 to 1. Updates at most ten times a second.
+    /// Shows @p what and the @p fraction of the work that is done, 0 to 1. Updates at most ten times a
+    /// second.
     void show(const std::string& what, double fraction);
-    /// Shows @p what alone, when the amount of work is unknown.
+    /// Shows only @p what, if the amount of work is unknown.
     void show(const std::string& what);
-    /// Wipes the line, so that something else can be printed.
+    /// Clears the line, so that something else can be printed.
     void clear();
 
 private:

@@ -18,20 +18,20 @@ struct RegisterOptions {
     std::vector<std::filesystem::path> sources;
     RegistrationSettings settings;
     std::vector<double> range = {0.4, 30.0};
-    std::string guess = "odometry";   ///< odometry, identity, or a TUM file
+    std::string guess = "odometry";   ///< "odometry", "identity", or a TUM file
     std::filesystem::path posesFile;  ///< empty: not written
-    std::string mapFile;              ///< empty: not written; a trailing / asks for a folder of uos scans
+    std::string mapFile;              ///< empty: not written; with a trailing /: a folder of uos scans
     bool closeLoops = false;
-    std::filesystem::path byHand;  ///< file of links given by hand; empty: none
+    std::filesystem::path byHand;  ///< file with links made by hand; empty: none
     bool json = false;
 };
 
-/// Declares the options of `register` (docs/design.md, "Command lines") on @p command. They write into
-/// @p options, which must outlive the command.
+/// Adds the options of `register` (docs/design.md, "Command lines") to @p command. They write to @p options,
+/// which must outlive the command.
 void declareRegisterOptions(CLI::App& command, RegisterOptions& options);
 
-/// Returns the settings of @p options, with ranges set and the file of --guess read. Error when that file
-/// cannot be read.
+/// Returns the settings in @p options, after setting the ranges and reading the file of --guess. Error when
+/// that file cannot be read.
 [[nodiscard]] Result<RegistrationSettings> resolvedSettings(const RegisterOptions& options);
 
 }  // namespace leitstand::cli

@@ -9,8 +9,8 @@ namespace leitstand {
 
 /// Lays out @p content as a PDF (A4) and returns its bytes. It contains the mission, maps with numbered
 /// finds, and a block for each find with its evidence and the way to it. Error without a QGuiApplication (the
-/// offscreen platform will do). Any thread. Equal contents make equal pages; the creation time is in the
-/// file's properties.
+/// offscreen platform is sufficient). Any thread. Equal contents give equal pages; the creation time is in
+/// the file's properties.
 [[nodiscard]] Result<std::string> pdfOf(const ReportContent& content);
 
 }  // namespace leitstand

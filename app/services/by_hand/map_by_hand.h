@@ -15,20 +15,20 @@ namespace leitstand {
 
 class LiveMission;
 
-/// The map of a mission that has ended, for decisions of an operator as on a live map. The operator moves
-/// parts of the map, answers loop closures, and accepts, rejects and registers scans again. The decisions are
-/// recorded in a new session of the mission. What was recorded before stays as it is, and each decision can
-/// be taken back. Any thread.
+/// The map of a mission that has ended, for decisions of an operator as on a live map. The operator can move
+/// parts of the map, answer loop closures, and accept, reject or register scans again. The decisions are
+/// recorded in a new session of the mission. Earlier records are not changed, and each decision can be
+/// undone. Any thread.
 class MapByHand {
 public:
-    /// Opens the mission @p folder. @p station names who decides, and begins with @ref MapByHandStation.
-    /// Errors name the folder: others recorded it, it has no map, the links of its scans are missing, or it
+    /// Opens the mission @p folder. @p station: who makes the decisions; begins with @ref MapByHandStation.
+    /// Errors name the folder: others recorded it, it has no map, links of its scans are missing, or it
     /// cannot be written.
     [[nodiscard]] static Result<std::unique_ptr<MapByHand>> open(const std::filesystem::path& folder,
                                                                  const std::string& station,
                                                                  const std::string& version,
                                                                  StationMappingListener listener = {});
-    ~MapByHand();  ///< as close()
+    ~MapByHand();  ///< does the same as close()
     MapByHand(const MapByHand&) = delete;
     MapByHand& operator=(const MapByHand&) = delete;
 
@@ -39,7 +39,7 @@ public:
     /// Whether any decision was recorded since open().
     [[nodiscard]] bool decided() const;
 
-    /// Waits until the map follows the decisions and the log holds the result, then ends the session. Error
+    /// Waits until the map follows the decisions and the log has the result, then ends the session. Error
     /// when the log cannot be written.
     Result<void> close();
 
@@ -48,10 +48,10 @@ private:
 
     const std::filesystem::path m_folder;
     const std::vector<RobotDescription> m_robots;
-    std::atomic<StationMapping*> m_listening = nullptr;  ///< receives what is logged
+    std::atomic<StationMapping*> m_listening = nullptr;  ///< called with what is logged
     std::unique_ptr<LiveMission> m_mission;
-    std::unique_ptr<StationMapping> m_mapping;  ///< last: it logs into the mission
-    std::uint64_t m_before = 0;                 ///< sequence number of the mission when it was opened
+    std::unique_ptr<StationMapping> m_mapping;  ///< the last member, since it writes to the mission's log
+    std::uint64_t m_before = 0;                 ///< sequence of the mission's last event before it was opened
 };
 
 }  // namespace leitstand

@@ -15,11 +15,11 @@ namespace leitstand {
 
 using MapChangesPtr = std::shared_ptr<const MapChanges>;
 
-/// Returns the scans of @p map that count, for changesOf().
+/// Returns the certain scans of @p map, for changesOf().
 [[nodiscard]] std::vector<ReportScan> countingScans(const Map& map);
 
-/// Finds what changed in a map since earlier missions, on its own thread. Uses at most a fifth of a core for
-/// a growing map. Any thread.
+/// Finds what has changed in a map since earlier missions, on its own thread. Uses at most a fifth of a core
+/// while the map grows. Any thread.
 class ChangeFinder {
 public:
     ChangeFinder();
@@ -27,11 +27,11 @@ public:
     ChangeFinder(const ChangeFinder&) = delete;
     ChangeFinder& operator=(const ChangeFinder&) = delete;
 
-    /// Requests the changes of @p map. Only the newest map counts; requesting it again costs nothing. Null:
-    /// no map.
+    /// Requests the changes of @p map. Only the newest requested map is searched; requesting it again costs
+    /// nothing. Null: no map.
     void want(MapPtr map);
-    /// Returns the changes of the newest map that was searched. Null: none yet, or the map requested since
-    /// has fewer scans.
+    /// Returns the changes of the newest map that was searched. Null: there are none yet, or a map with fewer
+    /// scans was requested since then.
     [[nodiscard]] MapChangesPtr changes() const;
 
 private:
@@ -39,13 +39,12 @@ private:
 
     mutable std::mutex m_mutex;
     std::condition_variable_any m_came;
-    MapPtr m_asked;                  ///< requested last
-    std::optional<MapPtr> m_wanted;  ///< not begun yet
+    MapPtr m_asked;                  ///< map that was requested last
+    std::optional<MapPtr> m_wanted;  ///< requested map whose search has not begun
     MapChangesPtr m_changes;
-    std::stop_source m_atWork;  ///< stop is requested once another map is wanted
-    bool m_another =
-        false;              ///< the wanted map does not continue the last one: it is searched without a pause
-    std::jthread m_thread;  ///< last: joined first
+    std::stop_source m_atWork;  ///< stopped when another map is requested
+    bool m_another = false;     ///< the new map does not continue the last one: search without pauses
+    std::jthread m_thread;      ///< the last member, so that it is joined first
 };
 
 }  // namespace leitstand

@@ -13,16 +13,16 @@
 
 namespace leitstand {
 
-/// A moment of a recorded mission for which the searched floor is wanted.
+/// A moment of a recorded mission for which the searched floor is requested.
 struct CoverageMoment {
-    Time now{};               ///< station's clock
-    MissionStatePtr mission;  ///< at that moment
-    RobotsInMapPtr places;    ///< at that moment, with the trails
-    ReviewIndexPtr index;     ///< of the whole mission
+    Time now{};               ///< time of that moment, station's clock
+    MissionStatePtr mission;  ///< state at that moment
+    RobotsInMapPtr places;    ///< robots at that moment, with their trails
+    ReviewIndexPtr index;     ///< index of the whole mission
 };
 
-/// Computes which floor had been searched at a moment of a recorded mission, on its own thread. Reads the
-/// mission once, on the first request. Any thread.
+/// Computes, on its own thread, which floor had been searched at a moment of a recorded mission. Reads the
+/// mission once, at the first request. Any thread.
 class CoverageReplay {
 public:
     explicit CoverageReplay(std::filesystem::path mission);
@@ -30,11 +30,11 @@ public:
     CoverageReplay(const CoverageReplay&) = delete;
     CoverageReplay& operator=(const CoverageReplay&) = delete;
 
-    /// Requests the floor searched until @p moment. Only the newest moment counts; a moment with the same
-    /// state as the last one costs nothing. None of the pointers in @p moment may be null.
+    /// Requests the floor searched until @p moment. Only the newest request is computed; a moment with the
+    /// same state as the last one costs nothing. None of the pointers in @p moment may be null.
     void want(CoverageMoment moment);
-    /// Returns the floor searched until the newest moment that was computed. Null: none was computed yet, or
-    /// there was no map, or no robot in it.
+    /// Returns the floor searched until the newest computed moment. Null: none was computed yet, or there was
+    /// no map, or no robot in it.
     [[nodiscard]] SearchedFloorPtr searched() const;
 
 private:
@@ -46,7 +46,7 @@ private:
     std::condition_variable_any m_came;
     std::optional<CoverageMoment> m_wanted;
     SearchedFloorPtr m_searched;
-    std::jthread m_thread;  ///< last: joined first
+    std::jthread m_thread;  ///< the last member, so that it is joined first
 };
 
 }  // namespace leitstand

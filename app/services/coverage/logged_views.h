@@ -11,18 +11,18 @@
 
 namespace leitstand {
 
-/// Where the cameras of a recorded mission looked from.
+/// From where the cameras of a recorded mission looked.
 struct LoggedViews {
-    std::vector<SearchView> views;  ///< attached to the mission's key scans; nearly equal views are one
-    std::size_t leftOut = 0;        ///< how often a new view did not fit into SearchBook
+    /// Attached to the mission's key scans; nearly equal views are listed once.
+    std::vector<SearchView> views;
+    std::size_t leftOut = 0;  ///< number of new views for which SearchBook had no space
 };
 
-/// Finds the views in the log @p bag, and follows all decisions on the map and their undos. When cancelled,
+/// Finds the views in the log @p bag. Follows all decisions about the map, and their undos. When cancelled,
 /// returns what was found so far.
 [[nodiscard]] LoggedViews loggedViews(BagReader& bag, EventDecoder& decoder, const Progress& progress = {});
 
-/// Finds the views in the mission @p folder, whose robots are those of robotsOf(); none when it cannot be
-/// read.
+/// Finds the views in the mission @p folder, with the robots of robotsOf(). None when it cannot be read.
 [[nodiscard]] LoggedViews loggedViews(const std::filesystem::path& folder, const Progress& progress = {});
 
 }  // namespace leitstand

@@ -9,7 +9,7 @@ namespace leitstand {
 
 struct KeyScanSample;
 
-/// Returns the key scan @p sample as SearchBook takes it.
+/// Converts the key scan @p sample for SearchBook.
 [[nodiscard]] ReportScan scanOf(const KeyScanSample& sample);
 /// Returns where base_link of @p robots was and is, in the map [m].
 [[nodiscard]] std::vector<Eigen::Vector3d> trailsOf(const RobotsInMap& robots);

@@ -15,30 +15,32 @@ namespace leitstand {
 
 struct Event;
 
-/// A place that a robot's camera looked from.
+/// A place from which a robot's camera looked.
 struct FoundView {
     SearchSensor sensor = SearchSensor::Camera;
     Pose opticalInMap = Pose::Identity();
     SearchField field;
 };
 
-/// Finds where the cameras of one robot looked from, picture by picture. The caller reports where the robot
-/// is. Has no thread; one call at a time.
+/// Finds from where the cameras of one robot looked, picture by picture. The caller reports where the robot
+/// is. It has no thread; one call at a time.
 class ViewFinder {
 public:
-    static constexpr std::chrono::milliseconds Every{200};  ///< per camera; pictures in between add nothing
+    /// One picture per camera in this time is used; more add nothing.
+    static constexpr std::chrono::milliseconds Every{200};
     static constexpr double Fastest =
-        0.9;  ///< pictures of a camera that turns faster count as blurred [rad/s]
+        0.9;  ///< pictures of a camera that turns faster than this are blurred [rad/s]
 
     explicit ViewFinder(const RobotDescription& robot);
     ViewFinder(const ViewFinder&) = delete;
     ViewFinder& operator=(const ViewFinder&) = delete;
 
-    /// Takes odometry, inertial unit, transforms, camera infos and pictures of this robot; ignores others.
+    /// Takes odometry, inertial unit, transforms, camera infos and pictures of this robot; ignores other
+    /// events.
     void onEvent(const Event& event);
-    /// Sets where the robot was; nothing can be placed before the first call.
+    /// Sets where the robot was. Before the first call, nothing can be placed.
     void correct(const MapFix& fix) { m_places.correct(fix); }
-    void lose() { m_places.lose(); }  ///< the robot's place is unknown
+    void lose() { m_places.lose(); }  ///< call when the robot's place is unknown
     /// Views found since the last call.
     [[nodiscard]] std::vector<FoundView> found();
 
@@ -52,7 +54,7 @@ private:
     struct Camera {
         std::optional<SearchField> field;
         Time taken{};                ///< time of the newest picture, robot's clock
-        std::optional<Pose> before;  ///< optical frame in the odometry frame, at the last picture
+        std::optional<Pose> before;  ///< pose of the optical frame in the odometry frame at the last picture
         Time beforeAt{};
     };
     void look(Time now);

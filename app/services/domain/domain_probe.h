@@ -12,29 +12,28 @@
 
 namespace leitstand {
 
-/// A topic as the probe received it.
+/// A topic, and what the probe received on it.
 struct ProbedTopic {
     SeenTopic topic;
     int writers = 0, readers = 0;
-    double rate = 0.0;  ///< samples a second
+    double rate = 0.0;  ///< samples per second
     double bytesPerSecond = 0.0;
-    std::uint64_t lost = 0;  ///< by the sequence numbers of the writers
-    std::string hosts;       ///< hosts that publish it (or subscribe to it, when nobody publishes)
+    std::uint64_t lost = 0;  ///< number of lost samples, from the writers' sequence numbers
+    std::string hosts;       ///< hosts that publish it; if nobody does, hosts that subscribe to it
 };
 
 /// What a domain contains.
 struct ProbeReport {
-    std::vector<ProbedTopic> topics;  ///< by name
-    std::vector<RobotGuess> robots;   ///< guessed from the topics
-    std::vector<std::string>
-        warnings;          ///< about this computer, refused participants, packets that were dropped
-    double seconds = 0.0;  ///< time spent listening [s]
+    std::vector<ProbedTopic> topics;    ///< by name
+    std::vector<RobotGuess> robots;     ///< guessed from the topics
+    std::vector<std::string> warnings;  ///< about this computer, refused participants, and dropped packets
+    double seconds = 0.0;               ///< time spent listening [s]
 };
 
-/// Listens to a domain and reports its topics and what each is good for; publishes nothing.
+/// Listens to a domain, and reports its topics and what each can be used for. Publishes nothing.
 class DomainProbe {
 public:
-    /// Joins the domain and leaves it when the probe is destroyed.
+    /// Joins the domain. The domain is left when the probe is destroyed.
     [[nodiscard]] static Result<std::unique_ptr<DomainProbe>> open(const DomainSettings& settings);
     ~DomainProbe();
     DomainProbe(const DomainProbe&) = delete;

@@ -10,7 +10,7 @@ namespace leitstand {
 /// A topic of the stations that has the same meaning in every log.
 struct StationType {
     std::string_view topic, type;
-    bool shared = false;  ///< published by MissionSharing and accepted from other stations
+    bool shared = false;  ///< whether MissionSharing publishes it and accepts it from other stations
 };
 inline constexpr std::array<StationType, 13> StationTypes = {{
     {station_topic::Grants, "leitstand_msgs/msg/Grant"},

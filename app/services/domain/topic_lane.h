@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Returns the lane for samples of a ROS @p type. Scans and pictures have their own, so that they do not
-/// delay the rest.
+/// Returns the lane for samples of the ROS type @p type. Scans and pictures have their own lane, so that they
+/// do not delay others.
 [[nodiscard]] inline Lane laneOf(std::string_view type) {
     const bool large = type == "sensor_msgs/msg/PointCloud2" || type == "sensor_msgs/msg/Image" ||
                        type == "sensor_msgs/msg/CompressedImage" || type == "leitstand_msgs/msg/KeyScan";

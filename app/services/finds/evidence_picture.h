@@ -17,16 +17,16 @@ struct Event;
 /// A picture that shows a find.
 struct EvidencePicture {
     std::string robot, sensor;
-    Time at{};  ///< station's clock
-    /// Hottest temperature in a thermal picture [degrees C], whose colours go from 15 to 40; empty for
-    /// others.
+    Time at{};  ///< when it was received, station's clock
+    /// Highest temperature in a thermal picture [degrees C], whose colours span 15 to 40 degrees; empty for
+    /// other pictures.
     std::optional<double> hottest = {};
-    Picture picture;  ///< Rgb8 or Grey8
+    Picture picture;  ///< in Rgb8 or Grey8
 };
 
-/// Converts the picture @p sample of @p event into one for people. Thermal pictures, known by the streams of
-/// @p robots, become coloured, with their hottest temperature. Error when the picture cannot be decoded or
-/// printed.
+/// Converts the picture @p sample of @p event to one for people. Thermal pictures, which are known from the
+/// streams of @p robots, are coloured and get their highest temperature. Error when the picture cannot be
+/// decoded or printed.
 [[nodiscard]] Result<EvidencePicture> evidencePicture(const PictureSample& sample, const Event& event,
                                                       const std::vector<RobotDescription>& robots);
 

@@ -12,27 +12,27 @@ namespace leitstand {
 
 struct FindSample;
 
-/// The pictures named by a find's evidence, after reading.
+/// The pictures in a find's evidence, after they were read.
 struct ReadEvidence {
     std::vector<EvidencePicture> pictures;
-    bool written = true;  ///< false: the log does not have all of them yet
+    bool written = true;  ///< whether the log has all of them already
 };
 
-/// Reads pictures of finds from a mission's log, which may still be recording, on its own thread.
+/// Reads pictures of finds from a mission's log on its own thread. The mission may still be running.
 class EvidenceReader {
 public:
     using Answer = std::function<void(const FindSample& find, const ReadEvidence& read)>;
 
     /// @p answer is called on the reader's thread.
     EvidenceReader(std::filesystem::path mission, Answer answer);
-    /// Reads the pictures of @p find; cancels any earlier request.
+    /// Requests the pictures of @p find. Cancels any earlier request.
     void want(const FindSample& find);
 
 private:
     const std::filesystem::path m_mission;
     const Answer m_answer;
     JobQueue m_queue;
-    std::jthread m_thread;  ///< last: joined first
+    std::jthread m_thread;  ///< the last member, so that it is joined first
 };
 
 /// Reads the first four pictures of @p find from the log @p mission; leaves out what cannot be read.

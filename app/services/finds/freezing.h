@@ -17,21 +17,22 @@ namespace leitstand {
 
 /// A place in a camera's picture.
 struct PicturePoint {
-    std::string sensor;                                 ///< StreamDescription::sensor
-    Eigen::Vector2d share = Eigen::Vector2d(0.5, 0.5);  ///< of the picture's width and height, from top left
-    std::uint64_t sequence = 0;                         ///< of the picture's event; 0: the newest
+    std::string sensor;  ///< StreamDescription::sensor
+    /// Shares of the picture's width and height, from the top left.
+    Eigen::Vector2d share = Eigen::Vector2d(0.5, 0.5);
+    std::uint64_t sequence = 0;  ///< sequence of the picture's event; 0: the newest picture
 };
 
 /// The evidence that shows a find, chosen from what a robot sent.
 struct ChosenEvidence {
     /// Everything except the place of the find.
     FrozenEvidence frozen;
-    /// Picture through which the place of the find is searched, at `pixel`. Empty: there is no picture of a
-    /// calibrated camera, or the one that was pointed at is gone.
+    /// Picture in which the place of the find is searched, at `pixel`. Empty: there is no picture from a
+    /// calibrated camera, or the picture at which a person pointed is gone.
     std::optional<Event> picture;
-    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< [px]
-    int width = 0, height = 0;                        ///< of that picture [px]
-    double halfAngle = 0.0;  ///< half the angle under which the camera sees the find [rad]
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< position in that picture [px]
+    int width = 0, height = 0;                        ///< size of that picture [px]
+    double halfAngle = 0.0;  ///< half the angle that the find spans in the camera [rad]
 };
 
 /// Returns @p event as evidence of @p kind, in the form of VictimEvidence.
@@ -39,22 +40,23 @@ struct ChosenEvidence {
 /// Whether @p evidence is a picture.
 [[nodiscard]] bool isPictureEvidence(const VictimEvidence& evidence);
 
-/// Returns the pictures of @p recent, also thermal ones, that are evidence in @p frozen and were received at
-/// @p since or later.
+/// Returns the pictures in @p recent, including thermal ones, that are evidence in @p frozen and were
+/// received at @p since or later.
 [[nodiscard]] std::vector<Event> picturesOf(const FrozenEvidence& frozen, const RobotEvidence& recent,
                                             Time since);
-/// Returns @p frozen without the pictures that are not in @p shown. Its heat stays only if a thermal picture
-/// stays.
+/// Returns @p frozen without the pictures that are not in @p shown. Its heat is kept only if a thermal
+/// picture remains.
 [[nodiscard]] FrozenEvidence withPictures(FrozenEvidence frozen, const std::vector<Event>& shown);
 
 /// Chooses evidence from what @p robot sent:
-/// - of each camera the sharpest picture,
-/// - of each thermal camera the newest picture with a body, else the newest,
+/// - from each camera the sharpest picture,
+/// - from each thermal camera the newest picture with a body, otherwise the newest picture,
 /// - the CO2 of the last minute (the highest of each second, and the newest),
 /// - the newest scan and the newest odometry.
-/// If @p at is given, the place is searched there. Its picture is then the one kept of its camera, as the
-/// robot may have moved since. Else the place is searched through the hot spot if @p kind is a victim, else
-/// through the middle of the camera @p looksThrough. Takes some tens of milliseconds.
+///
+/// If @p at is given, the place is searched there. Its picture is then also the one kept from its camera,
+/// since the robot may have moved. Otherwise the place is searched at the hot spot if @p kind is a victim,
+/// otherwise in the middle of the picture of the camera @p looksThrough. Takes some tens of milliseconds.
 [[nodiscard]] ChosenEvidence chooseEvidence(const RobotDescription& robot, const RobotEvidence& recent,
                                             FindSample::Kind kind, const std::string& looksThrough,
                                             const std::optional<PicturePoint>& at);

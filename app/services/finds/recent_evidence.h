@@ -14,27 +14,29 @@
 
 namespace leitstand {
 
-/// What one robot sent in the last seconds that can show a find. Nothing is decoded or copied.
+/// What one robot sent in the last seconds that may show a find. Nothing is decoded or copied.
 struct RobotEvidence {
-    std::map<std::string, std::vector<Event>> pictures;  ///< of cameras, by sensor, oldest first
-    std::map<std::string, std::vector<Event>> thermal;   ///< of thermal cameras, by sensor, oldest first
-    std::map<std::string, CameraInfoSample> cameras;     ///< calibrations of both, by sensor
-    std::optional<Event> scan, odometry, sightings;      ///< newest
-    std::vector<Event> gas;                              ///< of the last minute, oldest first
+    std::map<std::string, std::vector<Event>> pictures;  ///< pictures of cameras, by sensor, oldest first
+    /// Pictures of thermal cameras, by sensor, oldest first.
+    std::map<std::string, std::vector<Event>> thermal;
+    std::map<std::string, CameraInfoSample> cameras;  ///< calibrations of both, by sensor
+    std::optional<Event> scan, odometry, sightings;   ///< newest
+    std::vector<Event> gas;                           ///< those of the last minute, oldest first
 };
 
-/// Keeps what robots sent in the last seconds, for when the operator sees something. Any thread.
+/// Keeps what robots sent in the last seconds, until the operator sees something. Any thread.
 class RecentEvidence {
 public:
     static constexpr std::chrono::seconds Pictures{3};  ///< how long pictures are kept
     static constexpr std::chrono::seconds Gas{60};
-    static constexpr std::chrono::seconds Silence{10};  ///< a sensor that is silent for longer is left out
-    static constexpr std::size_t MostPictures = 120;    ///< of a camera
+    /// A sensor that has been silent for longer is left out.
+    static constexpr std::chrono::seconds Silence{10};
+    static constexpr std::size_t MostPictures = 120;  ///< largest number of pictures per camera
 
     void onEvent(const Event& event);
-    /// Returns what @p robot sent, as of @p now (station's clock), without what is too old. The picture of
-    /// the event @p pointed, at which a person looks, is returned also if it is older; 0: none. Empty when
-    /// the robot sent nothing.
+    /// Returns what @p robot sent, as of @p now (station's clock), without what is too old. @p pointed: event
+    /// of the picture that a person looks at; it is returned even if it is older; 0: none. Empty when the
+    /// robot sent nothing.
     [[nodiscard]] RobotEvidence of(const std::string& robot, Time now, std::uint64_t pointed = 0) const;
 
 private:

@@ -19,13 +19,13 @@ struct Event;
 class BagReader;
 class EventDecoder;
 
-/// A mission opened for a report.
+/// A mission that is opened for a report.
 class ReportSource {
 public:
     /// Opens the mission @p folder (or one of its files) and reads its state, key scans and paths. A bag of
-    /// others has no key scans: some of its clouds are then registered, one every 0.3 m or 10 degrees, by
-    /// odometry where there is any. Error only when nothing at all can be read; warnings() lists what is
-    /// missing. When cancelled, holds what was read so far.
+    /// others has no key scans. Then some of its clouds are registered, one every 0.3 m or 10 degrees,
+    /// starting from odometry if there is any. Error only when nothing at all can be read; warnings() lists
+    /// what is missing. When cancelled, it has what was read so far.
     [[nodiscard]] static Result<ReportSource> open(const std::filesystem::path& folder,
                                                    const Progress& progress = {});
     ~ReportSource();
@@ -34,17 +34,17 @@ public:
 
     [[nodiscard]] const ReportInput& input() const { return m_input; }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
-    /// Whether warnings() contain why there is no map.
+    /// Whether warnings() say why there is no map.
     [[nodiscard]] bool mentionsMap() const { return m_mentionsMap; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const;
 
-    /// Returns the decoded event of @p sequence; error when it is not there or makes no sense.
+    /// Returns the decoded event with the sequence @p sequence. Error when it is missing or makes no sense.
     [[nodiscard]] Result<Event> event(std::uint64_t sequence);
-    /// Returns the event that is @p evidence of @p find, by sequenceInLog().
+    /// Returns the event that is @p evidence of @p find, found by sequenceInLog().
     [[nodiscard]] Result<Event> event(const VictimEvidence& evidence, const FindSample& find);
-    /// Returns the pose of the sensor that took @p event, a cloud or ranges, in its robot's base at that
-    /// time. Uses the transforms received about that time, else the robot's file. Empty for other events, and
-    /// where transforms have a gap.
+    /// Returns the pose of the sensor that made @p event, a cloud or ranges, in its robot's base at that
+    /// time. Uses transforms received around that time, otherwise the robot's file. Empty for other events,
+    /// and where transforms have a gap.
     [[nodiscard]] std::optional<Pose> sensorInBase(const Event& event);
 
 private:
@@ -60,7 +60,7 @@ private:
     ReportInput m_input;
     std::vector<std::string> m_warnings;
     bool m_mentionsMap = false;
-    bool m_hasKeyScans = false;  ///< some station mapped it, even if none of its scans remain
+    bool m_hasKeyScans = false;  ///< whether a station mapped it, even if none of its scans remain
 };
 
 }  // namespace leitstand

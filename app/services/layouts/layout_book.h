@@ -9,24 +9,23 @@
 
 namespace leitstand {
 
-/// The layouts of the program, and the user's own, which take precedence.
+/// The layouts that come with the program, and the user's own, which have priority.
 class LayoutBook {
 public:
     /// Uses the folders of the user (`$XDG_CONFIG_HOME/leitstand/layouts`) and of the program
     /// (`$LEITSTAND_RESOURCES/layouts`).
     LayoutBook();
-    /// @p own: where save() writes.
+    /// @p own: folder to which save() writes.
     LayoutBook(std::filesystem::path own, std::filesystem::path shipped);
 
-    /// Returns the shipped layouts in their order, then the user's; adds errors of invalid files to
+    /// Returns the shipped layouts in their order, then the user's. Adds errors of invalid files to
     /// @p errors.
     [[nodiscard]] std::vector<WindowLayout> all(std::vector<std::string>& errors) const;
-    /// Returns the layout @p name. The error lists the existing names, or reports what is wrong with the
-    /// file.
+    /// Returns the layout @p name. The error lists the existing names, or says what is wrong with the file.
     [[nodiscard]] Result<WindowLayout> find(const std::string& name) const;
-    /// Error names the file, or the invalid name.
+    /// The error names the file, or the invalid name.
     Result<void> save(const WindowLayout& layout) const;
-    /// Removes one of the user's layouts; a shipped one of that name is used again.
+    /// Removes one of the user's layouts. If there is a shipped one with that name, it is used again.
     Result<void> remove(const std::string& name) const;
     [[nodiscard]] bool isOwn(const std::string& name) const;
 

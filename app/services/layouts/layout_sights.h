@@ -8,30 +8,30 @@
 
 namespace leitstand {
 
-/// Keeps the view of the map in each layout: at first as the layout defines it, then as the operator last had
-/// it there. A layout that defines no view keeps the one before it.
+/// Keeps the view of the map in each layout: first as the layout defines it, then as the operator last had it
+/// there. If a layout defines no view, the previous view is kept.
 class LayoutSights {
 public:
-    /// @p own: the operator's view, used for what layouts leave out.
+    /// @p own: the operator's view, used for everything that layouts leave open.
     explicit LayoutSights(const MapSight& own) : m_own(own) {}
 
-    /// Returns the view for @p layout, which is entered. @p now: the present view, which is kept for the
-    /// layout that is left.
+    /// Returns the view for @p layout, which is now used. @p now: the present view, which is kept for the
+    /// previous layout.
     [[nodiscard]] MapSight enter(const WindowLayout& layout, const MapSight& now);
-    /// Makes the layout @p name use the view of its file again when it is entered next.
+    /// Makes the layout @p name use the view in its file when it is next used.
     void forget(const std::string& name);
     /// Returns the operator's own view, while @p now is shown.
     [[nodiscard]] MapSight own(const MapSight& now) const;
 
 private:
-    /// The layout that the current view belongs to; its name is empty before the first one.
+    /// The layout to which the present view belongs. Its name is empty before the first layout.
     struct Holder {
         std::string name = {};
         LayoutMap ofLayout = {};
     };
 
     MapSight m_own;
-    std::optional<Holder> m_holder = Holder{};  ///< none: the current view belongs to no layout
+    std::optional<Holder> m_holder = Holder{};  ///< empty: the present view belongs to no layout
     std::map<std::string, MapSight> m_kept;     ///< by layout
 };
 

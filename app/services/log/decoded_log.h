@@ -10,8 +10,8 @@ namespace leitstand {
 
 struct Event;
 
-/// Decodes the events of @p bag that @p query selects and calls @p take for each result, in order.
-/// @p progress as of forEachRaw(). A query without topics selects nothing here.
+/// Decodes the events of @p bag that @p query selects and calls @p take with each result, in order.
+/// @p progress: as for forEachRaw(). Here, a query without topics selects nothing.
 void forEachEvent(BagReader& bag, EventDecoder& decoder, const BagQuery& query,
                   const std::function<void(const Event&)>& take, const Progress& progress = {});
 

@@ -15,21 +15,21 @@ struct Event;
 /// Samples of a topic that could not be decoded.
 struct DecodingErrors {
     std::uint64_t count = 0;
-    std::string last;  ///< text of the last one: topic, type and what was expected
+    std::string last;  ///< text of the last error: topic, type and what was expected
 };
 
-/// Decodes received samples into events of core. Knows the robot and the role of each topic by the robots'
-/// files; ignores other topics, except those of stations. One thread at a time.
+/// Decodes received samples to events of core. Knows the robot and the role of each topic from the robots'
+/// files. Ignores other topics, except those of stations. One thread at a time.
 class EventDecoder {
 public:
     explicit EventDecoder(std::vector<RobotDescription> robots);
 
-    /// Calls @p take for each event decoded from @p event: usually one, several on a topic that robots share
-    /// ("/tf"). Does not call it when the topic is unknown or the sample is broken.
+    /// Calls @p take for each event decoded from @p event: usually one, but several on a topic that robots
+    /// share ("/tf"). Does not call it when the topic is unknown or the sample is damaged.
     void decode(const RawEvent& event, const std::function<void(const Event&)>& take);
-    /// Whether decode() may decode events of @p topic.
+    /// Whether decode() can decode events on @p topic.
     [[nodiscard]] bool knows(const std::string& topic) const;
-    /// Samples that were broken so far, by topic.
+    /// Samples that could not be decoded so far, by topic.
     [[nodiscard]] const std::map<std::string, DecodingErrors>& errors() const { return m_errors; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const { return m_robots; }
 

@@ -14,7 +14,7 @@ public:
 
     /// Takes all events of the mission, in order. One call at a time; must not block its caller.
     virtual void onEvent(const Event& event) = 0;
-    /// Ends the sink's own work: none is done after this has returned, though events may still come. Any
+    /// Ends the sink's own work. None is done after this has returned, though events may still arrive. Any
     /// thread.
     virtual void close() {}
 };

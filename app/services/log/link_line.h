@@ -7,7 +7,7 @@
 
 namespace leitstand {
 
-/// Returns a link's status for the operator of a command line: "kurt3d: degraded: odometry 1.4 s old".
+/// Returns the status of a link as text on a terminal: "kurt3d: degraded: odometry 1.4 s old".
 [[nodiscard]] inline std::string linkLine(const LinkStatus& link) {
     const std::string reasons = toString(link.reasons);
     return link.robot + ": " + toString(link.state) + (reasons.empty() ? "" : ": " + reasons);

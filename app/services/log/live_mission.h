@@ -20,35 +20,37 @@ struct Event;
 
 /// Settings of a mission that is being recorded.
 struct LiveMissionSettings {
-    std::filesystem::path folder;  ///< created if absent; an existing one is resumed
+    std::filesystem::path folder;  ///< made if it is missing; an existing mission is resumed
     std::vector<RobotDescription>
-        robots;  ///< their topics make up state(); their files are stored beside the log
+        robots;  ///< robots whose topics are used for state(); their files are stored beside the log
     std::string station = "leitstand";  ///< persistent identity
-    std::string title = "Leitstand";    ///< of the station, for people
-    std::string version;                ///< of the program
-    double alarmMinutes = 10.0;         ///< an alarm is raised when the disk lasts for less than this [min]
+    std::string title = "Leitstand";    ///< name of the station for people
+    std::string version;                ///< version of the program
+    double alarmMinutes = 10.0;  ///< an alarm is raised if the disk will be full within this time [min]
 };
 
 /// Status of a mission's log.
 struct LiveMissionStatus {
-    std::uint64_t events = 0, bytes = 0;  ///< committed in this session
-    double bytesPerSecond = 0.0;          ///< over the last seconds
-    double minutesLeft = 0.0;             ///< until the disk is full; infinite when nothing is written
-    std::map<std::string, std::uint64_t> dropped;  ///< events per topic that will never be written
-    std::map<std::string, DecodingErrors> broken;  ///< undecodable samples per topic; the log keeps them
-    std::uint64_t lost = 0;                        ///< dropped events other than pictures
-    std::string problem;                           ///< why nothing can be written; empty when all is well
+    std::uint64_t events = 0, bytes = 0;  ///< committed in this session: events and bytes
+    double bytesPerSecond = 0.0;          ///< mean over the last seconds
+    double minutesLeft = 0.0;             ///< time until the disk is full; infinite when nothing is written
+    std::map<std::string, std::uint64_t> dropped;  ///< number of events that will never be written, by topic
+    /// Samples that cannot be decoded, by topic; the log has them.
+    std::map<std::string, DecodingErrors> broken;
+    std::uint64_t lost = 0;  ///< number of dropped events, without pictures
+    std::string problem;     ///< why nothing can be written; empty: there is no problem
 };
 
 /// Functions that are called on threads of the mission and must not block them.
 struct LiveMissionListener {
-    std::function<void(const std::string&)> onAlarm = {};  ///< in words: disk alarms, damage of the log
-    /// Every decoded event, in the mission's order, once it is in the log and in state().
+    /// Called with a text: disk alarms, damage of the log.
+    std::function<void(const std::string&)> onAlarm = {};
+    /// Called with every decoded event, in the mission's order, after it was added to the log and to state().
     std::function<void(const Event&)> onEvent = {};
 };
 
-/// The one ordered stream of events of a mission (docs/design.md, "A mission is its log"). Events that are
-/// received or published are numbered, logged and applied to state(), in that order. Any thread.
+/// The single ordered sequence of events of a mission (docs/design.md, "A mission is its log"). Events that
+/// are received or published are numbered, logged and applied to state(), in that order. Any thread.
 class LiveMission {
 public:
     using Listener = LiveMissionListener;
@@ -56,7 +58,7 @@ public:
     /// Opens a new session of the mission. Errors name the folder.
     [[nodiscard]] static Result<std::unique_ptr<LiveMission>> open(const LiveMissionSettings& settings,
                                                                    Listener listener = {});
-    ~LiveMission();  ///< as close()
+    ~LiveMission();  ///< does the same as close()
     LiveMission(const LiveMission&) = delete;
     LiveMission& operator=(const LiveMission&) = delete;
 

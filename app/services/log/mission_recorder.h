@@ -16,7 +16,8 @@ namespace leitstand {
 
 /// Settings of a recording.
 struct RecorderSettings {
-    LiveMissionSettings mission;  ///< topics in its robots' files are recorded; no robots: all found
+    /// Topics in its robots' files are recorded; without robots, all topics that are found.
+    LiveMissionSettings mission;
     DomainSettings domain = {};
 };
 
@@ -24,18 +25,18 @@ struct RecorderSettings {
 struct RecorderStatus {
     LiveMissionStatus log;
     std::vector<RecordedTopic> topics;
-    std::vector<LinkStatus> links;        ///< of the robots whose files were given
+    std::vector<LinkStatus> links;        ///< for the robots whose files were given
     std::vector<std::string> mismatches;  ///< in words
-    /// Topics of steady streams (best effort) that were announced for 2 s or more without a sample.
+    /// Topics of steady streams (best effort) that have been announced for at least 2 s, but not received.
     std::vector<std::string> notReceived;
-    std::vector<ScreenDrop> screened;  ///< packets that were kept from the DDS library
+    std::vector<ScreenDrop> screened;  ///< packets that were not passed to the DDS library
 };
 
-/// Records a domain into a mission until the recorder is stopped or destroyed. It listens and never publishes
-/// to a robot.
+/// Records a domain into a mission until the recorder is stopped or destroyed. It listens, but never
+/// publishes to a robot.
 class MissionRecorder {
 public:
-    /// Receives texts for the operator: alarms, changed links, topics that cannot be received. Called on
+    /// Called with texts for the operator: alarms, changed links, topics that cannot be received. Called on
     /// threads of the recorder.
     using Notify = std::function<void(const std::string&)>;
 
@@ -46,7 +47,7 @@ public:
     MissionRecorder& operator=(const MissionRecorder&) = delete;
 
     [[nodiscard]] RecorderStatus status() const;
-    /// Ends the session; the mission is self-contained afterwards. The domain is left when the recorder is
+    /// Ends the session; then the mission is self-contained. The domain is left when the recorder is
     /// destroyed.
     Result<void> stop();
 

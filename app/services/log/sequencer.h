@@ -12,10 +12,10 @@
 namespace leitstand {
 
 /// Puts all events that reach the station into one order (docs/design.md, "A mission is its log"). Numbers
-/// them and passes them to a sink on its own thread. Events that wait together are ordered by receive time.
-/// Receive times never run backwards, even when the station's clock is set back. The sink must not wait for
-/// the disk or the network, so that the queue stays short. The queue is unbounded, since nothing may be lost
-/// here.
+/// them and passes them to a sink on its own thread. Events that wait at the same time are ordered by receive
+/// time. Receive times never decrease, even when the station's clock is set back. The sink must not wait for
+/// the disk or the network, so that the queue stays short. The queue is not limited, since nothing may be
+/// lost here.
 class Sequencer {
 public:
     using Sink = std::function<void(const RawEvent&)>;
@@ -27,7 +27,7 @@ public:
     Sequencer(const Sequencer&) = delete;
     Sequencer& operator=(const Sequencer&) = delete;
 
-    /// Takes @p event; sets its receive time to now if it has none. Any thread, also that of the sink.
+    /// Takes @p event. If it has no receive time, sets it to now. Any thread, also that of the sink.
     void push(RawEvent event);
     /// Waits until all events pushed before were passed on. Must not be called from the sink.
     void drain();
@@ -42,7 +42,7 @@ private:
     std::condition_variable_any m_changed;
     std::deque<RawEvent> m_waiting;
     std::uint64_t m_pushed = 0, m_handedOver = 0;
-    std::jthread m_thread;  ///< last: joined first
+    std::jthread m_thread;  ///< the last member, so that it is joined first
 };
 
 /// Returns the time of the station's clock.

@@ -9,26 +9,28 @@ namespace leitstand::mapping_words {
 
 // Messages to the operator about the map, in the window's language.
 
-/// Asks whether the map meets itself: whether a robot is at a place that the map has seen before.
+/// Asks whether a robot is at a place that is already in the map.
 [[nodiscard]] std::string question();
-/// Asks whether two parts of the map, whose relative pose is unknown, have seen the same place.
+/// Asks whether two parts of the map, whose relative pose is unknown, show the same place.
 [[nodiscard]] std::string partsMeet();
-/// A loop closed; scans moved by up to @p largest [m].
+/// Says that a loop closed, and that scans moved by up to @p largest [m].
 [[nodiscard]] std::string met(double largest);
-/// A closed loop does not count any more.
+/// Says that a closed loop is no longer used.
 [[nodiscard]] std::string contradicted();
-/// The outcome of placing the robot of this @p title.
+/// Says how placing the robot called @p title ended.
 [[nodiscard]] std::string place(const std::string& title, const RobotPlaceSample& place);
-/// A search for the robot of this @p title failed: @p alike places of the map look like what it sees.
+/// Says that a search for the robot called @p title failed: @p alike places of the map look like what it
+/// sees.
 [[nodiscard]] std::string lookedFor(const std::string& title, std::size_t alike);
 
-/// The measurements of the 3D scanner of the robot of this @p title do not fit together.
+/// Says that the measurements of the 3D scanner of the robot called @p title do not fit together.
 [[nodiscard]] std::string scannerIsOff(const std::string& title);
-/// The 3D scanner of the robot of this @p title is corrected from its next scan on, and in @p file; empty: in
-/// none.
+/// Says that the 3D scanner of the robot called @p title is corrected from its next scan on, and in @p file;
+/// empty: in no file.
 [[nodiscard]] std::string scannerCorrected(const std::string& title, const std::string& file);
-/// The map of the robot of this @p title is made from the clouds on @p topic from now on.
+/// Says that the plane laser on @p topic of the robot called @p title makes the map from now on.
 [[nodiscard]] std::string mapsByLaser(const std::string& title, const std::string& topic);
+/// Says that the robot called @p title makes the map from the clouds on @p topic from now on.
 [[nodiscard]] std::string mapsWith(const std::string& title, const std::string& topic);
 
 }  // namespace leitstand::mapping_words

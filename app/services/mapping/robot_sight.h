@@ -21,41 +21,41 @@ namespace leitstand {
 struct PictureSample;
 struct KeyScanSample;
 
-/// The surroundings of one robot by what it sent: its virtual 2D scan, and the age of the driver's view.
-/// Scans wait for odometry of their time, at most 150 ms. After that, the motion of the robot is extrapolated
-/// from its last speed. Any thread.
+/// The surroundings of one robot, from what it sent: its virtual 2D scan, and the age of the driver's view.
+/// Scans wait for odometry of their time, but at most 150 ms. Then the robot's motion is extrapolated from
+/// its last speed. Any thread.
 class RobotSight {
 public:
     explicit RobotSight(const RobotDescription& robot);
 
-    void onEvent(const Event& event);  ///< takes what this robot sent; ignores what is of no use here
-    void onEvent(const Event& event, SteadyTime now);  ///< the same for an event received at @p now
-    /// Takes a whole turn of the scanner that a station kept as the key scan @p scan, received at @p now. For
-    /// missions without the slices of that turn.
+    void onEvent(const Event& event);  ///< takes what this robot sent; ignores events that it does not need
+    void onEvent(const Event& event, SteadyTime now);  ///< as above, for an event received at @p now
+    /// Takes a whole turn of the scanner that a station stored as the key scan @p scan, received at @p now.
+    /// Used for missions without the slices of that turn.
     void take(const KeyScanSample& scan, SteadyTime now);
-    /// Sets the camera of the driver to @p sensor, infrared or not. At first it is the first camera of the
-    /// robot's file, infrared only without others.
+    /// Selects the driver's camera @p sensor, which may be infrared. At first it is the first camera in the
+    /// robot's file, an infrared one only if there is no other.
     void selectCamera(const std::string& sensor);
-    /// Returns the limit on the robot's speed in the direction of @p sticks, by the age of what the driver
-    /// sees there. @p withoutEyes: the operator drives without a view.
+    /// Returns the limit on the robot's speed in the direction of @p sticks, given the age of what the driver
+    /// sees there. @p withoutEyes: whether the operator drives without a view.
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes) const;
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes, SteadyTime now) const;
-    /// Fills cameras and joints.
+    /// Sets cameras and joints of @p robot.
     void fillView(RobotView& robot) const;
     void fillView(RobotView& robot, SteadyTime now) const;
     /// Returns the surroundings as seen from the robot's pose in its newest odometry; empty before any
-    /// odometry. Ages grow while nothing comes. Ages of sectors are on the robot's clock.
+    /// odometry. Ages increase while nothing arrives. Ages of sectors are on the robot's clock.
     [[nodiscard]] std::optional<VirtualScanView> view() const;
     [[nodiscard]] std::optional<VirtualScanView> view(SteadyTime now) const;
 
-    /// Returns when a scan, or a slice of a scan, came last; empty: never.
+    /// Returns when a scan, or a slice of a scan, last arrived; empty: never.
     [[nodiscard]] std::optional<SteadyTime> scanned() const;
-    /// Returns how far the robot can drive straight ahead until it touches something, at most 2 [m]. NaN when
-    /// the space ahead was not scanned within the last 10 s.
+    /// Returns how far the robot can drive straight ahead before it touches something, at most 2 [m]. NaN
+    /// when the space ahead was not scanned within the last 10 s.
     [[nodiscard]] double spaceAhead() const;
 
 private:
-    /// A scanner's sample, and when it came.
+    /// A scanner's sample, and when it arrived.
     struct Held {
         Event event;
         SteadyTime came = {};
@@ -65,29 +65,29 @@ private:
     void placeHeld(SteadyTime now);                                                      ///< under the mutex
     void place(const Held& held);                                                        ///< under the mutex
     [[nodiscard]] std::optional<VirtualScanView> look(SteadyTime now) const;             ///< under the mutex
-    /// Whether the robot's odometry has started again with @p odometry, taken at @p stamp.
+    /// Whether @p odometry, taken at @p stamp, shows that the robot's odometry has restarted.
     [[nodiscard]] bool hasLeapt(const OdometrySample& odometry, Time stamp) const;
     void addLasers(VirtualScanView& view, SteadyTime now) const;  ///< under the mutex
-    [[nodiscard]] const PictureWatch* driversPicture() const;     ///< under the mutex; null: no picture came
+    [[nodiscard]] const PictureWatch* driversPicture() const;  ///< under the mutex; null: no picture arrived
 
     const BodyBox m_body;
     mutable std::mutex m_mutex;
     SensorPoses m_poses;
     VirtualScan m_scan;
-    MotionBuffer m_motion;           ///< level by the odometry
-    std::deque<Held> m_held;         ///< wait for odometry, in order of arrival
-    std::optional<Time> m_begun;     ///< robot's clock: older samples belong to an earlier odometry
-    std::optional<Time> m_newest;    ///< newest odometry, robot's clock
-    SteadyTime m_arrived = {};       ///< when that odometry came
-    Pose m_base = Pose::Identity();  ///< in odom, at that time
+    MotionBuffer m_motion;           ///< its level is that of the odometry
+    std::deque<Held> m_held;         ///< samples that wait for odometry, in order of arrival
+    std::optional<Time> m_begun;     ///< robot's clock; older samples belong to an earlier odometry
+    std::optional<Time> m_newest;    ///< stamp of the newest odometry, robot's clock
+    SteadyTime m_arrived = {};       ///< when that odometry arrived
+    Pose m_base = Pose::Identity();  ///< base_link in odom at that time
     bool m_hasCamera = false, m_hasScanner = false;
-    std::string m_driversCamera;                    ///< sensor
+    std::string m_driversCamera;                    ///< the driver's camera
     std::map<std::string, PictureWatch> m_cameras;  ///< by sensor
     std::map<std::string, PictureWatch> m_thermal;  ///< by sensor
-    std::optional<SteadyTime> m_scanned;            ///< when a scan or a slice of one came last
+    std::optional<SteadyTime> m_scanned;            ///< when a scan or a slice of a scan last arrived
     /// The newest turn of a plane laser.
     struct Laser {
-        std::vector<Eigen::Vector3f> inOdom;  ///< [m]
+        std::vector<Eigen::Vector3f> inOdom;  ///< its points in odom [m]
         SteadyTime came = {};
     };
     std::map<std::string, Laser> m_lasers;  ///< by topic

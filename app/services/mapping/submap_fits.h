@@ -12,7 +12,8 @@
 
 namespace leitstand {
 
-/// Computes how a part of the map fits the rest where the operator drags it, on its own thread. Any thread.
+/// Computes how a part of the map fits the rest at the place to which the operator drags it, on its own
+/// thread. Any thread.
 class SubmapFits {
 public:
     SubmapFits();
@@ -20,14 +21,15 @@ public:
     SubmapFits(const SubmapFits&) = delete;
     SubmapFits& operator=(const SubmapFits&) = delete;
 
-    /// Begins a move of the key scans @p submap of @p map. They are compared with the other scans, except
-    /// those in @p left. Drops earlier requests.
+    /// Begins to move the key scans @p submap of @p map. They are compared with all other scans except those
+    /// in @p left. Drops earlier requests.
     void begin(LiveMapPtr map, std::set<std::uint64_t> submap, std::set<std::uint64_t> left = {});
     void end();  ///< ends the move
-    /// Requests how well the submap fits at @p moved (SubmapOnMap::at()); only the newest request counts.
+    /// Requests how well the submap fits at @p moved (SubmapOnMap::at()). Only the newest request is
+    /// computed.
     void want(const Pose& moved);
-    /// Requests the pose near @p moved at which the submap fits best (SubmapOnMap::snapped()). No effect
-    /// before submap() is there.
+    /// Requests the pose near @p moved at which the submap fits best (SubmapOnMap::snapped()). Has no effect
+    /// while submap() is null.
     void snap(const Pose& moved);
 
     /// The submap that is moved; null: it is not ready yet, or there is none.
@@ -36,24 +38,24 @@ public:
     [[nodiscard]] std::optional<SubmapFit> fit() const;
     /// The result of snap(), returned once.
     struct Snapped {
-        std::optional<Pose> moved;  ///< empty: too little of the submap lies on anything there
+        std::optional<Pose> moved;  ///< empty: too little of the submap overlaps with the rest there
     };
     [[nodiscard]] std::optional<Snapped> takeSnapped();
 
 private:
-    /// Whether results of run @p run still count; under the mutex.
+    /// Whether results of run @p run are still valid; under the mutex.
     [[nodiscard]] bool counts(std::uint64_t run) const { return run == m_run; }
-    void work();  ///< computes the newest request unless it is at work; under the mutex
+    void work();  ///< computes the newest request, unless it is already computing; under the mutex
 
     mutable std::mutex m_mutex;
-    std::uint64_t m_run = 0;  ///< times that a move was begun or ended
+    std::uint64_t m_run = 0;  ///< how many times a move was begun or ended
     SubmapOnMapPtr m_submap;
-    std::optional<Pose> m_wanted;  ///< requested and not at work yet
+    std::optional<Pose> m_wanted;  ///< requested pose that is not being computed yet
     bool m_works = false;
     std::optional<SubmapFit> m_fit;
     std::optional<Snapped> m_snapped;
     JobQueue m_jobs;
-    std::jthread m_thread;  ///< last: joined first
+    std::jthread m_thread;  ///< the last member, so that it is joined first
 };
 
 }  // namespace leitstand

@@ -14,21 +14,22 @@ namespace leitstand {
 
 /// A scan that was registered after the mission.
 struct OfflineScan {
-    MapScan scan;  ///< its poses are in the map's frame
+    MapScan scan;  ///< with poses in the map's frame
     Pose sensorInBase = Pose::Identity();
     ScanArrival arrival;
 };
 
-/// A map of a mission that no station mapped. Its frame is level by odometry. The x and y of its origin are
-/// where the robot of the first scan stood.
+/// A map of a mission that no station mapped. Its frame is level according to odometry. The x and y of its
+/// origin are those of the first scan's robot.
 struct OfflineMap {
-    std::vector<OfflineScan> scans;     ///< in the order they were registered
-    std::size_t read = 0;               ///< scans that the mission holds; the above are a choice of them
-    std::vector<std::string> warnings;  ///< as of MissionScans
+    std::vector<OfflineScan> scans;  ///< in the order in which they were registered
+    std::size_t read = 0;            ///< number of scans in the mission, from which the above were selected
+    std::vector<std::string> warnings;  ///< those of MissionScans
 };
 
-/// Registers the clouds of @p mission, one every 0.3 m or 10 degrees as in a live map, by odometry where
-/// there is any. Errors as of readMissionScans(). When cancelled, returns what was registered so far.
+/// Registers the clouds of @p mission, one every 0.3 m or 10 degrees as in a live map. Starts from odometry
+/// if there is any. Errors are those of readMissionScans(). When cancelled, returns what was registered so
+/// far.
 [[nodiscard]] Result<OfflineMap> mapOffline(const std::filesystem::path& mission,
                                             const Progress& progress = {});
 

@@ -8,18 +8,18 @@
 
 namespace leitstand {
 
-/// Keeps the bindings of the operator's gamepads from run to run: a file for each kind of pad, in a folder of
-/// the configuration.
+/// Stores the bindings of the operator's gamepads from run to run: one file for each kind of pad, in a folder
+/// of the configuration.
 class PadMemory {
 public:
-    /// @p folder: created when something is kept; empty: nothing is kept.
+    /// @p folder: made when something is stored; empty: nothing is stored.
     explicit PadMemory(std::filesystem::path folder);
 
-    /// Returns what was kept for the pad whose maker and model @p guid names (letters and digits). Returns
-    /// the defaults of @p layout if there is nothing, or only for another layout. Sets @p warning to why a
-    /// file cannot be read; empty: it can.
+    /// Returns what was stored for the pad with this @p guid, which names maker and model (letters and
+    /// digits). Returns the defaults of @p layout if nothing was stored for this layout. Sets @p warning to
+    /// why a file cannot be read; empty: there is no problem.
     [[nodiscard]] PadBindings bindings(const std::string& guid, PadLayout layout, std::string& warning) const;
-    /// Keeps @p bindings for the next time; @p name is what the pad calls itself. Errors name the file.
+    /// Stores @p bindings. @p name: what the pad calls itself. Errors name the file.
     Result<void> keep(const std::string& guid, const std::string& name, const PadBindings& bindings) const;
 
 private:

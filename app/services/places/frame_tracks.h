@@ -22,9 +22,10 @@ public:
 
     explicit FrameTracks(const RobotDescription& robot) : m_robot(&robot), m_fixed(robot) {}
 
-    void add(const Event& event);  ///< takes transforms and odometry; ignores others
-    /// Returns the pose of @p frame of @p sensor in the robot's base at @p stamp. Uses tf, else the robot's
-    /// file, which does not know how a pan-tilt unit is turned. Empty where tf has a gap.
+    void add(const Event& event);  ///< takes transforms and odometry; ignores other events
+    /// Returns the pose of @p frame, which belongs to @p sensor, in the robot's base at @p stamp. Uses tf,
+    /// otherwise the robot's file, which does not know how a pan-tilt unit is turned. Empty where tf has a
+    /// gap.
     [[nodiscard]] std::optional<Pose> inBase(const std::string& sensor, const std::string& frame, Time stamp);
 
 private:

@@ -7,8 +7,8 @@
 
 namespace leitstand {
 
-/// Returns the network cards of this computer that have an IPv4 address. Those whose name or address is one
-/// of @p chosen are used (all that are up, when it is empty).
+/// Returns the network cards of this computer that have an IPv4 address. Those whose name or address is in
+/// @p chosen are used; if it is empty, all that are up.
 [[nodiscard]] std::vector<NetworkCard> networkCards(const std::vector<std::string>& chosen);
 
 }  // namespace leitstand

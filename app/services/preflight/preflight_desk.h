@@ -16,20 +16,19 @@ namespace leitstand {
 
 class Station;
 
-/// Returns how fast @p megabytes, written into @p folder, reach the disk itself [B/s]. Errors name the
-/// folder.
+/// Returns how fast @p megabytes, written to @p folder, reach the disk [B/s]. Errors name the folder.
 [[nodiscard]] Result<double> measureDisk(const std::filesystem::path& folder, int megabytes = 16);
 
-/// Gathers the facts that the preflight page judges. The station must outlive it. For one thread; measures
-/// the disk on another.
+/// Collects the facts that the preflight page judges. The station must outlive it. For one thread; the disk
+/// is measured on another thread.
 class PreflightDesk {
 public:
     explicit PreflightDesk(Station& station);
     PreflightDesk(const PreflightDesk&) = delete;
     PreflightDesk& operator=(const PreflightDesk&) = delete;
 
-    /// Returns the facts as of now; @p gamepad: its name, empty when there is none. Never waits for disk or
-    /// network.
+    /// Returns the present facts. @p gamepad: name of the gamepad, empty when there is none. Never waits for
+    /// disk or network.
     [[nodiscard]] PreflightFacts facts(const std::string& gamepad) const;
     /// Measures the disk again; facts() has the result a moment later.
     void measure();
@@ -41,7 +40,7 @@ private:
     mutable std::mutex m_mutex;
     std::optional<double> m_rate;  ///< under the mutex
     std::atomic<bool> m_busy = false;
-    std::jthread m_measuring;  ///< last: joined first
+    std::jthread m_measuring;  ///< the last member, so that it is joined first
 };
 
 }  // namespace leitstand

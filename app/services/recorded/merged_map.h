@@ -13,29 +13,31 @@ namespace leitstand {
 
 /// Two missions whose maps are merged into one.
 struct MergeOrder {
-    std::filesystem::path first, second;  ///< stay unchanged; in any order
-    std::filesystem::path into;           ///< a new mission: absent, or empty
+    std::filesystem::path first, second;  ///< missions to merge, in any order; they are not changed
+    std::filesystem::path into;           ///< new mission: missing or empty
     LiveSettings mapping;
     RelocalisationSettings relocalisation;
-    std::string version;  ///< of the program, for the sessions that are written
+    std::string version;  ///< version of the program, for the sessions that are written
 };
 
 /// Result of a merge.
 struct MergedMap {
-    std::size_t first = 0, second = 0;  ///< key scans of the earlier and of the later mission
+    std::size_t first = 0, second = 0;  ///< number of key scans of the earlier and of the later mission
     std::size_t sought = 0,
-                found = 0;     ///< scans of the later mission that were sought, and found, in the earlier one
-    std::size_t agreeing = 0;  ///< found scans whose places agree
-    bool together = false;     ///< the two maps are one now
-    std::size_t aside = 0;     ///< scans of the later one, in parts that have not met the earlier one
+                /// Number of scans of the later mission that were looked for, and found, in the earlier one.
+        found = 0;
+    std::size_t agreeing = 0;  ///< number of found scans whose places agree
+    bool together = false;     ///< whether the two maps are joined now
+    /// Number of the later mission's scans in parts that are not joined with the earlier map.
+    std::size_t aside = 0;
 };
 
-/// Writes the maps of two missions into a new one. Places the later map (its largest part, if it has parts)
-/// where its scans see what the earlier map has. At least three places must agree, and the placed part must
-/// stand in little that the earlier map saw as free. Otherwise the later map lies beside the earlier one as a
-/// part of its own, for an operator to place. Errors name the mission: it has no map of ours, both are the
-/// same, or the new folder has content already. Also an error when cancelled. A new mission that is not whole
-/// is removed.
+/// Writes the maps of two missions to a new one. Places the later map (if it has parts, the largest part)
+/// where its scans see what the earlier map shows. At least three places must agree, and hardly any of the
+/// placed part may stand where the earlier map saw free space. Otherwise the later map is put beside the
+/// earlier one as a separate part, which an operator can place. Errors name the mission: it has no map by
+/// Leitstand, both are the same, or the new folder is not empty. Also an error when cancelled. An incomplete
+/// new mission is removed.
 [[nodiscard]] Result<MergedMap> mergeMaps(const MergeOrder& order, const Progress& progress = {});
 
 }  // namespace leitstand

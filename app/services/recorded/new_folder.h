@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Guards the writing of a folder that was absent or empty. Unless keep() is called, removes all that was
-/// written into it, and the folder if it was absent.
+/// Guards the writing of a folder that was missing or empty. Unless keep() is called, removes everything that
+/// was written to it, and the folder if it was missing.
 class NewFolder {
 public:
     explicit NewFolder(std::filesystem::path folder) : m_folder(std::move(folder)) {
@@ -27,7 +27,7 @@ public:
     NewFolder(const NewFolder&) = delete;
     NewFolder& operator=(const NewFolder&) = delete;
 
-    void keep() { m_kept = true; }  ///< the folder is whole
+    void keep() { m_kept = true; }  ///< call when the folder is complete
 
 private:
     std::filesystem::path m_folder;

@@ -19,26 +19,29 @@ namespace leitstand {
 
 class ReviewLog;
 
-/// Facts about a whole mission, read before any of its moments is shown. Immutable once shared.
+/// Facts about a whole mission, which are read before any moment of it is shown. Immutable once shared.
 struct ReviewIndex {
-    /// Where a robot was by its odometry.
+    /// Where a robot was according to its odometry.
     struct TrackPoint {
-        Time received{}, stamp{};  ///< station's and robot's clock
+        Time received{}, stamp{};  ///< on the station's clock, and on the robot's
         Pose baseInOdom = Pose::Identity();
-        std::chrono::nanoseconds notReceived{};  ///< longest gap in the odometry since the point before
+        std::chrono::nanoseconds notReceived{};  ///< longest gap in the odometry since the previous point
     };
-    static constexpr double TrackApart = 0.1;               ///< between two points of a track [m]
-    std::vector<TimelineMark> marks;                        ///< by time
-    std::vector<TimelineStretch> stretches;                 ///< in which something was recorded
-    std::map<std::uint64_t, KeyScanSample> keyScans;        ///< by id
-    std::map<std::string, std::vector<TrackPoint>> tracks;  ///< by robot, TrackApart or 10 degrees apart
-    std::map<std::string, std::vector<RobotPlaceSample>> places;      ///< by robot, as they came
-    std::map<std::string, std::vector<std::pair<Time, double>>> gas;  ///< by robot: when received, [ppm]
-    std::vector<Event> fixed;                                         ///< events that never change: tf_static
-    std::map<std::string, std::vector<Time>> scanned;  ///< by robot: when its key scans were received
-    Time lastReceived{};                               ///< when a robot sent something last
-    Time opensAt{};                                    ///< the first moment worth looking at
-    MissionStatePtr finished;                          ///< the state at the end; never null
+    static constexpr double TrackApart = 0.1;         ///< distance between points of a track [m]
+    std::vector<TimelineMark> marks;                  ///< by rising time
+    std::vector<TimelineStretch> stretches;           ///< periods in which something was recorded
+    std::map<std::uint64_t, KeyScanSample> keyScans;  ///< by id
+    /// By robot; points are TrackApart or 10 degrees apart.
+    std::map<std::string, std::vector<TrackPoint>> tracks;
+    std::map<std::string, std::vector<RobotPlaceSample>> places;  ///< by robot, in the order received
+    /// By robot: time received, and concentration [ppm].
+    std::map<std::string, std::vector<std::pair<Time, double>>> gas;
+    std::vector<Event> fixed;  ///< events that never change: tf_static
+    /// By robot: times at which its key scans were received.
+    std::map<std::string, std::vector<Time>> scanned;
+    Time lastReceived{};       ///< when a robot last sent something
+    Time opensAt{};            ///< first moment that is worth showing
+    MissionStatePtr finished;  ///< state at the end; never null
 };
 using ReviewIndexPtr = std::shared_ptr<const ReviewIndex>;
 

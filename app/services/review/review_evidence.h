@@ -10,8 +10,8 @@
 namespace leitstand {
 
 /// Returns the evidence of a find that a reviewer files by pointing at @p placeInMap [m] at @p moment. The
-/// find counts as found at that moment by @p robot, in its mode and with its pictures of then. It is attached
-/// to the key scan that shows the place. @p shown: the state whose map was pointed at.
+/// find was made by @p robot at that moment, with the robot's mode and pictures of that moment. It is
+/// attached to the key scan that shows the place. @p shown: state whose map the reviewer pointed at.
 [[nodiscard]] FrozenEvidence evidenceAt(const ReviewMoment& moment, const std::string& robot,
                                         const MissionState& shown, const Eigen::Vector3d& placeInMap);
 

@@ -20,21 +20,21 @@
 
 namespace leitstand {
 
-/// Which map a review shows.
+/// The map that a review shows.
 enum class ReviewMap : std::uint8_t {
-    AsThen,    ///< the scans and poses that the station had at the moment
-    Finished,  ///< as the mission ended, with all corrections
+    AsThen,    ///< the scans and poses that the station had at that moment
+    Finished,  ///< the map at the end of the mission, with all corrections
 };
 
 /// A moment of a mission as all panes show it. Immutable once shared.
 struct ReviewMoment {
-    Time now{};  ///< station's clock then
+    Time now{};  ///< time of the moment, station's clock
     MissionStatePtr mission;
     std::map<std::string, RobotView>
-        robots;             ///< by name; surroundings, cameras and joints: only of the watched one
+        robots;             ///< by name; only the watched one has surroundings, cameras and joints
     RobotsInMapPtr places;  ///< never null
-    LiveMapPtr scans;       ///< never null; the same object while nothing changed
-    MapPtr map;             ///< never null; the same object while nothing changed
+    LiveMapPtr scans;       ///< never null; the same object as long as nothing changed
+    MapPtr map;             ///< never null; the same object as long as nothing changed
     std::vector<Alarm> alarms;
     std::vector<Event> pictures;  ///< newest picture and calibration of each of the watched robot's cameras
 };
@@ -43,20 +43,20 @@ using ReviewMomentPtr = std::shared_ptr<const ReviewMoment>;
 /// Makes moments of a mission. One thread at a time.
 class ReviewScene {
 public:
-    /// @p log and @p index must outlive the scene.
+    /// @p log and @p index must outlive this object.
     ReviewScene(ReviewLog& log, const ReviewIndex& index);
 
     /// Sets the robot whose surroundings and pictures are shown; at first, the first robot.
     void watch(const std::string& robot);
     void show(ReviewMap map) { m_which = map; }
-    /// Returns the mission at @p at. If @p around is false, the surroundings of the watched robot, which take
-    /// longest, and the rates of streams stay as they were made last.
+    /// Returns the mission at @p at. If @p around is false, two things are kept from the last moment: the
+    /// surroundings of the watched robot, which take longest, and the rates of streams.
     [[nodiscard]] ReviewMomentPtr at(Time at, bool around = true);
 
 private:
     void look(Time at);
     void beginSight(const RobotDescription& robot, Time from);
-    void see(const Event& event);  ///< of the watched robot
+    void see(const Event& event);  ///< takes an event of the watched robot
     void countStreams(const MissionState& state, Time at);
     void showMap(const MissionState& state);
     [[nodiscard]] RobotInMap place(const RobotDescription& robot, const MissionState& state, Time at) const;
@@ -67,13 +67,13 @@ private:
     const ReviewIndex& m_index;
     std::string m_watched;
     ReviewMap m_which = ReviewMap::AsThen;
-    std::unique_ptr<RobotSight> m_sight;  ///< of the watched robot
-    bool m_scanned = false;               ///< the log has what the watched robot's scanners sent
-    Time m_seen{};                        ///< time up to which m_sight has taken events
+    std::unique_ptr<RobotSight> m_sight;  ///< sight of the watched robot
+    bool m_scanned = false;               ///< whether the log has what the watched robot's scanners sent
+    Time m_seen{};                        ///< time of the newest event in m_sight
     std::optional<VirtualScanView> m_around;
     std::map<std::string, std::vector<StreamStatus>> m_streams;  ///< by robot
     CroppedScans m_cropped;
-    MissionState m_mapped;  ///< the state whose scans m_scans and m_map show
+    MissionState m_mapped;  ///< state whose scans are shown by m_scans and m_map
     LiveMapPtr m_scans;
     MapPtr m_map;
 };

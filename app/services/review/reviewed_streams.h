@@ -10,17 +10,17 @@ namespace leitstand {
 
 struct MissionState;
 
-/// The last seconds before a moment of a mission, in which rates are counted.
+/// The last seconds before a moment of a mission, over which rates are computed.
 struct RateWindow {
     Time from{}, to{};
 
-    /// Returns the window before @p now, within one recorded stretch of @p index.
+    /// Returns the window before @p now, within one recorded period of @p index.
     [[nodiscard]] static RateWindow before(Time now, const ReviewIndex& index);
 };
 
-/// Returns how the streams of @p robot came in, in the order of its description. Rates are counted from @p
-/// earlier, the state at the begin of @p window, to @p state, that at its end. Whether a stream is steady is
-/// judged by the whole mission. A log does not hold losses, delays and shares of the link: those are NaN.
+/// Returns how the streams of @p robot were received, in the order of its description. Rates are computed
+/// from @p earlier, the state at the beginning of @p window, to @p state, that at its end. The whole mission
+/// shows whether a stream is steady. A log has no losses, delays and shares of the link: these are NaN.
 [[nodiscard]] std::vector<StreamStatus> reviewedStreams(const RobotDescription& robot,
                                                         const MissionState& earlier,
                                                         const MissionState& state, const RateWindow& window,

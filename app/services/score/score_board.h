@@ -9,16 +9,16 @@
 
 namespace leitstand {
 
-/// The rules of scores that this computer knows, and those of a mission.
+/// The rules for scores that are known on this computer, and those of a mission.
 class ScoreBoard {
 public:
     ScoreBoard() : m_profiles(scoreProfiles()) {}
     explicit ScoreBoard(ScoreProfiles profiles) : m_profiles(std::move(profiles)) {}
 
     [[nodiscard]] const std::vector<ScoreProfile>& profiles() const { return m_profiles.profiles; }
-    /// Why some rules could not be read.
+    /// Texts about rules that could not be read.
     [[nodiscard]] const std::vector<std::string>& problems() const { return m_profiles.problems; }
-    /// Returns the rules that @p mission names, else the newest; null when there are none.
+    /// Returns the rules that @p mission names; if it names none, the newest. Null when there are none.
     [[nodiscard]] const ScoreProfile* profileOf(const MissionState& mission) const {
         return m_profiles.find(mission.info ? mission.info->sample.profile : std::string());
     }

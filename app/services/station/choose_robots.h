@@ -8,15 +8,15 @@
 
 namespace leitstand {
 
-/// Reads the robots of @p files: paths, or names of shipped ones. Errors name the file.
+/// Reads the robots' files @p files: paths, or names of shipped robots. Errors name the file.
 [[nodiscard]] Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string>& files);
 
-/// Checks that the robot of @p file can work beside @p team. Errors name the obstacle.
+/// Checks that the robot in @p file can work together with @p team. Errors say what prevents it.
 [[nodiscard]] Result<void> checkJoins(const std::string& file, std::vector<RobotDescription> team);
 
-/// Writes a first file for @p robot, which is known only by its topics, into the user's folder, unless a file
-/// of that name exists. Gives the robot a letter that none of @p team has. Returns the path of the file.
-/// Errors name it.
+/// Writes a first file for @p robot, which is known only from its topics, to the user's folder. An existing
+/// file of that name is kept. Gives the robot a letter that no robot of @p team has. Returns the path of the
+/// file. Errors name it.
 [[nodiscard]] Result<std::string> writeFirstFile(RobotDescription robot,
                                                  const std::vector<RobotDescription>& team);
 

@@ -7,9 +7,9 @@
 
 namespace leitstand {
 
-/// Returns the settings with which the station was opened last, as stored in @p file; empty: none are.
+/// Returns the settings with which the station was last opened, as stored in @p file; empty: none are stored.
 [[nodiscard]] std::optional<LastStation> lastStation(const std::filesystem::path& file);
-/// Stores @p station in @p file; if that fails, the user is asked again next time.
+/// Stores @p station in @p file. If that fails, the user will be asked again next time.
 void rememberStation(const std::filesystem::path& file, const LastStation& station);
 
 }  // namespace leitstand

@@ -16,8 +16,8 @@
 
 namespace leitstand {
 
-/// A station's connection to one robot: the watch on its link, the stream of its drive commands, and
-/// publishers of its other commands. Any thread.
+/// A station's connection to one robot: it monitors the link, sends drive commands, and publishes the robot's
+/// other commands. Any thread.
 class RobotLine {
 public:
     /// Callbacks of the line's streamer (DriveStreamerSettings).
@@ -25,8 +25,8 @@ public:
         std::function<DriveConditions()> conditions;
         std::function<void(const GuardPulse&)> onPulse;
     };
-    /// Opens the line. @p watch listens to the link; the line follows its onStatus, too. Errors name the
-    /// robot's topic.
+    /// Opens the line. @p watch: callbacks for the link. The line also takes the clock offset from each
+    /// onStatus. Errors name the robot's topic.
     [[nodiscard]] static Result<std::unique_ptr<RobotLine>> create(Node& node, const RobotDescription& robot,
                                                                    const std::string& station,
                                                                    Driving driving, LinkListener watch);
@@ -41,7 +41,8 @@ public:
     /// Null when the robot takes no drive commands.
     [[nodiscard]] DriveStreamer* drive() const { return m_drive.get(); }
     void fillView(RobotView& robot) const;  ///< fills link, drive, cameras and joints
-    /// Publishes a command other than for driving and stopping. Error when the robot does not take it.
+    /// Publishes a command other than for driving and stopping. Error when the robot does not take such
+    /// commands.
     Result<void> publish(StreamRole role, const Sample& command);
 
 private:
@@ -55,7 +56,7 @@ private:
     const RobotDescription m_robot;
     RobotSight m_sight;
     std::atomic<bool> m_linkLost = false;
-    std::atomic<std::int64_t> m_clockAhead = 0;  ///< robot's minus station's [ns]
+    std::atomic<std::int64_t> m_clockAhead = 0;  ///< robot's clock minus station's clock [ns]
     std::map<StreamRole, Command> m_commands;
     std::unique_ptr<LinkClient> m_link;
     std::unique_ptr<DriveStreamer> m_drive;

@@ -11,13 +11,13 @@
 
 namespace leitstand {
 
-/// A station's lines to its robots, by name.
+/// A station's connections to its robots, by name.
 using RobotLines = std::map<std::string, std::unique_ptr<RobotLine>>;
 
-/// Gives the sticks to @p robot alone, after all others were made to stand; empty: to no robot.
+/// Gives the sticks only to @p robot, after all other robots were made to stand; empty: to no robot.
 void giveSticks(const RobotLines& lines, const std::string& robot);
 
-/// Returns the functions by which brake tests drive and query robots, without focus, refresh and done. All
+/// Returns the functions with which brake tests drive and query robots, except focus, refresh and done. All
 /// arguments must outlive them.
 [[nodiscard]] StationBrakes::Hands brakeHands(const RobotLines& lines, const GrantKeeper& grants,
                                               const StopSender& stops);

@@ -35,102 +35,105 @@ class StationStreams;
 /// Settings of a station in a domain.
 struct StationSettings {
     DomainSettings domain = {};
-    /// How everything is recorded. Its robots are those of the station; its field `station` is set from
+    /// How everything is recorded. Its robots are the station's robots; its field `station` is set from
     /// `memory`.
     LiveMissionSettings mission = {};
     std::filesystem::path memory;  ///< file of the station's identity and grants (StationFile)
-    std::filesystem::path alarms;  ///< file of AlarmLimits; empty, or no such file: the usual ones
-    LiveSettings mapping = {};     ///< for the registration by the station that holds the map's grant
+    std::filesystem::path alarms;  ///< file of AlarmLimits; if empty or missing: the usual limits
+    LiveSettings mapping = {};  ///< settings for registration, used while this station holds the map's grant
 };
 
-/// Receives what happens; any function may be empty. Called on threads of the station, which the functions
-/// must not block. They may call functions of the station, but must not destroy it.
+/// Called with what happens; each function may be empty. Called on threads of the station, which must not be
+/// blocked. The functions may call functions of the station, but must not destroy it.
 struct StationListener {
-    std::function<void(const std::string&)> onMessage = {};  ///< for the operator, in words
-    std::function<void(const Event&)> onEvent = {};          ///< as of LiveMission
-    std::function<void(const MapPtr&)> onMap = {};           ///< the map has grown or moved
+    std::function<void(const std::string&)> onMessage = {};  ///< called with a text for the operator
+    std::function<void(const Event&)> onEvent = {};          ///< as LiveMissionListener::onEvent
+    std::function<void(const MapPtr&)> onMap = {};           ///< called when the map grew or moved
     std::function<void(const LiveMapPtr&)> onScans =
-        {};  ///< key scans of the map have changed, or whether they count
+        {};  ///< called when key scans of the map, or their trust, changed
 };
 
 class StationClock;
 class StationMapping;
 
-/// An operator's station on live robots (docs/design.md, "A mission is its log" and "The wire"): records
-/// everything, watches links, holds grants, drives one robot at a time, stops all. Any thread; no call waits
-/// for network or disk.
+/// An operator's station with live robots (docs/design.md, "A mission is its log" and "The wire"): records
+/// everything, monitors links, holds grants, drives one robot at a time, stops all robots. Any thread; no
+/// call waits for network or disk.
 class Station {
 public:
-    /// Joins the domain and opens the mission. Errors name the obstacle: network card, identity, folder,
+    /// Joins the domain and opens the mission. Errors say what prevents it: network card, identity, folder, a
     /// robot's topic.
     [[nodiscard]] static Result<std::unique_ptr<Station>> open(const StationSettings& settings,
                                                                StationListener listener = {});
-    ~Station();  ///< robots stand, grants are released but remembered, the mission is self-contained
+    ~Station();  ///< makes robots stand, releases grants but remembers them, and completes the mission
     Station(const Station&) = delete;
     Station& operator=(const Station&) = delete;
 
     [[nodiscard]] const std::vector<RobotDescription>& robots() const;
-    /// Returns the view of a robot; an empty one for an unknown name. It lacks the surroundings, which take
-    /// longest: surroundings() returns them.
+    /// Returns the view of a robot; an empty view for an unknown name. It lacks the surroundings, which take
+    /// longest; surroundings() returns them.
     [[nodiscard]] RobotView robot(const std::string& name) const;
-    /// Returns the surroundings of @p robot now, for RobotView::around; empty: not known.
+    /// Returns the present surroundings of @p robot, for RobotView::around; empty: not known.
     [[nodiscard]] std::optional<VirtualScanView> surroundings(const std::string& robot) const;
-    /// Returns when a scan of @p robot came last, since when surroundings() returns something else; empty:
-    /// never.
+    /// Returns when the last scan of @p robot was received, which changes the result of surroundings();
+    /// empty: never.
     [[nodiscard]] std::optional<SteadyTime> scanned(const std::string& robot) const;
     [[nodiscard]] MissionStatePtr mission() const;
     [[nodiscard]] LiveMissionStatus log() const;
-    [[nodiscard]] const std::filesystem::path& folder() const;  ///< of the mission
-    [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions on its scans
-    [[nodiscard]] StationClock& clock();      ///< of the mission
-    /// Sets what reports contain about the mission; fills in time and sender.
+    [[nodiscard]] const std::filesystem::path& folder() const;  ///< folder of the mission
+    [[nodiscard]] StationMapping& mapping();  ///< the map, and the operator's decisions about its scans
+    [[nodiscard]] StationClock& clock();      ///< clock of the mission
+    /// Sets what reports say about the mission. Time and sender are filled in.
     Result<void> describe(MissionInfoSample info);
     [[nodiscard]] FindDesk& finds();  ///< files victims and other finds
-    /// What was searched with each kind of sensor; null until there is a map.
+    /// What was searched with each kind of sensor; null: there is no map yet.
     [[nodiscard]] std::shared_ptr<const SearchedFloor> searched() const;
-    [[nodiscard]] StationAlarms& alarms();                        ///< what the operator has to know
-    [[nodiscard]] std::vector<WireComplaint> mismatches() const;  ///< between robots and us
-    /// Returns warnings in words: limits of this computer, such as those that cost samples. Empty: all is
-    /// well.
+    [[nodiscard]] StationAlarms& alarms();  ///< what the operator must know
+    /// Mismatches between robots and this station.
+    [[nodiscard]] std::vector<WireComplaint> mismatches() const;
+    /// Returns warnings in words about limits of this computer, such as those that cause losses. Empty: there
+    /// are none.
     [[nodiscard]] std::vector<std::string> limits() const;
-    [[nodiscard]] std::vector<SeenTopic> visibleTopics() const;  ///< what others publish and subscribe to
-    [[nodiscard]] const StationSettings& settings() const;       ///< with which it was opened
+    /// Topics that others publish or subscribe to.
+    [[nodiscard]] std::vector<SeenTopic> visibleTopics() const;
+    [[nodiscard]] const StationSettings& settings() const;  ///< settings with which it was opened
 
-    /// Gives the sticks to one robot; all others stand. Empty: to none.
+    /// Gives the sticks to one robot; all other robots stand. Empty: to no robot.
     void setDriveFocus(const std::string& robot);
-    /// Sets the sticks as they are now, also when neutral; call it at least ten times a second. The speed is
-    /// capped by the age of what the driver sees (SightCap), wherever the sticks come from, except while
+    /// Sets the present position of the sticks, also when they are neutral. Call at least ten times a second.
+    /// The speed is limited by the age of what the driver sees (SightCap), for any input device, unless
     /// @p withoutEyes is set.
     void setStick(const DriveVelocity& sticks, bool withoutEyes = false);
     /// Stops the robot that has the sticks, until the sticks were neutral. If it drives itself, requests that
-    /// it obeys them again.
+    /// it obeys the sticks again.
     void halt();
-    /// Sets the camera through which the driver of @p robot looks to @p sensor; at first, it is the robot's
-    /// first camera.
+    /// Sets that the driver of @p robot looks through the camera @p sensor. At first it is the robot's first
+    /// camera.
     void selectCamera(const std::string& robot, const std::string& sensor);
 
-    void requestGrant(const std::string& robot);                 ///< requests the grant to drive
-    void releaseGrant(const std::string& robot);                 ///< releases the grant
-    void answerRequest(const std::string& robot, bool consent);  ///< answers a request for a grant of ours
+    void requestGrant(const std::string& robot);  ///< requests the grant to drive
+    void releaseGrant(const std::string& robot);  ///< releases the grant
+    /// Answers a request for a grant that this station holds.
+    void answerRequest(const std::string& robot, bool consent);
 
     /// Returns which station makes the map, and which one requests it.
     [[nodiscard]] GrantView mapGrant() const;
-    void giveMap();  ///< to the station that requested it first; nothing if none did
+    void giveMap();  ///< to the station that requested it first; does nothing if none did
     void stopAll();
     void stop(const std::string& robot);
-    Result<void> release(const std::string& robot);  ///< as of StopSender
+    Result<void> release(const std::string& robot);  ///< as StopSender::release()
 
-    /// Requests @p mode of a robot; fills in time and sender. Errors: the robot takes no modes; those of
-    /// maySend(), except for modes of teleoperation.
+    /// Requests @p mode of a robot. Time and sender are filled in. Errors: the robot takes no modes, or those
+    /// of maySend(), except for modes of teleoperation.
     Result<void> setMode(const std::string& robot, const std::string& mode);
-    /// Error when @p robot may not be sent anywhere: during its brake test, or while drive commands are
-    /// refused after it.
+    /// Error when @p robot may not be sent anywhere: during its brake test, or while it may not be driven
+    /// after one.
     [[nodiscard]] Result<void> maySend(const std::string& robot) const;
-    /// Sends @p robot to @p goal. Errors also as of maySend().
+    /// Sends @p robot to @p goal. Errors include those of maySend().
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
     [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do when commands end
-    [[nodiscard]] StationGuards& guards();    ///< of robots that drive on when commands end
-    [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send; the thin link
+    [[nodiscard]] StationGuards& guards();    ///< guards of robots that continue to drive when commands end
+    [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send, and the thin link
     [[nodiscard]] StationCameras& cameras();
 
 private:

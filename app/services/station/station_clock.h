@@ -13,17 +13,17 @@ namespace leitstand {
 
 class LiveMission;
 
-/// The mission's clock as this station sets it: each change is an event of the mission. Any thread.
+/// The mission's clock as this station sets it. Each change is an event of the mission. Any thread.
 class StationClock {
 public:
     using Changed = std::function<void(const ClockSample&)>;
 
-    /// Starts the clock of a mission that has none yet. @p changed receives the operator's changes.
+    /// Starts the clock of a mission that has none yet. @p changed is called with the operator's changes.
     StationClock(LiveMission& mission, std::string station, Changed changed = {});
 
     [[nodiscard]] MissionClock now() const;
     Result<void> run(bool running);
-    Result<void> limit(std::chrono::nanoseconds length);  ///< 0: none
+    Result<void> limit(std::chrono::nanoseconds length);  ///< 0: no length
     Result<void> reset();
 
 private:
@@ -34,8 +34,9 @@ private:
     LiveMission& m_mission;
     const std::string m_station;
     Changed m_changed;
-    mutable std::mutex m_mutex;             ///< one change after another
-    std::optional<ClockSample> m_recorded;  ///< by this station, under the mutex; may not be in the state yet
+    mutable std::mutex m_mutex;  ///< makes sure that changes are made one after another
+    /// Newest change by this station, under the mutex; may not be in the state yet.
+    std::optional<ClockSample> m_recorded;
 };
 
 }  // namespace leitstand

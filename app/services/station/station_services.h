@@ -8,11 +8,11 @@ namespace leitstand {
 
 struct Event;
 
-/// The parts of a station that follow its mission, in the order in which they receive an event and are
-/// closed.
+/// The parts of a station that follow its mission, in the order in which they receive events and are closed.
 class StationServices {
 public:
-    /// Adds @p service, which outlives this, as the next one. Not while events come.
+    /// Adds @p service as the next part; it must outlive this object. Must not be called while events are
+    /// received.
     void add(EventSink& service) { m_services.push_back(&service); }
     void onEvent(const Event& event) const {
         for (EventSink* const service : m_services) service->onEvent(event);

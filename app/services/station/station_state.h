@@ -34,22 +34,23 @@
 
 namespace leitstand {
 
-/// Grant of the map. Its holder registers scans; else each station would make its own map of the same scans.
+/// Grant of the map. Its holder registers scans; otherwise each station would make its own map of the same
+/// scans.
 inline const GrantId MapGrant{GrantSample::Kind::Map, {}};
 
-/// All parts of a station, put together and taken apart in the right order.
+/// All parts of a station, in the order in which they can be made and destroyed.
 struct Station::State {
     StationSettings settings;
     StationListener listener;
     std::optional<StationFile> memory;
     std::unique_ptr<Node> node;
-    std::optional<RosNodeWatch> rosNodes;  ///< of all processes in the domain
+    std::optional<RosNodeWatch> rosNodes;  ///< knows the nodes of all processes in the domain
     std::unique_ptr<GrantKeeper> grants;
     std::unique_ptr<StopSender> stops;
     std::unique_ptr<StationStreams> streams;
     std::unique_ptr<StationBrakes> brakes;
     std::unique_ptr<StationGuards> guards;
-    RobotLines lines;  ///< fixed once open
+    RobotLines lines;  ///< not changed while open
     std::unique_ptr<StationCameras> cameras;
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
@@ -62,13 +63,13 @@ struct Station::State {
     std::unique_ptr<MissionSharing> sharing;
     std::unique_ptr<MissionFeed> feed;
     std::unique_ptr<ReceptionWatch> reception;
-    StationServices services;        ///< those of the above that follow the mission; fixed once open
-    std::mutex mutex;                ///< guards the next three
-    std::atomic<bool> open = false;  ///< everything is there; changed under the mutex
-    std::set<std::string> reported;  ///< reported mismatches; under the mutex
+    StationServices services;        ///< parts from above that follow the mission; not changed while open
+    std::mutex mutex;                ///< guards the next three members
+    std::atomic<bool> open = false;  ///< everything exists; changed under the mutex
+    std::set<std::string> reported;  ///< mismatches that were reported; under the mutex
     ScreenMessages screened;         ///< under the mutex
     std::map<FindSample::Kind, std::uint32_t>
-        filedAgain;  ///< numbers given last; used by the intake's callers
+        filedAgain;  ///< numbers that were given last; used by the callers of the intake
     HeapKeeper heap;
 
     ~State();
@@ -84,13 +85,14 @@ struct Station::State {
     void watch();
     void file();
     void share();
-    void follow();                    ///< adds the parts that follow the mission to services
-    void fileAgain(FindSample find);  ///< under the next number, since its own is another station's
+    void follow();  ///< adds the parts that follow the mission to `services`
+    /// Files it under the next number, because another station's find has its number.
+    void fileAgain(FindSample find);
     void listen();
     void watchReception();
-    [[nodiscard]] bool isAtRest() const;  ///< nothing moves by this station, and nothing is being stopped
+    [[nodiscard]] bool isAtRest() const;  ///< whether this station moves nothing, and stops nothing
     [[nodiscard]] RobotView view(const std::string& robot) const;
-    void refresh(const std::string& robot);  ///< empty: all
+    void refresh(const std::string& robot);  ///< empty: all robots
     void notify(const std::string& text) const {
         if (listener.onMessage) listener.onMessage(text);
     }

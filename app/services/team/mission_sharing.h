@@ -22,41 +22,44 @@ class Sample;
 struct UndoSample;
 struct Event;
 
-/// What a MissionSharing works with; may be called on any thread.
+/// What a MissionSharing needs. Its functions may be called on any thread.
 struct MissionSharingSetup {
-    std::string station;                                ///< persistent identity
-    std::filesystem::path folder;                       ///< of the mission: key scans are read from it
-    std::function<bool()> holdsMap = {};                ///< whether this station makes the map
-    std::function<bool(std::uint64_t)> isAdopted = {};  ///< whether a key scan came from another station
-    std::function<bool()> sharesMap = {};  ///< whether our finds lie in the map that other stations know
-    std::function<RobotsInMapPtr()> robots = {};          ///< never null
-    std::function<void(const std::string&)> notify = {};  ///< for the operator, in words
+    std::string station;                  ///< persistent identity
+    std::filesystem::path folder;         ///< folder of the mission, from which key scans are read
+    std::function<bool()> holdsMap = {};  ///< returns whether this station makes the map
+    /// Returns whether a key scan came from another station.
+    std::function<bool(std::uint64_t)> isAdopted = {};
+    /// Returns whether this station's finds are in the map that other stations know.
+    std::function<bool()> sharesMap = {};
+    std::function<RobotsInMapPtr()> robots = {};          ///< its result is never null
+    std::function<void(const std::string&)> notify = {};  ///< called with a text for the operator
 };
 
 /// Publishes on station_topic what this station decides, finds and maps, so that other stations show it
-/// (docs/stations.md). Publishes each entry as it enters the log, and everything that counts now to stations
-/// that come later. Publishes nothing while nobody listens. After an undo it publishes what counts instead,
-/// because event numbers are each log's own. Any thread; node and mission outlive it.
+/// (docs/stations.md). Publishes each entry when it enters the log. A station that joins later gets
+/// everything that is valid at that time. Publishes nothing while nobody subscribes. After an undo it
+/// publishes what is valid instead, since event numbers have a meaning only within one log. Any thread; node
+/// and mission outlive it.
 class MissionSharing : public EventSink {
 public:
     MissionSharing(Node& node, LiveMission& mission, MissionSharingSetup setup);
-    ~MissionSharing() override;  ///< as close()
+    ~MissionSharing() override;  ///< does the same as close()
 
     /// Takes an event of the log.
     void onEvent(const Event& event) override;
-    /// Publishes a change of the operator to the clock or to the mission's description.
+    /// Publishes a change that the operator made to the clock or to the mission's description.
     void publish(const Sample& sample, std::string_view topic);
-    /// Checks who listens and who makes the map; call it when either may have changed.
+    /// Checks who subscribes and who makes the map. Call when either may have changed.
     void look();
-    /// Publishes all finds again: from now on they lie in a map that other stations know, too.
+    /// Publishes all finds again, because they are now in a map that other stations know as well.
     void publishFindsAgain();
-    void close() override;  ///< drops waiting work
+    void close() override;  ///< discards waiting work
 
 private:
     void submit(const Sample& sample, std::string_view topic);
     void write(const Sample& sample, std::string_view topic);
     void write(const Payload& cdr, std::string_view topic);
-    /// All key scans of the log, published a few at a time.
+    /// All key scans of the log, which are published a few at a time.
     struct Publishing;
     void publishAll(const std::stop_token& stop);
     void publishScans(std::shared_ptr<Publishing> publishing, const std::stop_token& stop);
@@ -71,13 +74,13 @@ private:
     Node& m_node;
     LiveMission& m_mission;
     const MissionSharingSetup m_setup;
-    std::map<std::string, std::unique_ptr<Publisher>, std::less<>> m_publishers;  ///< by topic; fixed
+    std::map<std::string, std::unique_ptr<Publisher>, std::less<>> m_publishers;  ///< by topic; not changed
     mutable std::mutex m_mutex;
-    std::set<Guid> m_listeners;    ///< readers of any shared topic; under the mutex
-    std::set<Guid> m_scanReaders;  ///< those of key scans; under the mutex
+    std::set<Guid> m_listeners;    ///< subscribers of any shared topic; under the mutex
+    std::set<Guid> m_scanReaders;  ///< subscribers of key scans; under the mutex
     bool m_heldMap = false;        ///< under the mutex
     JobQueue m_jobs;
-    std::jthread m_thread;  ///< last: joined first
+    std::jthread m_thread;  ///< the last member, so that it is joined first
 };
 
 }  // namespace leitstand

@@ -26,29 +26,31 @@ struct GasSample;
 struct PictureSample;
 struct SightingSample;
 
-/// How closely a robot's samples are searched.
+/// How thoroughly a robot's samples are searched.
 struct CueSettings {
     std::chrono::milliseconds motionEvery{
-        180};                                   ///< between pictures of a camera that are compared for motion
-    std::chrono::milliseconds signsEvery{450};  ///< between pictures that are searched for codes and placards
-    std::chrono::milliseconds longestWait{500};  ///< that a picture waits for odometry
-    double fastest = 0.9;       ///< pictures of a camera that turns faster are ignored [rad/s]
-    double standing = 0.7;      ///< a camera must stand this long before motion counts [s]
-    double highest = 1.0;       ///< people higher over the robot's base are beyond walls, and ignored [m]
-    double lowest = -0.6;       ///< everything lower over the robot's base is ignored [m]
-    double farthestHeat = 6.0;  ///< body heat farther off is ignored [m]
-    double farthest = 5.0;      ///< motion, codes and placards farther off are ignored [m]
+        180};  ///< time between pictures of a camera that are compared for motion
+    /// Time between pictures that are searched for codes and placards.
+    std::chrono::milliseconds signsEvery{450};
+    std::chrono::milliseconds longestWait{500};  ///< longest time that a picture waits for odometry
+    double fastest = 0.9;   ///< pictures of a camera that turns faster than this are ignored [rad/s]
+    double standing = 0.7;  ///< a camera must stand for this time before motion is used [s]
+    /// People above this height over the robot's base are beyond walls, and ignored [m].
+    double highest = 1.0;
+    double lowest = -0.6;       ///< everything below this height over the robot's base is ignored [m]
+    double farthestHeat = 6.0;  ///< body heat farther away than this is ignored [m]
+    double farthest = 5.0;      ///< motion, codes and placards farther away than this are ignored [m]
 };
 
-/// Something in a picture whose place is wanted.
+/// A thing in a picture whose place is requested.
 struct LookedAt {
     Event picture;
-    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< [px]
-    int width = 0, height = 0;                        ///< of the picture [px]
-    double halfAngle = 0.0;                           ///< half the angle under which the camera sees it [rad]
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  ///< position in the picture [px]
+    int width = 0, height = 0;                        ///< size of the picture [px]
+    double halfAngle = 0.0;                           ///< half the angle that it spans in the camera [rad]
 };
 
-/// Finds cues in what one robot sends and places them in the map. The caller reports where the robot is. Has
+/// Finds cues in what a robot sends and places them in the map. The caller reports where the robot is. It has
 /// no thread; one call at a time.
 class CueFinder {
 public:
@@ -56,19 +58,19 @@ public:
     CueFinder(const CueFinder&) = delete;
     CueFinder& operator=(const CueFinder&) = delete;
 
-    /// Takes odometry, inertial unit, transforms, scans, pictures, camera infos, gas, sightings of this
-    /// robot; ignores others.
+    /// Takes odometry, inertial unit, transforms, scans, pictures, camera infos, gas and sightings of this
+    /// robot; ignores other events.
     void onEvent(const Event& event);
-    /// Sets where the robot was; nothing can be placed before the first call.
+    /// Sets where the robot was. Before the first call, nothing can be placed.
     void correct(const MapFix& fix) { m_places.correct(fix); }
-    /// Returns the cues found since the last call; their key scan is not set.
+    /// Returns the cues found since the last call. Their key scan is not set yet.
     [[nodiscard]] std::vector<PlacedCue> found();
     [[nodiscard]] const RobotInMap& now() const { return m_places.now(); }
-    /// Returns the place of @p looked in the map; empty when the picture is too old or nothing was scanned
+    /// Returns the place of @p looked in the map. Empty when the picture is too old or nothing was scanned
     /// there.
     [[nodiscard]] std::optional<PlacedCue> locate(const LookedAt& looked);
-    /// Whether @p picture of a calibrated camera shows @p inMap [m]: it is within the picture, and no scanned
-    /// point hides it.
+    /// Whether @p picture, from a calibrated camera, shows @p inMap [m]: it is within the picture, and no
+    /// scanned point hides it.
     [[nodiscard]] bool shows(const Event& picture, const Eigen::Vector3d& inMap);
 
 private:
@@ -81,9 +83,9 @@ private:
     struct Camera {
         std::optional<CameraInfoSample> info;
         MotionFinder motion;
-        Time compared{}, read{};  ///< times of the pictures last searched for motion, and for signs
+        Time compared{}, read{};  ///< times of the pictures that were last searched for motion, and for signs
         Time stoodSince{};
-        std::optional<Pose> before;  ///< pose in base, at the last picture
+        std::optional<Pose> before;  ///< pose in the base at the last picture
         Time beforeAt{};
     };
     void look(Time now);
@@ -96,7 +98,8 @@ private:
     [[nodiscard]] std::optional<View> viewOf(const Event& event, const PictureSample& picture,
                                              Camera& camera);
     [[nodiscard]] Cue cueOf(const Event& event, const char* kind, Time stamp) const;
-    /// Keeps @p cue at the place that @p pixel of the picture shows; false when nothing was scanned there.
+    /// Keeps @p cue, placed where @p pixel of the picture shows. Returns false when nothing was scanned
+    /// there.
     bool place(PlacedCue cue, const Camera& camera, const View& view, const Eigen::Vector2d& pixel, int width,
                int height, double halfAngle, double farthest);
     [[nodiscard]] std::optional<RayHit> meet(const View& view, const Eigen::Vector3d& direction,
@@ -112,10 +115,11 @@ private:
     std::map<std::string, Camera> m_cameras;  ///< by sensor
     std::map<std::string, GasWatch> m_gases;  ///< by sensor
     std::map<std::uint32_t, Sighting> m_sightings;
-    std::optional<Event> m_notReceived;           ///< sightings of a robot that is not placed yet
-    std::deque<Event> m_waiting;                  ///< pictures waiting for odometry
-    std::deque<std::pair<Event, Pose>> m_slices;  ///< waiting scans, with their sensor's pose in base
-    Time m_movedAt{};                             ///< time of the last motion, robot's clock
+    std::optional<Event> m_notReceived;  ///< sightings of a robot that has no place yet
+    std::deque<Event> m_waiting;         ///< pictures that wait for odometry
+    /// Waiting scans, with the pose of their sensor in the base.
+    std::deque<std::pair<Event, Pose>> m_slices;
+    Time m_movedAt{};  ///< time of the last motion, robot's clock
     std::vector<PlacedCue> m_found;
 };
 

@@ -13,13 +13,14 @@ class QWidget;
 
 namespace leitstand {
 
-/// The Help menu: the keys of the program and its version. Its dialogs are not modal: robots may be driving.
+/// The Help menu: the keys of the program, and its version. Its dialogs are not modal, since robots may be
+/// driving.
 class HelpCommands final : public QObject {
     Q_OBJECT
 public:
-    /// Lists the keys of all actions in the menus of @p window, and of the map and the lists of scans.
+    /// Lists the keys of all actions in the menus of @p window, and those of the map and the lists of scans.
     explicit HelpCommands(QWidget& window);
-    /// Lists @p others beside the keys of the menus.
+    /// Lists @p others in addition to the keys of the menus.
     HelpCommands(QWidget& window, KeyColumn others);
 
     /// Puts the commands into @p menu.

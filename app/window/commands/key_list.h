@@ -20,8 +20,8 @@ struct KeyColumn {
     std::vector<KeyLine> lines;
 };
 
-/// Returns keys and meanings of all commands with keys in the menus of @p window, each line once. Keys that
-/// only stand behind a tab in a command's text count, too; another object handles them.
+/// Returns keys and meanings of all commands with keys in the menus of @p window, each line once. Includes
+/// keys that are only written behind a tab in a command's text, because another object handles them.
 [[nodiscard]] std::vector<KeyLine> commandKeys(const QWidget& window);
 
 /// Returns a read-only table with @p columns side by side. The caller owns it.

@@ -7,11 +7,11 @@
 
 namespace leitstand {
 
-/// How a part of a bar gives way when there is not enough room.
+/// How a part of a bar shrinks when there is not enough space.
 enum class GivesWay {
     Never,
-    AtOnce,          ///< first: shrinks from its preferred to its smallest width in one step
-    LittleByLittle,  ///< then: shrinks as far as needed; also grows into free room, up to its largest width
+    AtOnce,          ///< first: from its preferred to its smallest width in one step
+    LittleByLittle,  ///< then: as far as needed; it also grows into free space, up to its largest width
 };
 
 /// The widths of one part [px].
@@ -20,12 +20,12 @@ struct PartWidths {
     GivesWay gives = GivesWay::Never;
 };
 
-/// Returns the widths of @p parts in a bar with @p room [px], which excludes spacing. Their sum exceeds
-/// @p room when the parts do not fit after all of them gave way.
+/// Returns the widths of @p parts in a bar with @p room [px], which does not include spacing. Their sum
+/// exceeds @p room if the parts do not fit even after all of them have shrunk.
 [[nodiscard]] std::vector<int> foldedWidths(const std::vector<PartWidths>& parts, int room);
 
-/// Lays out the parts of a bar side by side: some from the left, the others at the right end. Parts give way
-/// in the order of GivesWay. Free room lies between the two groups.
+/// Lays out the parts of a bar side by side: some from the left, the others at the right end. Parts shrink in
+/// the order of GivesWay. Free space is between the two groups.
 class FoldingRow final : public QLayout {
     Q_OBJECT
 public:

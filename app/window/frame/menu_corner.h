@@ -10,16 +10,16 @@ namespace leitstand {
 
 class ElidedLabel;
 
-/// Fills the room beside the menus with the newest message and, right of it, badges. The message gives way to
-/// badges; nothing moves the menus.
+/// Fills the space beside the menus with the newest message and, to its right, badges. The message shrinks to
+/// leave space for badges; nothing moves the menus.
 class MenuCorner final : public QWidget {
     Q_OBJECT
 public:
-    /// @p menus must have all menus already, and no corner widget.
+    /// @p menus must already have all menus, and no corner widget.
     explicit MenuCorner(QMenuBar& menus);
 
     void setMessage(const QString& text, const QString& toolTip);
-    /// Adds @p badge right of earlier badges. @p keepsPlace: its place stays free while it is hidden.
+    /// Adds @p badge to the right of earlier badges. @p keepsPlace: its place stays free while it is hidden.
     void addBadge(QLabel& badge, bool keepsPlace);
     [[nodiscard]] QSize sizeHint() const override;
 
@@ -28,7 +28,7 @@ protected:
 
 private:
     QMenuBar& m_menus;
-    const QSize m_taken;  ///< size of the menus
+    const QSize m_taken;  ///< size of the menus when the space was last computed
     QHBoxLayout* m_row;
     ElidedLabel* m_message;
     int m_width = 0;

@@ -16,8 +16,8 @@ namespace leitstand {
 
 class MenuCorner;
 
-/// The frame around the panes of live windows and reviews: a bar above them, and the newest message and
-/// badges beside the menus.
+/// The frame around the panes of live windows and reviews: a bar above them, and beside the menus the newest
+/// message and badges.
 class WindowFrame final : public QObject {
     Q_OBJECT
 public:
@@ -29,17 +29,17 @@ public:
 
     explicit WindowFrame(QMainWindow& window);
 
-    /// Stacks a bar with @p left and @p right at its ends, then @p panes, then @p below. Menus without
-    /// entries are hidden.
+    /// Stacks a bar with @p left and @p right at its ends, then @p panes, then @p below. Hides menus without
+    /// entries.
     void build(const std::vector<Part>& left, const std::vector<Part>& right, QWidget& panes,
                QWidget* below = nullptr);
-    /// Places @p badge in the corner beside the menus, right of earlier badges; requires build().
-    /// @p keepsPlace: its place stays free while it is hidden, so that earlier badges do not move.
+    /// Places @p badge beside the menus, to the right of earlier badges. Call build() first. @p keepsPlace:
+    /// its place stays free while it is hidden, so that earlier badges do not move.
     void addBadge(QLabel& badge, bool keepsPlace = false);
-    /// Shows @p text as the newest message. The tooltip also lists earlier ones.
+    /// Shows @p text as the newest message. The tooltip also lists earlier messages.
     void showMessage(const QString& text);
     [[nodiscard]] QString newest() const;
-    [[nodiscard]] const QStringList& recent() const { return m_recent; }  ///< the newest first
+    [[nodiscard]] const QStringList& recent() const { return m_recent; }  ///< newest first
 
 private:
     void showMessage();

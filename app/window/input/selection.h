@@ -11,7 +11,7 @@
 
 namespace leitstand {
 
-/// Holds which robot the operator looks at and drives. Nothing else does.
+/// Holds which robot the operator looks at and drives.
 class Selection final : public QObject {
     Q_OBJECT
 public:
@@ -19,16 +19,16 @@ public:
     explicit Selection(std::vector<RobotDescription> robots, QObject* parent = nullptr);
 
     [[nodiscard]] const std::vector<RobotDescription>& robots() const { return m_robots; }
-    /// Returns the selected robot. Null when the station has none.
+    /// Returns the selected robot; null: the station has none.
     [[nodiscard]] const RobotDescription* robot() const { return find(m_name); }
     [[nodiscard]] const QString& name() const { return m_name; }
-    [[nodiscard]] RobotFace face() const;  ///< of robot(); empty: there is none
+    [[nodiscard]] RobotFace face() const;  ///< face of robot(); empty: there is no robot
     [[nodiscard]] const RobotDescription* find(const QString& name) const;
-    [[nodiscard]] std::vector<RobotFace> faces() const;  ///< of robots(), in their order
+    [[nodiscard]] std::vector<RobotFace> faces() const;  ///< faces of robots(), in their order
     /// Returns the face of @p robot, which must be one of robots().
     [[nodiscard]] RobotFace faceOfRobot(const RobotDescription& robot) const;
 
-    /// Selects robot @p name. Does nothing when it is unknown or selected already.
+    /// Selects the robot @p name. Does nothing when it is unknown or already selected.
     void select(const QString& name);
     /// Selects the robot with this @p number in robots(), counted from 1. Does nothing when there is none.
     void selectNumber(int number);

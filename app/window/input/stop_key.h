@@ -4,7 +4,7 @@
 
 namespace leitstand {
 
-/// Emits pressed() at every Esc, whatever has the keyboard, even a dialog. Esc has no other effect then.
+/// Emits pressed() at every Esc, whatever has the keyboard, even a dialog. Esc then has no other effect.
 class StopKey final : public QObject {
     Q_OBJECT
 public:

@@ -4,11 +4,11 @@ class QWidget;
 
 namespace leitstand {
 
-/// Returns whether the operator works in @p window now: the window or one of its floating panes has the
-/// keyboard. Dialogs do not count.
+/// Returns whether the operator is working in @p window: the window or one of its floating panes has the
+/// keyboard. Dialogs are not included.
 [[nodiscard]] bool isWorkedIn(const QWidget& window);
 
-/// Returns whether @p widget is a text field, so that letters are typed into it.
+/// Returns whether @p widget is a text field, into which letters are typed.
 [[nodiscard]] bool isWrittenInto(const QWidget& widget);
 
 }  // namespace leitstand

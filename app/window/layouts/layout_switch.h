@@ -11,8 +11,8 @@ class QToolButton;
 
 namespace leitstand {
 
-/// Chooses one of several actions: all of them side by side, or one button with a menu when there is not room
-/// for that. Its sizes depend on the actions alone, not on which is checked.
+/// Selects one of several actions: all of them side by side, or if there is not enough space, one button with
+/// a menu. Its sizes depend only on the actions, not on which is checked.
 class LayoutSwitch final : public QWidget {
     Q_OBJECT
 public:
@@ -23,8 +23,8 @@ public:
     void add(QAction& choice, const QString& name);
     [[nodiscard]] bool isFolded() const;
 
-    [[nodiscard]] QSize sizeHint() const override;         ///< of all side by side
-    [[nodiscard]] QSize minimumSizeHint() const override;  ///< of the one button with a menu
+    [[nodiscard]] QSize sizeHint() const override;         ///< with all actions side by side
+    [[nodiscard]] QSize minimumSizeHint() const override;  ///< with one button that has a menu
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -32,7 +32,7 @@ protected:
 private:
     void fold();
     void showChecked();
-    /// Returns the width of the one button when it shows @p choice [px].
+    /// Returns the width of the single button when it shows @p choice [px].
     [[nodiscard]] int foldedWidth(const QAction& choice) const;
 
     QWidget* m_row;

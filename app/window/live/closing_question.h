@@ -17,17 +17,18 @@ class QMessageBox;
 
 namespace leitstand {
 
-/// When the window is closed, asks what shall become of robots that drive by themselves: they would go on
-/// without a station. Robots that the operator drives stop in any case, without a question. The question
-/// blocks nothing: STOP, keys and gamepads still work.
+/// When the window is closed, asks what to do with robots that drive by themselves, since they would continue
+/// without a station. Robots that the operator drives stop in any case, without a question. The question is
+/// not modal: STOP, keys and gamepads still work.
 class ClosingQuestion final : public QObject {
     Q_OBJECT
 public:
     explicit ClosingQuestion(const LiveContext& context);
 
-    /// Returns whether the window may close now. If not, asks the operator; the answer may close the window.
+    /// Returns whether the window may close now. If not, asks the operator, whose answer may close the
+    /// window.
     [[nodiscard]] bool mayClose();
-    void allow() { m_allowed = true; }  ///< no questions from now on
+    void allow() { m_allowed = true; }  ///< asks no questions from now on
 
 private:
     [[nodiscard]] std::vector<const RobotDescription*> drivingThemselves() const;

@@ -11,25 +11,25 @@ namespace leitstand {
 
 /// Settings of simulated robots.
 struct DemoSettings {
-    QString program;  ///< path of leitstand-robot; empty: the one in the folder of this program
+    QString program;  ///< path of leitstand-robot; empty: it is in the folder of this program
     QString arena = QStringLiteral("yellow");
     int seed = 7;
     int domain = 0;
     QString interface = {};  ///< network card; empty: all
 };
 
-/// Runs a simulated Kurt3D and Crawler as separate processes while this object lives. They end with this
-/// program, even when it crashes.
+/// Runs a simulated Kurt3D and Crawler as separate processes while this object exists. They end with this
+/// program, even if it crashes.
 class DemoRobots final : public QObject {
     Q_OBJECT
 public:
     explicit DemoRobots(const DemoSettings& settings, QObject* parent = nullptr);
     ~DemoRobots() override;
 
-    void start();  ///< starts them; does nothing when they were started
+    void start();  ///< starts them; does nothing when they were already started
 
 signals:
-    /// A robot could not be started, or ended by itself. @p why is in the user's language.
+    /// A robot could not be started, or has ended. @p why: in the user's language.
     void failed(const QString& why);
 
 private:

@@ -7,12 +7,12 @@
 
 namespace leitstand {
 
-/// Returns the options of the last station on live robots: its robots and network. Empty: there was none.
+/// Returns options that open the last station on live robots again: its robots and network. Empty: there was
+/// none.
 [[nodiscard]] std::optional<Options> lastOptions();
 
-/// Runs the station on live robots as @p options request: on robots that are there, or on simulated ones that
-/// it starts. @p environment does not apply to simulated robots. Needs a QApplication. Returns the exit
-/// status.
+/// Runs the station on live robots according to @p options: on existing robots, or on simulated ones that it
+/// starts. @p environment is not used for simulated robots. Needs a QApplication. Returns the exit status.
 [[nodiscard]] int runLive(const Options& options, const RosEnvironment& environment = {});
 
 }  // namespace leitstand

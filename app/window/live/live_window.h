@@ -26,8 +26,8 @@ class RobotsFeature;
 class Selection;
 class WindowFrame;
 
-/// The window on live robots (docs/design.md, "The window"): a bar with all robots and STOP, and below it the
-/// panes of its features, placed by the layout in use. It only puts features together.
+/// The window with live robots (docs/design.md, "The window"): a bar with all robots and STOP, and below it
+/// the panes of its features, placed by the present layout. It only combines features.
 class LiveWindow final : public QMainWindow, public AsksBeforeClosing {
     Q_OBJECT
 public:
@@ -36,10 +36,10 @@ public:
     ~LiveWindow() override;
 
     [[nodiscard]] MapView& mapView() const;
-    /// Returns the present view of the map, to be remembered. Its look is the operator's own, not that of the
+    /// Returns the present view of the map, to be stored. Its look is the operator's own, not that of the
     /// layout.
     [[nodiscard]] MapViewSettings view() const;
-    void setLook(MapLook look);  ///< of the map, in the layout in use
+    void setLook(MapLook look);  ///< look of the map, in the present layout
     void closeUnasked() override;
     [[nodiscard]] Selection& selection() const { return *m_selection; }
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
@@ -49,9 +49,9 @@ public:
     [[nodiscard]] LayoutFeature& layouts() const { return *m_layouts; }
     [[nodiscard]] const QString& selected() const;
     [[nodiscard]] bool driving() const;
-    [[nodiscard]] QString newest() const;      ///< message
-    [[nodiscard]] QStringList recent() const;  ///< messages, the newest first
-    /// Returns, in words, what is not visible yet. Empty when each robot is connected, a scan is registered
+    [[nodiscard]] QString newest() const;      ///< newest message
+    [[nodiscard]] QStringList recent() const;  ///< messages, newest first
+    /// Returns texts about what is not visible yet. Empty when each robot is connected, a scan is registered
     /// and drawn, and each camera pane shows a picture.
     [[nodiscard]] QString missing() const;
 
@@ -61,7 +61,7 @@ signals:
 
 public slots:
     void setDriving(bool on);
-    void showMessage(const QString& text);  ///< as the newest; keeps it in the list of messages
+    void showMessage(const QString& text);  ///< as the newest message; also adds it to the list of messages
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -7,12 +7,12 @@ namespace leitstand {
 class NumberBox;
 class ViewState;
 
-/// Edits the numbers of the present look: the edge of the voxels [cm], and the two heights of a clipped map
-/// [m]. Hidden when the look has neither.
+/// Edits the numbers of the present look: the edge of the voxels [cm], or the two heights of a clipped map
+/// [m]. Hidden if the look has neither.
 class LookBar final : public QWidget {
     Q_OBJECT
 public:
-    /// Shows and edits @p state, which must outlive the bar.
+    /// Shows and edits @p state, which must outlive this object.
     explicit LookBar(ViewState& state, QWidget* parent = nullptr);
 
 private:

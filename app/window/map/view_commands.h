@@ -19,23 +19,24 @@ class ViewCommands final : public QObject {
 public:
     /// Which keys the commands have.
     enum class Keys {
-        Plain,  ///< those of Aside, and 1 to 3 and letters alone
-        Aside,  ///< Alt with 1 to 3, Ctrl and Shift with letters: plain keys have other uses in the window
+        Plain,  ///< those of Aside, and also 1 to 3 and letters without modifiers
+        /// Alt with 1 to 3, Ctrl and Shift with letters, because plain keys have other uses in the window.
+        Aside,
     };
-    /// What Esc is for.
+    /// What Esc does.
     enum class Escape {
         EndsMeasuring,
-        StopsRobots,  ///< measuring ends by its own command alone
+        StopsRobots,  ///< stops robots; only the command itself ends measuring
     };
-    /// The commands change @p state and move the camera of @p view; both must outlive them.
+    /// The commands change @p state and move the camera of @p view; both must outlive this object.
     ViewCommands(ViewState& state, MapView& view, QObject* parent, Keys keys = Keys::Plain,
                  Escape escape = Escape::EndsMeasuring);
 
     /// Puts the commands into @p menu.
     void fill(QMenu& menu);
-    /// Returns the commands of the tool column, from top to bottom. Null stands for a gap.
+    /// Returns the commands for the column of tools, from top to bottom; null is a gap.
     [[nodiscard]] QList<QAction*> tools() const;
-    /// Takes the number of scans in the map. Without any, before() and measure() are disabled.
+    /// Takes the number of scans in the map. If there are none, before() and measure() are disabled.
     void setScans(int scans);
     /// The map shows the poses before registration while this action is checked.
     [[nodiscard]] QAction& before() const { return *m_before; }

@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// Holds how the map is looked at. Commands change it, views follow it.
+/// Holds how the map is viewed. Commands change it, views follow it.
 class ViewState final : public QObject {
     Q_OBJECT
 public:
@@ -14,13 +14,13 @@ public:
         : QObject(parent), m_settings(settings) {}
 
     [[nodiscard]] const MapViewSettings& settings() const { return m_settings; }
-    /// Takes over @p settings. Emits changed() if they differ from the present ones.
+    /// Sets all @p settings. Emits changed() if they differ from the present ones.
     void set(const MapViewSettings& settings) {
         if (settings == m_settings) return;
         m_settings = settings;
         emit changed(m_settings);
     }
-    /// Changes some settings: @p change gets the settings to alter.
+    /// Changes some settings: @p change is called with the settings and alters them.
     template <class Change>
     void alter(Change change) {
         MapViewSettings settings = m_settings;

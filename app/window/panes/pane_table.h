@@ -21,7 +21,7 @@ struct MapViewSettings;
 class ScanFeature;
 class VictimsFeature;
 
-/// The features behind a window's panes that other features use.
+/// Features of a window's panes that other features use.
 struct PaneFeatures {
     CameraFeature* cameras = nullptr;
     MapFeature* map = nullptr;
@@ -37,32 +37,32 @@ struct PaneFeatures {
     CompareFeature* compare = nullptr;
 };
 
-/// What the panes of one window are made from.
+/// What is needed to make the panes of a window.
 struct PaneMaking {
     const ViewContext& view;
-    const MapViewSettings& look;            ///< first view of the map
-    const LiveContext* live = nullptr;      ///< null: no live window
-    const ReviewContext* review = nullptr;  ///< null: no review
+    const MapViewSettings& look;            ///< view of the map at the start
+    const LiveContext* live = nullptr;      ///< null: it is no live window
+    const ReviewContext* review = nullptr;  ///< null: it is no review
     const MapContext* byHand = nullptr;     ///< null: the map is not corrected by hand
-    PaneFeatures made = {};                 ///< features made by earlier rows of the table
+    PaneFeatures made = {};                 ///< features that earlier rows of the table made
 };
 
-/// One pane: its names and its place, and what makes it in each kind of window.
+/// One pane: its names, its place, and what makes it in each kind of window.
 struct PaneRow {
     using Make = QWidget& (*)(PaneMaking&);
     enum class Kind : std::uint8_t {
         Plain,
-        Kept,   ///< no other pane opens as a tab over it while there is another host (keepInSight())
-        Sheet,  ///< opens on demand, in the room of a host (addSheet())
+        Kept,   ///< no other pane opens as a tab over it as long as there is another host (keepInSight())
+        Sheet,  ///< opens on demand, in the space of a host (addSheet())
     };
 
-    const char* id;     ///< its name in layouts and saved arrangements, forever
-    const char* title;  ///< in English, translated in the context "Panes"
+    const char* id;     ///< its name in layouts and saved arrangements; never changes
+    const char* title;  ///< in English; translated in the context "Panes"
     Make live;          ///< null: a live window has no such pane
     Make review;        ///< null: a review has no such pane
     Kind kind = Kind::Plain;
-    /// Sheets open in the room of the visible pane with the lowest rank above 0. 0: this pane is no host.
-    /// Panes where a driver looks (camera, surroundings, second camera, strip) and the alarms have 0.
+    /// Sheets open in the space of the visible pane with the lowest rank above 0. If it is 0, this pane is no
+    /// host: panes where a driver looks (camera, surroundings, second camera, strip) and the alarms have 0.
     int hostRank = 0;
     const char* formerId = "";  ///< its id in older layouts and arrangements; empty: the same
     Make byHand = nullptr;      ///< null: the window that corrects a map by hand has no such pane

@@ -20,8 +20,8 @@ class Selection;
 class TimelineFeature;
 class WindowFrame;
 
-/// The window on a recorded mission (docs/design.md, "The window"): the live window's panes, and below them
-/// the timeline, which they follow. It only puts features together.
+/// The window for a recorded mission (docs/design.md, "The window"): the live window's panes, and below them
+/// the timeline, which they follow. It only combines features.
 class ReviewWindow final : public QMainWindow {
     Q_OBJECT
 public:
@@ -30,32 +30,34 @@ public:
     ~ReviewWindow() override;
 
     [[nodiscard]] MapView& mapView() const;
-    /// Returns the present view of the map, to be remembered. Its look is the operator's own, not that of the
+    /// Returns the present view of the map, to be stored. Its look is the operator's own, not that of the
     /// layout.
     [[nodiscard]] MapViewSettings view() const;
-    void setLook(MapLook look);  ///< of the map, in the layout in use
+    void setLook(MapLook look);  ///< look of the map, in the present layout
     [[nodiscard]] Selection& selection() const { return *m_selection; }
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
     [[nodiscard]] LayoutFeature& layouts() const { return *m_layouts; }
     [[nodiscard]] TimelineFeature& timeline() const { return *m_timeline; }
     [[nodiscard]] FindsFeature& finds() const { return *m_features.finds; }
-    [[nodiscard]] QString newest() const;  ///< message
-    /// Returns, in words, what is not visible yet. Empty when the mission is read through, its map is drawn
-    /// if it has one, and a camera pane shows a picture if there is one.
+    [[nodiscard]] QString newest() const;  ///< newest message
+    /// Returns texts about what is not visible yet. Empty when three things are done: the mission is
+    /// completely read, its map is drawn (if it has one), and a camera pane shows a picture (if there is
+    /// one).
     [[nodiscard]] QString missing() const;
 
 signals:
     void closing();
-    void languageWanted(const QString& code);        ///< requests a new window in this language
-    void registerAgainWanted();                      ///< the mission's scans are to be registered again
-    void tidyingWanted(leitstand::MapTidying what);  ///< tidying of the map; the review opens again then
-    void byHandWanted();                             ///< correction by hand; the review opens again then
-    /// The map is to be merged with that of mission @p folder into a new mission, which is reviewed then.
+    void languageWanted(const QString& code);  ///< requests a new window in this language
+    void registerAgainWanted();                ///< the mission's scans shall be registered again
+    /// The map shall be tidied, or this undone; then the review opens again.
+    void tidyingWanted(leitstand::MapTidying what);
+    void byHandWanted();  ///< the map shall be corrected by hand; then the review opens again
+    /// The map shall be merged with that of the mission @p folder into a new mission, which is then reviewed.
     void mergingWanted(const QString& folder);
 
 public slots:
-    void showMessage(const QString& text);  ///< as the newest; keeps it in the list of messages
+    void showMessage(const QString& text);  ///< as the newest message; also adds it to the list of messages
 
 protected:
     void closeEvent(QCloseEvent* event) override;

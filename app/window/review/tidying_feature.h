@@ -13,7 +13,7 @@ class MapQuestion;
 class MapView;
 class ReviewBridge;
 
-/// Commands that tidy the map of a mission, take the tidying back, and show where scans lay before it.
+/// Commands that tidy the map of a mission, undo the tidying, and show where scans were before it.
 class TidyingFeature final : public QObject {
     Q_OBJECT
 public:

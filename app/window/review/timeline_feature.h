@@ -19,7 +19,7 @@ class TimelineBar;
 class TransportBar;
 struct LiveMoment;
 
-/// The mission's time: the timeline along the bottom of the window, and the commands that move through it.
+/// The mission's time: the timeline along the bottom of the window, and the commands for moving through it.
 class TimelineFeature final : public QObject {
     Q_OBJECT
 public:
@@ -27,7 +27,7 @@ public:
 
     [[nodiscard]] QWidget* widget() const { return m_whole; }
     [[nodiscard]] TimelineBar& bar() const { return *m_bar; }
-    /// Sets the marks made in the review, which are shown beside those of the mission.
+    /// Sets the marks made in the review, which are shown in addition to those of the mission.
     void setOwnMarks(std::vector<TimelineMark> marks);
     [[nodiscard]] const std::vector<TimelineMark>& marks() const { return m_marks; }
 
@@ -40,8 +40,8 @@ private:
     void toggle(double direction);
     void change(bool faster);
     void jump(bool forwards);
-    /// Jumps to the next mark for which @p wanted is true or, without @p forwards, to the previous one. Goes
-    /// on at the other end when there is none.
+    /// Jumps to the next mark for which @p wanted is true, or if @p forwards is false, to the previous one.
+    /// If there is none, continues at the other end.
     void jumpTo(bool (*wanted)(const TimelineMark&), bool forwards);
     void go(const TimelineMark* mark);
     void showMission();
@@ -54,8 +54,9 @@ private:
     TimelineBar* m_bar;
     QAction *m_play = nullptr, *m_back = nullptr;
     TimelineAxis m_axis;
-    std::vector<TimelineMark> m_own, m_marks;  ///< m_own: made in the review; m_marks: all, by time
-    double m_speed = 1.0;                      ///< of playing, in multiples of real time
+    /// Marks by rising time: m_own has those made in the review, m_marks has all.
+    std::vector<TimelineMark> m_own, m_marks;
+    double m_speed = 1.0;  ///< how many times as fast as real time it plays
 };
 
 }  // namespace leitstand

@@ -13,14 +13,15 @@ struct LiveMoment;
 class RobotBar;
 class StopButton;
 
-/// Shows all robots and selects one of them. For live robots also mode requests, STOP and its release.
+/// Shows all robots and lets the operator select one. For live robots it also has mode requests, STOP and its
+/// release.
 class RobotsFeature final : public QObject {
     Q_OBJECT
 public:
     explicit RobotsFeature(const ViewContext& context);
 
-    [[nodiscard]] QWidget* bar() const;   ///< for the top bar
-    [[nodiscard]] QWidget* stop() const;  ///< STOP, for its corner; null: there is nothing to stop
+    [[nodiscard]] QWidget* bar() const;   ///< widget for the top bar
+    [[nodiscard]] QWidget* stop() const;  ///< STOP, for its corner; null: there are no robots to stop
 
 private:
     void addChoice();

@@ -17,13 +17,13 @@ struct SessionProgress;
 class BottomStrip final : public QWidget {
     Q_OBJECT
 public:
-    /// @p cancel ends the work. @p messages shows the list of messages, @p list.
+    /// @p cancel: ends the work. @p messages: shows the list of messages @p list.
     BottomStrip(QAction& cancel, QAction& messages, const MessageListModel& list, QWidget* parent = nullptr);
 
     void setPick(const QString& text);
-    /// Shows a measurement, or how to make one, until replaced.
+    /// Shows a measurement, or how to make one, until the next call.
     void setMeasurement(const QString& text);
-    /// Shows something that went well, in the place of setPick() and until its next call.
+    /// Shows something that succeeded, at the place of setPick() and until its next call.
     void setNote(const QString& text);
     void showProgress(const SessionProgress& progress);
     void hideProgress();

@@ -18,16 +18,16 @@ namespace leitstand {
 class FileCommands final : public QObject {
     Q_OBJECT
 public:
-    /// Dialogs belong to @p window. @p recent is what was opened before. @p picture makes the picture to
-    /// save.
+    /// Dialogs belong to @p window. @p recent: what was opened before. @p picture: makes the picture that is
+    /// saved.
     FileCommands(QWidget& window, std::vector<Sources> recent, std::function<QImage()> picture);
 
     /// Puts the commands into @p menu.
     void fill(QMenu& menu);
-    /// Remembers @p sources and requests to open them.
+    /// Adds @p sources to the recent ones and requests to open them.
     void open(const Sources& sources);
     [[nodiscard]] const std::vector<Sources>& recent() const { return m_recent; }
-    /// Closing and saving are disabled while the map is empty.
+    /// Sets whether the map is empty; then closing and saving are disabled.
     void setMapEmpty(bool empty);
 
 signals:

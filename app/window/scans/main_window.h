@@ -18,19 +18,19 @@ class RegistrationCommands;
 class RegistrationPanel;
 class ViewCommands;
 
-/// The window for files of scans: wires session, models, panels and commands together.
+/// The window for files of scans. Connects session, models, panels and commands.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
-    /// Creates a window that looks as @p state describes.
+    /// Creates a window with the state @p state.
     explicit MainWindow(const WindowState& state, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     /// Reads and registers @p sources.
     void open(const Sources& sources);
-    /// Returns all that was opened and not closed again.
+    /// Returns everything that was opened and not closed again.
     [[nodiscard]] const Sources& sources() const { return m_sources; }
-    /// Returns the state to be remembered. What concerns only other windows has its default.
+    /// Returns the state to be stored. What is only used by other windows has its default.
     [[nodiscard]] WindowState state() const;
     /// Returns whether nothing is being read or registered.
     [[nodiscard]] bool idle() const { return !m_session.busy(); }

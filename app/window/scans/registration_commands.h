@@ -20,8 +20,8 @@ public:
     void fill(QMenu& menu, QAction& before);
     [[nodiscard]] QAction& again() const { return *m_again; }
     [[nodiscard]] QAction& cancel() const { return *m_cancel; }
-    /// Takes the number of scans in the map. Registering again is enabled from two scans on, while nothing is
-    /// being done.
+    /// Takes the number of scans in the map. Registering again is enabled if there are at least two scans and
+    /// no work is in progress.
     void setScans(int scans);
 
 signals:

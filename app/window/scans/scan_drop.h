@@ -10,7 +10,7 @@ namespace leitstand {
 class ScanDrop final : public QObject {
     Q_OBJECT
 public:
-    /// Watches @p target, which becomes its parent.
+    /// Accepts drops on @p target, which becomes its parent.
     explicit ScanDrop(QWidget& target);
 
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -4,8 +4,8 @@
 
 namespace leitstand {
 
-/// Opens a window with @p scans, which looks as @p state describes. The window is created again when another
-/// language is chosen. When it is closed, it is deleted and its state is remembered.
+/// Opens a window for @p scans with the state @p state. The window is created again when another language is
+/// selected. When it is closed, it is deleted and its state is stored.
 void showScansWindow(const Sources& scans, const WindowState& state);
 
 }  // namespace leitstand

@@ -12,8 +12,8 @@
 
 namespace leitstand {
 
-/// A ScanSession as the GUI thread sees it. Reports of the session's thread arrive here as signals, in order.
-/// Of the reports on progress, only the newest arrives.
+/// A ScanSession for the GUI thread. Reports of the session's thread arrive here as signals, in order. Of
+/// several reports about progress, only the newest arrives.
 class SessionBridge final : public QObject {
     Q_OBJECT
 public:
@@ -44,7 +44,7 @@ private:
     int m_jobs = 0;
     std::mutex m_mutex;
     std::optional<SessionProgress> m_newest;  ///< not yet shown; guarded by m_mutex
-    std::unique_ptr<ScanSession> m_session;   ///< last: its thread ends first
+    std::unique_ptr<ScanSession> m_session;   ///< the last member, so that its thread ends first
 };
 
 }  // namespace leitstand

@@ -2,11 +2,11 @@
 
 namespace leitstand {
 
-/// A window that asks the operator before it closes, when that matters.
+/// A window that may ask the operator before it closes.
 class AsksBeforeClosing {
 public:
     virtual ~AsksBeforeClosing() = default;
-    /// Closes at once without asking: nobody is there to answer, or somebody answered already.
+    /// Closes at once without asking, because nobody can answer, or somebody has answered already.
     virtual void closeUnasked() = 0;
 };
 

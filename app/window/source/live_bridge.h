@@ -14,20 +14,21 @@
 
 namespace leitstand {
 
-/// The station as the GUI thread sees it. What its threads report arrives here as signals.
+/// The station for the GUI thread. What the station's threads report arrives here as signals.
 class LiveBridge final : public MomentSource {
     Q_OBJECT
 public:
-    /// Opens the station. Errors as of Station::open().
+    /// Opens the station. Errors are those of Station::open().
     [[nodiscard]] static Result<std::unique_ptr<LiveBridge>> open(const StationSettings& settings);
     ~LiveBridge() override;
 
-    /// Emits the present map again, for a new window.
+    /// Emits the present map again, for a window that was just created.
     void showAgain();
     [[nodiscard]] Station& station() { return *m_station; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const override;
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
-    void watch(const std::string& robot) override;  ///< updates the robot's surroundings at 10 to 15 Hz
+    /// From now on, updates this robot's surroundings at 10 to 15 Hz.
+    void watch(const std::string& robot) override;
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
     [[nodiscard]] GasTrend gas(const std::string& robot) const override;
 
@@ -45,10 +46,10 @@ private:
     std::string m_watched;
     std::map<std::string, GasTrend> m_gas;  ///< by robot
     std::optional<VirtualScanView> m_around;
-    int m_sinceAround = 0;                ///< ticks
-    std::optional<SteadyTime> m_scanned;  ///< arrival of the newest data in m_around
+    int m_sinceAround = 0;                ///< number of ticks
+    std::optional<SteadyTime> m_scanned;  ///< when the newest data in m_around arrived
     std::unique_ptr<PictureFeed> m_pictures;
-    std::unique_ptr<Station> m_station;  ///< last: its threads end first
+    std::unique_ptr<Station> m_station;  ///< the last member, so that its threads end first
 };
 
 }  // namespace leitstand

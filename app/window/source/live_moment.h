@@ -12,17 +12,18 @@
 
 namespace leitstand {
 
-/// The newest state of everything at one moment. It is collected once and shown by all panes.
+/// The state of everything at one moment. It is collected once and shown by all panes.
 struct LiveMoment {
     Time now = {};  ///< the station's clock
     std::chrono::steady_clock::time_point steady = {};
     MissionStatePtr mission;
     RobotsInMapPtr places;                    ///< where robots are in the map
-    LiveMapPtr scans;                         ///< of the map
-    std::map<std::string, RobotView> robots;  ///< by name; only the watched robot has surroundings
+    LiveMapPtr scans;                         ///< key scans of the map
+    std::map<std::string, RobotView> robots;  ///< by name; only the selected robot has surroundings
 
-    [[nodiscard]] const RobotView& view(const std::string& robot) const;       ///< empty when unknown
-    [[nodiscard]] const RobotState& reported(const std::string& robot) const;  ///< empty when it sent nothing
+    [[nodiscard]] const RobotView& view(const std::string& robot) const;  ///< empty: unknown robot
+    /// Empty: the robot sent nothing.
+    [[nodiscard]] const RobotState& reported(const std::string& robot) const;
 };
 
 }  // namespace leitstand

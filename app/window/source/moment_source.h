@@ -17,48 +17,50 @@
 
 namespace leitstand {
 
-/// The source of what panes show: the station on live robots, a mission's log, or a map that is corrected by
-/// hand.
+/// The source of what panes show: the station with live robots, a mission's log, or a map that is corrected
+/// by hand.
 class MomentSource : public QObject {
     Q_OBJECT
 public:
     [[nodiscard]] virtual const std::vector<RobotDescription>& robots() const = 0;
     [[nodiscard]] virtual PictureFeed& pictures() = 0;
-    /// Selects the robot whose surroundings moment() contains.
+    /// Selects the robot whose surroundings are in moment().
     virtual void watch(const std::string& robot) = 0;
-    /// Returns when @p picture arrived, on the clock of LiveMoment::steady.
+    /// Returns when @p picture arrived, in the time of LiveMoment::steady.
     [[nodiscard]] virtual SteadyTime arrivalOf(const ShownPicture& picture) const = 0;
     /// Returns the ages from which pictures of a camera are stale or lost. The source knows how often they
-    /// come.
+    /// arrive.
     [[nodiscard]] virtual FreshnessLimits pictureLimits(const std::string& /*robot*/,
                                                         const std::string& /*sensor*/) const {
         return {};
     }
-    /// What the virtual scan of a robot is made of.
+    /// What the virtual scan of a robot is made from.
     struct ScanSource {
-        bool keyScans = false;  ///< made of key scans, whatever their age; else of what its scanners send
+        /// Whether it is made from key scans, of any age; otherwise from what its scanners send.
+        bool keyScans = false;
         FreshnessLimits limits = {};
     };
     [[nodiscard]] virtual ScanSource scanSource(const std::string& /*robot*/) const { return {}; }
-    /// Returns the gas that @p robot measured in the two minutes before moment(), also for a window that is
-    /// created later.
+    /// Returns the gas that @p robot measured in the two minutes before moment(). Also works for a window
+    /// that is created later.
     [[nodiscard]] virtual GasTrend gas(const std::string& robot) const = 0;
-    /// Returns the moment of the newest tick.
+    /// Returns the moment of the last tick.
     [[nodiscard]] const LiveMoment& moment() const { return m_moment; }
-    /// Returns the messages since the source was opened, the newest 500. They stay when a window is created
+    /// Returns the newest 500 messages since the source was opened. They are kept when a window is created
     /// again in another language.
     [[nodiscard]] MessageListModel& messages() { return m_messages; }
-    /// Shows @p text to the operator, and keeps it in messages().
+    /// Shows @p text to the operator, and adds it to messages().
     void notify(const QString& text);
 
 signals:
     void notified(const QString& text);                    ///< a message for the operator
     void pictured(const leitstand::ShownPicturePtr& one);  ///< the newest picture of a camera
-    /// A camera has no picture any more: a review went back to a moment before its first picture.
+    /// A camera no longer has a picture, because a review went back to a moment before its first picture.
     void pictureGone(const std::string& robot, const std::string& sensor);
     void mapChanged(const leitstand::MapPtr& map);
-    void scansChanged(const leitstand::LiveMapPtr& map);  ///< the map's key scans, and why some do not count
-    void ticked(const leitstand::LiveMoment& moment);     ///< up to 30 times a second
+    /// The map's key scans, and why some are uncertain or set aside.
+    void scansChanged(const leitstand::LiveMapPtr& map);
+    void ticked(const leitstand::LiveMoment& moment);  ///< up to 30 times a second
 
 protected:
     using QObject::QObject;

@@ -21,38 +21,37 @@ namespace leitstand {
 class ReviewComparison;
 class ReviewReport;
 
-/// A mission's log as the GUI thread sees it. Its moments arrive here as signals.
+/// A mission's log for the GUI thread. Its moments arrive here as signals.
 class ReviewBridge final : public MomentSource {
     Q_OBJECT
 public:
-    /// Opens the log of @p mission. Errors as of ReviewPlayer::open().
+    /// Opens the log of @p mission. Errors are those of ReviewPlayer::open().
     [[nodiscard]] static Result<std::unique_ptr<ReviewBridge>> open(const std::filesystem::path& mission);
     ~ReviewBridge() override;
 
     [[nodiscard]] ReviewPlayer& player() { return *m_player; }
-    /// Returns the pen, with everything that was written in this review, in any of its windows.
+    /// Returns the pen, which has everything that was written in this review, in any of its windows.
     [[nodiscard]] const ReviewPen& pen() const { return *m_pen; }
     /// Calls @p what on the writing thread, after all earlier calls. Then emits wrote() with @p done, or with
     /// the error, on the GUI thread.
     void write(std::function<Result<void>(ReviewPen&)> what, const QString& done);
     [[nodiscard]] ReviewComparison& comparison() const { return *m_comparison; }
     [[nodiscard]] ReviewReport& report() const { return *m_report; }
-    /// Writes the hand-in into @p folder, with everything that was passed to write() before.
+    /// Writes the hand-in to @p folder, including everything that was passed to write() before.
     void reportInto(const QString& folder);
-    [[nodiscard]] bool reporting() const;  ///< from the request until it is done
-    /// Shows @p map in panes, in place of the moment's map. Null: the moment's map again.
+    [[nodiscard]] bool reporting() const;  ///< true from the request until it is done
+    /// Shows @p map in panes, instead of the moment's map. Null: the moment's map again.
     void showInstead(MapPtr map);
-    /// Emits the present state again, for a new window.
+    /// Emits the present state again, for a window that was just created.
     void showAgain();
     [[nodiscard]] const ReviewIndexPtr& index() const { return m_index; }      ///< null: still being read
-    [[nodiscard]] const ReviewMomentPtr& reviewed() const { return m_shown; }  ///< null before the first
+    [[nodiscard]] const ReviewMomentPtr& reviewed() const { return m_shown; }  ///< null: there was none yet
 
     [[nodiscard]] const std::vector<RobotDescription>& robots() const override { return m_player->robots(); }
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
     void watch(const std::string& robot) override;
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
-    /// By the usual rate of the camera's pictures in this mission's log, which may have kept only some of
-    /// them.
+    /// From the usual rate of the camera's pictures in this mission's log, which may have only some of them.
     [[nodiscard]] FreshnessLimits pictureLimits(const std::string& robot,
                                                 const std::string& sensor) const override;
     [[nodiscard]] ScanSource scanSource(const std::string& robot) const override;
@@ -60,11 +59,11 @@ public:
     [[nodiscard]] GasTrend gas(const std::string& robot) const override;
 
 signals:
-    /// A write() has ended, whichever window requested it. @p done: its text. @p problem: the error; empty:
-    /// none.
+    /// A write() has ended, no matter which window requested it. @p done: its text. @p problem: the error;
+    /// empty: none.
     void wrote(const QString& done, const QString& problem);
-    void opening(double fraction);                        ///< how far the mission is read through, 0 to 1
-    void opened(const leitstand::ReviewIndexPtr& index);  ///< the mission is read through
+    void opening(double fraction);                        ///< share of the mission that was read, 0 to 1
+    void opened(const leitstand::ReviewIndexPtr& index);  ///< the whole mission was read
 
 private:
     ReviewBridge();
@@ -78,18 +77,18 @@ private:
     QTimer m_tick;
     ReviewIndexPtr m_index;
     ReviewMomentPtr m_shown;
-    MapPtr m_instead;        ///< shown in place of the moment's map; null: none
-    int m_reportsAsked = 0;  ///< requested reports that have not begun
-    bool m_again = false;    ///< a picture came after its moment was shown
+    MapPtr m_instead;        ///< map that is shown instead of the moment's map; null: none
+    int m_reportsAsked = 0;  ///< number of requested reports that have not begun
+    bool m_again = false;    ///< whether a picture arrived after its moment was shown
     std::string m_watched;
     std::map<std::string, std::uint64_t> m_fed;  ///< sequences of pictures and calibrations, by topic
     std::unique_ptr<PictureFeed> m_pictures;
     std::unique_ptr<ReviewPen> m_pen;
     std::unique_ptr<ReviewComparison> m_comparison;
     std::unique_ptr<ReviewReport> m_report;
-    std::unique_ptr<ReviewPlayer> m_player;  ///< its thread ends before what it notifies is destroyed
+    std::unique_ptr<ReviewPlayer> m_player;  ///< its thread must end before what it notifies is destroyed
     JobQueue m_writing;
-    std::jthread m_writer;  ///< last: ends first, when all is written
+    std::jthread m_writer;  ///< the last member, so that it ends first, after everything is written
 };
 
 }  // namespace leitstand

@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// The comparison of a review, whatever window shows it. It continues while a window is created again in
+/// The comparison of a review, for any of its windows. It continues while a window is created again in
 /// another language.
 class ReviewComparison final : public QObject {
     Q_OBJECT
@@ -20,21 +20,22 @@ public:
     ~ReviewComparison() override;
 
     void begin(const ReviewIndexPtr& index, const RegistrationSettings& settings);
-    /// Brings back the result of an earlier review, if that left one.
+    /// Restores the result of an earlier review, if there is one.
     void recall(const ReviewIndexPtr& index);
     void cancel();
     void show(ComparedMap which) { m_shown = which; }
 
     [[nodiscard]] bool comparing() const { return m_comparing; }
-    [[nodiscard]] double progress() const { return m_progress; }                       ///< 0 to 1
-    [[nodiscard]] const RegistrationSettings& settings() const { return m_settings; }  ///< as begun last
-    [[nodiscard]] const ComparedMapsPtr& result() const { return m_result; }           ///< newest; null: none
+    [[nodiscard]] double progress() const { return m_progress; }  ///< 0 to 1
+    /// Settings that were used last.
+    [[nodiscard]] const RegistrationSettings& settings() const { return m_settings; }
+    [[nodiscard]] const ComparedMapsPtr& result() const { return m_result; }  ///< newest result; null: none
     [[nodiscard]] ComparedMap shown() const { return m_shown; }
 
 signals:
     void progressed(double fraction);
-    void changed();                      ///< the comparison began, is done, was cancelled or failed
-    void finished(const QString& text);  ///< its outcome, for the operator
+    void changed();                      ///< the comparison began, ended, was cancelled or failed
+    void finished(const QString& text);  ///< its result as text for the operator
 
 private:
     void finish(const Result<ComparedMapsPtr>& result);
@@ -49,7 +50,7 @@ private:
     RegistrationSettings m_settings;
     ComparedMapsPtr m_result;
     ComparedMap m_shown = ComparedMap::Recorded;
-    std::unique_ptr<MapComparing> m_thread;  ///< last: ends first
+    std::unique_ptr<MapComparing> m_thread;  ///< the last member, so that it ends first
 };
 
 }  // namespace leitstand

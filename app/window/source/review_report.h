@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// Writes the hand-in of the reviewed mission on a thread of its own, whatever window requested it.
+/// Writes the hand-in of the reviewed mission on its own thread, for any of the windows.
 class ReviewReport final : public QObject {
     Q_OBJECT
 public:
@@ -20,7 +20,7 @@ public:
 
     void begin(const QString& out);  ///< does nothing while a hand-in is being written
     /// Interrupts writing, calls @p change, then starts the interrupted hand-in again from the beginning. So
-    /// a hand-in is never in two languages when the language changes.
+    /// a hand-in never mixes two languages when the language changes.
     void beginAround(const std::function<void()>& change);
     [[nodiscard]] bool writing() const { return m_writing; }
     [[nodiscard]] double progress() const { return m_progress; }  ///< 0 to 1
@@ -39,10 +39,10 @@ private:
 
     const std::filesystem::path m_mission;
     QString m_out;
-    int m_attempt = 0;  ///< number of the present one; notifications of earlier ones are ignored
+    int m_attempt = 0;  ///< number of the present attempt; notifications of earlier ones are ignored
     bool m_writing = false;
     double m_progress = 0.0;
-    std::jthread m_thread;  ///< last: ends first
+    std::jthread m_thread;  ///< the last member, so that it ends first
 };
 
 }  // namespace leitstand

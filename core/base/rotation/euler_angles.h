@@ -6,9 +6,9 @@
 
 namespace leitstand {
 
-/// Returns roll, pitch and yaw of @p pose [rad]; poseFrom() makes the same rotation from them. Where x points
-/// straight up or down, roll and yaw are not unique: yaw is read off the first column of the matrix, and roll
-/// takes up the rest.
+/// Returns roll, pitch and yaw of @p pose [rad], from which poseFrom() makes the same rotation. If x points
+/// straight up or down, roll and yaw are not unique. Then yaw is taken from the first column of the matrix,
+/// and roll is the rest.
 [[nodiscard]] Eigen::Vector3d rollPitchYawOf(const Pose& pose);
 
 }  // namespace leitstand

@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// Heading of the x axis of a frame with @p rotation, seen from above: its yaw (REP 103) [rad].
+/// Heading of the x axis of a frame with @p rotation, seen from above: the yaw (REP 103) [rad].
 [[nodiscard]] inline double headingOf(const Eigen::Matrix3d& rotation) {
     return std::atan2(rotation(1, 0), rotation(0, 0));
 }

@@ -10,14 +10,14 @@
 
 namespace leitstand::detail {
 
-/// Numbers the occupied cubes of a grid 0, 1, 2 ... in the order in which cellOf() first meets them. It is a
-/// hash table with linear probing over 64-bit keys, 21 bits an axis.
+/// Numbers the occupied cubes of a grid 0, 1, 2 ..., in the order in which cellOf() first meets them. It is a
+/// hash table with linear probing over 64-bit keys (21 bits per axis).
 class CellTable {
 public:
     static constexpr std::uint32_t Outside = 0xffffffff;
 
-    /// A grid of cubes of edge @p edge [m], with a corner at @p origin. Has room for @p expected cubes at
-    /// first, and grows.
+    /// A grid of cubes with edges of @p edge [m] and a corner at @p origin. It first has room for @p expected
+    /// cubes, and grows.
     explicit CellTable(double edge, std::size_t expected = 0,
                        const Eigen::Vector3d& origin = Eigen::Vector3d::Zero())
         : m_perMetre(1.0 / edge),
@@ -25,8 +25,8 @@ public:
           m_slots(std::max(InitialSlots, std::bit_ceil(2 * expected))),
           m_shift(64 - std::countr_zero(m_slots.size())) {}
 
-    /// Returns the number of the cube that holds @p point [m]. Outside for points that are not finite or
-    /// farther than 2^20 edges from the origin along an axis.
+    /// Returns the number of the cube that contains @p point [m]. Returns Outside for points that are not
+    /// finite, or farther than 2^20 edges from the origin along an axis.
     [[nodiscard]] std::uint32_t cellOf(const Eigen::Vector3f& point) {
         const double x = point.x() * m_perMetre + m_from.x(), y = point.y() * m_perMetre + m_from.y(),
                      z = point.z() * m_perMetre + m_from.z();

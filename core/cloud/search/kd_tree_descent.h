@@ -12,11 +12,11 @@ namespace leitstand::detail {
 /// A subtree that waits to be searched.
 struct KdWaiting {
     KdRef ref;
-    float squaredDistance;  ///< of its box from the query [m^2]
+    float squaredDistance;  ///< squared distance of its box from the query [m^2]
 };
 
-/// Squared distance of @p query from @p box, never above that of any point inside [m^2]. This also holds
-/// after rounding: low - q <= p - q does, and squares are summed in squaredDistance()'s order.
+/// Squared distance of @p query from @p box [m^2]. It is never above that of any point inside, even after
+/// rounding: low - q <= p - q holds, and squares are added in the order of squaredDistance().
 inline float boxDistance(const KdBox& box, const Eigen::Vector3f& query) {
     float result = 0.0F;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -17,7 +17,7 @@ struct Rgb {
     bool operator==(const Rgb&) const = default;
 };
 
-/// The colours that the rules of the GeoTIFF map ask for (2009 to 2016).
+/// The colours that the rules for the GeoTIFF map require (2009 to 2016).
 namespace map_colour {
 inline constexpr Rgb Text{0, 44, 207};
 inline constexpr Rgb Scale{0, 50, 140};
@@ -39,39 +39,40 @@ inline constexpr Rgb Path{120, 0, 140};
 inline constexpr Rgb Number{255, 255, 255};
 }  // namespace map_colour
 
-/// The mark of a find in a map.
+/// The mark for a find in a map.
 struct MapMark {
-    /// In order of importance: a kind is painted over all kinds after it.
+    /// In order of importance: a kind is painted over all kinds that are listed after it.
     enum class Kind : std::uint8_t { Victim, UnconfirmedVictim, Hazard, Code, Object };
     Kind kind = Kind::Victim;
-    std::uint32_t number = 0;  ///< counted per kind; both kinds of victims share one count
+    std::uint32_t number = 0;  ///< number within the kind; the two kinds of victims are counted together
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< in the map [m]
 };
-/// "V1", "H2", "Q3", "O4".
+/// The mark's name: "V1", "H2", "Q3", "O4".
 [[nodiscard]] std::string nameOf(const MapMark& mark);
 
-/// The place where a robot began, and its heading then.
+/// Where a robot started, and its heading then.
 struct MapStart {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< in the map [m]
     double heading = 0.0;                             ///< counter-clockwise from the x axis of the map [rad]
 };
 
-/// Everything that a picture of the map shows.
+/// Everything that is in a picture of the map.
 struct MapDrawing {
-    std::string title;  ///< the file's name; ASCII
+    std::string title;  ///< name of the file; ASCII
     OccupancyGrid grid;
-    std::vector<std::vector<Eigen::Vector2d>> paths;  ///< of robots in the map [m]; a gap begins another path
+    /// Paths of robots in the map [m]; after a gap a new path begins.
+    std::vector<std::vector<Eigen::Vector2d>> paths;
     std::vector<MapStart> starts;
     std::vector<MapMark> marks;
 };
 
-/// A part of the map, by its corners with the least and the greatest coordinates [m].
+/// A rectangle of the map, given by its corners with the lowest and the highest coordinates [m].
 struct MapArea {
     Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();
 };
-/// Returns the area of everything in @p drawing, rounded out to whole metres, with 1 m more on each side.
-/// Marks more than 100 m away from the rest are left out. 2 m x 2 m around the origin when @p drawing is
-/// empty.
+/// Returns the area of everything in @p drawing, rounded outwards to whole metres, with 1 m more on each
+/// side. Marks more than 100 m away from the rest are left out. Returns 2 m x 2 m around the origin when
+/// @p drawing is empty.
 [[nodiscard]] MapArea areaOf(const MapDrawing& drawing);
 
 }  // namespace leitstand

@@ -9,34 +9,34 @@
 
 namespace leitstand {
 
-/// The pose of a robot at a moment.
+/// The pose of a robot at one time.
 struct PathPose {
     Time time{};
     Pose baseInMap = Pose::Identity();
-    bool afterGap = false;  ///< the way from the previous pose to this one is unknown
+    bool afterGap = false;  ///< whether the way from the previous pose is unknown
 };
 
-/// A known pose of a robot, which places its odometry in the map.
+/// A known pose of a robot, with which its odometry is placed in the map.
 struct PathAnchor {
     Time time{};                        ///< robot's clock
-    Pose baseInMap = Pose::Identity();  ///< at that time
+    Pose baseInMap = Pose::Identity();  ///< base_link at that time
 };
 
 /// The path of a robot through the map, oldest first.
 struct RobotPath {
     std::string robot;
-    std::vector<PathPose> poses;  ///< station's clock
+    std::vector<PathPose> poses;  ///< their times are on the station's clock
 
-    /// Returns the length of the path, as far as it is known [m].
+    /// Returns the length of the known parts of the path [m].
     [[nodiscard]] double length() const;
 };
 
-/// Returns the path of a robot by @p odometry (base_link in odom, robot's clock), placed in the map by
+/// Returns the path of a robot from @p odometry (base_link in odom, robot's clock), placed in the map by
 /// @p anchors. Both are sorted by time. The anchors before and after a pose place it, weighted by time.
-/// Before the first anchor and after the last one, only that anchor counts. Without odometry, the path
-/// consists of the anchors. Anchors more than 1 s after the end of odometry are appended, after a gap.
-/// isGap() decides where else the way is unknown. A pose nearer than @p apart [m] and 10 degrees to the pose
-/// kept before it is left out.
+/// Before the first anchor and after the last, only that anchor is used. Without odometry, the path consists
+/// of the anchors. Anchors more than 1 s after the end of odometry are appended after a gap. isGap() decides
+/// where else the way is unknown. A pose is left out if it is within @p apart [m] and 10 degrees of the last
+/// pose that was kept.
 [[nodiscard]] std::vector<PathPose> joinedPath(std::span<const PathAnchor> anchors,
                                                std::span<const PathPose> odometry, double apart = 0.02);
 

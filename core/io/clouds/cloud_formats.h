@@ -10,11 +10,11 @@
 
 namespace leitstand {
 
-/// A format of files that hold one cloud.
+/// A file format for a single cloud.
 struct CloudFormat {
-    std::string_view ending;  ///< with its dot, in lower case
+    std::string_view ending;  ///< ending with its dot, in lower case
     Result<ScanReading> (*read)(const std::filesystem::path& file);
-    /// Null when the format is only read.
+    /// Null when the format can only be read.
     Result<void> (*write)(const std::filesystem::path& file, const Scan& cloud) = nullptr;
 };
 
@@ -25,8 +25,8 @@ struct CloudFormat {
 
 /// Which formats to list.
 enum class CloudEndings : std::uint8_t { All, Written };
-/// Lists the endings of the formats for people. With @p between ", " and @p last " or ": ".pcd, .ply or
-/// .xyz".
+/// Lists the endings of the formats for people. With @p between ", " and @p last " or ", that is ".pcd, .ply
+/// or .xyz".
 [[nodiscard]] std::string listOf(CloudEndings which, std::string_view between = " ",
                                  std::string_view last = " ");
 

@@ -12,8 +12,8 @@ namespace leitstand {
 enum class PcdEncoding : std::uint8_t { Ascii, Binary, BinaryCompressed };
 
 /// Reads a PCD file (0.7): x y z [m], and intensity and label if present. A cloud with HEIGHT above 1 is
-/// organised, and NaN is no echo. The viewpoint is ignored. The body is read in chunks, a compressed one
-/// through pcl_io's LZF.
+/// organised; NaN means no echo. The viewpoint is ignored. Bodies are read in chunks. Compressed bodies are
+/// decoded by the LZF of pcl_io.
 [[nodiscard]] Result<ScanReading> readPcd(const std::filesystem::path& file);
 
 /// Writes @p scan so that readPcd() returns the same points, grid, intensities and labels. A compressed body

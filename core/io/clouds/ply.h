@@ -12,7 +12,7 @@ namespace leitstand {
 enum class PlyEncoding : std::uint8_t { Ascii, Binary };
 
 /// Reads the vertices of a PLY file (1.0; ascii, little- or big-endian): x y z [m], and intensity and label
-/// if present. NaN is no echo. "obj_info num_cols" and "num_rows" give the grid of an organised scan.
+/// if present. NaN means no echo. "obj_info num_cols" and "num_rows" give the grid of an organised scan.
 [[nodiscard]] Result<ScanReading> readPly(const std::filesystem::path& file);
 
 /// Writes @p scan so that readPly() returns the same points, grid, intensities and labels.

@@ -10,7 +10,7 @@ namespace leitstand {
 /// A scan read from a file, with warnings for the operator.
 struct ScanReading {
     Scan scan;
-    std::vector<std::string> warnings;  ///< each names its file
+    std::vector<std::string> warnings;  ///< each warning names its file
 };
 
 }  // namespace leitstand

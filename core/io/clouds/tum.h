@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// A pose of a trajectory.
+/// A pose of a trajectory, with its time.
 struct TimedPose {
     Time time{};
     Pose pose = Pose::Identity();
@@ -19,7 +19,7 @@ struct TimedPose {
 /// the length of a quaternion differs from 1 by more than 1 %; other quaternions are normalised.
 [[nodiscard]] Result<std::vector<TimedPose>> readTum(const std::filesystem::path& file);
 
-/// Writes @p poses so that readTum() returns the same poses and the same times, to the nanosecond.
+/// Writes @p poses so that readTum() returns the same poses, and the same times to the nanosecond.
 [[nodiscard]] Result<void> writeTum(const std::filesystem::path& file, const std::vector<TimedPose>& poses);
 
 }  // namespace leitstand

@@ -11,13 +11,14 @@
 namespace leitstand {
 
 /// Reads `scanNNN.3d` of 3DTK's format "uos" (left-handed centimetres: x right, y up, z forward). Reads the
-/// odometry from `scanNNN.pose` beside it; a missing .pose is a warning. A fourth number is the intensity.
-/// The grid comes from a first line "ROWS x COLUMNS", or else from the geometry. Points exactly at the origin
-/// and NaN are no echo.
+/// odometry from `scanNNN.pose` beside it; a missing .pose is a warning. The fourth number of a line is the
+/// intensity. The grid is taken from a first line "ROWS x COLUMNS", otherwise from the geometry. Points
+/// exactly at the origin and NaN mean no echo.
 [[nodiscard]] Result<ScanReading> readUosScan(const std::filesystem::path& file3d);
 
-/// Writes @p scan so that readUosScan() returns the same points, grid, intensities and odometry. No echo is
-/// written as "0 0 0"; labels are not kept. Removes the .pose of a former scan when @p scan has no odometry.
+/// Writes @p scan so that readUosScan() returns the same points, grid, intensities and odometry. Points
+/// without echo are written as "0 0 0"; labels are not written. Removes the .pose of an earlier scan when
+/// @p scan has no odometry.
 [[nodiscard]] Result<void> writeUosScan(const std::filesystem::path& file3d, const Scan& scan);
 
 /// Writes only the points of @p scan, and no .pose.
@@ -33,8 +34,8 @@ struct UosFrame {
     int colour = 0;  ///< 3DTK's number for the kind of the step
 };
 
-/// Reads a .frames, 3DTK's result of a registration. Each line holds 16 numbers of a column-major,
-/// left-handed matrix [cm], and a colour. Not empty; the last frame is the final pose.
+/// Reads a .frames file, 3DTK's result of a registration. Each line holds the 16 numbers of a column-major,
+/// left-handed matrix [cm], and a colour. The result is never empty; the last frame is the final pose.
 [[nodiscard]] Result<std::vector<UosFrame>> readUosFrames(const std::filesystem::path& file);
 [[nodiscard]] Result<void> writeUosFrames(const std::filesystem::path& file,
                                           const std::vector<UosFrame>& frames);

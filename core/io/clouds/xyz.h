@@ -8,11 +8,12 @@
 namespace leitstand {
 
 /// Reads a text of points: x y z [m], right-handed, separated by blanks, commas or semicolons. A fourth
-/// number is the intensity, unless a first comment ("# x y z label") names the columns. NaN is no echo.
+/// number is the intensity, unless a comment in the first line ("# x y z label") names the columns. NaN means
+/// no echo.
 [[nodiscard]] Result<ScanReading> readXyz(const std::filesystem::path& file);
 
-/// Writes @p scan so that readXyz() returns the same points, intensities and labels. The grid is not kept,
-/// but readXyz() finds it again when the points of a scanner lie in one.
+/// Writes @p scan so that readXyz() returns the same points, intensities and labels. The grid is not written.
+/// readXyz() finds it again if the points lie in the grid of a scanner.
 [[nodiscard]] Result<void> writeXyz(const std::filesystem::path& file, const Scan& scan);
 
 }  // namespace leitstand

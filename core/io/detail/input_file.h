@@ -10,10 +10,10 @@
 
 namespace leitstand::detail {
 
-/// A regular file opened for reading, without a buffer in memory.
+/// A regular file that is open for reading. It is not buffered.
 class InputFile {
 public:
-    /// Opens @p path. Error when it is absent, a directory or not readable.
+    /// Opens @p path. Error when it is missing, a directory or not readable.
     [[nodiscard]] static Result<InputFile> open(const std::filesystem::path& path);
 
     /// Reads up to @p count bytes; fewer only at the end of the file.
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] Result<void> seek(std::uint64_t offset);
 
     [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
-    [[nodiscard]] std::uint64_t size() const { return m_size; }  ///< when opened [bytes]
+    [[nodiscard]] std::uint64_t size() const { return m_size; }  ///< size when it was opened [B]
 
 private:
     struct Close {

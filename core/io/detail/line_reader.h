@@ -12,27 +12,30 @@
 
 namespace leitstand::detail {
 
-/// Reads the lines of a text file, ended by LF or CRLF, with one chunk of it in memory.
+/// Reads the lines of a text file, which end in LF or CRLF. Holds only one chunk of the file in memory.
 class LineReader {
 public:
-    static constexpr std::size_t MaxLine = 65'536;  ///< longer lines are an error [bytes]
+    static constexpr std::size_t MaxLine = 65'536;  ///< longer lines are an error [B]
 
     [[nodiscard]] static Result<LineReader> open(const std::filesystem::path& path);
     /// Reads from the current position of @p file on.
     explicit LineReader(InputFile file);
 
-    /// Sets @p line to the next line, valid until the next call; false at the end and on a failure.
+    /// Sets @p line to the next line, which stays valid until the next call. False at the end of the file and
+    /// on a failure.
     bool next(std::string_view& line);
-    /// Why next() stopped before the end; empty when it did not.
+    /// Why next() stopped before the end of the file; empty when it did not.
     [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
 
-    [[nodiscard]] std::size_t lineNumber() const { return m_lineNumber; }  ///< of the last line, from 1
-    [[nodiscard]] std::uint64_t bytesTaken() const { return m_taken; }     ///< up to the end of that line
+    /// Number of the last line, counted from 1.
+    [[nodiscard]] std::size_t lineNumber() const { return m_lineNumber; }
+    /// Bytes of the file up to the end of that line.
+    [[nodiscard]] std::uint64_t bytesTaken() const { return m_taken; }
     [[nodiscard]] std::uint64_t fileSize() const { return m_file.size(); }
 
     /// Returns "FILE:LINE: expected EXPECTATION, found "..."" for the last line.
     [[nodiscard]] Error mismatch(std::string_view expectation, std::string_view found) const;
-    /// Returns "FILE: expected EXPECTATION" for something missing in the whole file.
+    /// Returns "FILE: expected EXPECTATION", for something that is missing in the whole file.
     [[nodiscard]] Error incomplete(std::string_view expectation) const;
 
 private:
@@ -47,8 +50,8 @@ private:
     std::optional<Error> m_failure;
 };
 
-/// Returns an upper bound of the number of lines in a file: its line ends plus one, for a last line without
-/// an end.
+/// Returns an upper bound for the number of lines in a file: its line ends plus one, since the last line may
+/// lack an end.
 [[nodiscard]] Result<std::size_t> countLines(const std::filesystem::path& path);
 
 /// Returns @p text for use in a message: cut to 40 characters, unprintable bytes as "\xNN".

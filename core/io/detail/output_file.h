@@ -11,8 +11,8 @@
 
 namespace leitstand::detail {
 
-/// A file that appears whole or not at all: it is written beside its target under a temporary name and
-/// renamed at the end.
+/// A file that is written completely or not at all. It is written under a temporary name beside its target,
+/// and renamed at the end.
 class OutputFile {
 public:
     /// Creates the temporary file. Error when the folder is absent or not writable.
@@ -21,9 +21,9 @@ public:
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile();
 
-    /// Appends @p bytes; commit() reports the first failure.
+    /// Appends @p bytes. Failures are reported by commit(), which returns the first one.
     void write(std::string_view bytes);
-    /// Brings everything to the disk and replaces the target.
+    /// Writes everything to the disk and replaces the target.
     [[nodiscard]] Result<void> commit();
 
 private:
@@ -38,7 +38,7 @@ private:
     int m_failed = 0;  // errno of the first failure
 };
 
-/// Writes @p text to @p target, whole or not at all.
+/// Writes @p text to @p target, completely or not at all.
 [[nodiscard]] Result<void> writeWhole(const std::filesystem::path& target, std::string_view text);
 
 }  // namespace leitstand::detail

@@ -7,10 +7,9 @@
 
 namespace leitstand::detail {
 
-/// Reads the pose "x y z qx qy qz qw" [m] of @p line, which must hold nothing else, into @p into. Returns
-/// what was expected instead; empty: the pose was read. That is @p expectation when @p line does not hold
-/// seven finite numbers. Also refuses positions beyond 100 km, and quaternions whose length differs from 1 by
-/// more than 1 %.
+/// Reads the pose "x y z qx qy qz qw" [m] from @p line into @p into. Returns what was expected instead; empty
+/// when the pose was read. @p expectation is returned when @p line is not exactly seven finite numbers.
+/// Positions beyond 100 km are refused, and quaternions whose length differs from 1 by more than 1 %.
 [[nodiscard]] std::optional<std::string_view> takePose(std::string_view line, Pose& into,
                                                        std::string_view expectation);
 

@@ -5,17 +5,17 @@
 
 namespace leitstand::detail {
 
-/// Cleans up after an unfinished task that makes files and folders step by step. Unless done() is called, the
-/// destructor removes those that did not exist before, so that a full disk is left as it was found.
+/// Cleans up after a task that makes files and folders step by step and fails. Unless done() was called, the
+/// destructor removes all that did not exist before. So a full disk is left as it was.
 class Unfinished {
 public:
-    /// Watches @p folder and the folders above it; none of them need exist yet.
+    /// Observes @p folder and the folders above it, which need not exist yet.
     explicit Unfinished(const std::filesystem::path& folder);
     ~Unfinished();
     Unfinished(const Unfinished&) = delete;
     Unfinished& operator=(const Unfinished&) = delete;
 
-    /// Announces that @p file is made next, in a folder that may have existed.
+    /// Call before making @p file. Its folder may have existed before.
     void file(const std::filesystem::path& file);
     /// Keeps everything that was made.
     void done() { m_made.clear(); }

@@ -11,9 +11,9 @@
 
 namespace leitstand {
 
-/// Returns @p text as a field in quotes (RFC 4180); line ends within become blanks, so that every record is a
-/// line. A text that spreadsheets would calculate ("=HYPERLINK(...)" in a QR code) gets an apostrophe in
-/// front. CsvReader removes it again; numbers stay numbers.
+/// Returns @p text as a field in quotes (RFC 4180). Line ends within it become blanks, so that each record is
+/// one line. If a spreadsheet would evaluate the text ("=HYPERLINK(...)" in a QR code), an apostrophe is put
+/// in front. CsvReader removes it again. Numbers are left as they are.
 [[nodiscard]] std::string quotedField(std::string_view text);
 /// Returns the same as quotedField(), but with quotes only when needed.
 [[nodiscard]] std::string csvField(std::string_view text);
@@ -23,7 +23,7 @@ class CsvReader {
 public:
     [[nodiscard]] static Result<CsvReader> open(const std::filesystem::path& file);
 
-    /// Reads the fields of the next line; false at the end and on a failure.
+    /// Reads the fields of the next line into @p fields. False at the end of the file and on a failure.
     bool next(std::vector<std::string>& fields);
     [[nodiscard]] const std::optional<Error>& failure() const { return m_lines.failure(); }
     /// Returns "FILE:LINE: expected EXPECTATION, found "..."" for the last line.

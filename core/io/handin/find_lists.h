@@ -18,9 +18,10 @@ struct ListedFind {
     std::string time;  ///< "HH:MM:SS"
     std::string text;  ///< name of a victim ("V1"), content of a code, kind of an object
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in the map [m]
-    std::string robot = {};                              ///< that found it; not in victim lists
-    std::string mode = {};  ///< "T" teleoperated, "A" autonomous; not in victim lists
-    std::string type = {};  ///< of a poi: "victim", "hazmat", "qr", "object"
+    std::string robot = {};                              ///< robot that found it; not in victim lists
+    /// How the robot was driven: "T" teleoperated, "A" autonomous; not in victim lists.
+    std::string mode = {};
+    std::string type = {};  ///< type of a poi: "victim", "hazmat", "qr", "object"
 };
 
 /// A list of finds, as the rules require it beside the map.
@@ -34,16 +35,17 @@ struct FindList {
     std::vector<ListedFind> finds;
 };
 
-/// Returns the file name ending of a list: "_victims.csv", "_qr.csv", "_pois.csv".
+/// Returns how the file name of @p kind ends: "_victims.csv", "_qr.csv", "_pois.csv".
 [[nodiscard]] std::string endingOf(FindList::Kind kind);
 
-/// Returns @p list as text in the versions of the rules: victims 1.0, qr codes 1.1, pois 1.2. Lines end in
-/// LF; coordinates have three decimals.
+/// Returns @p list as text, in the format versions of the rules: victims 1.0, qr codes 1.1, pois 1.2. Lines
+/// end in LF; coordinates have three decimals.
 [[nodiscard]] std::string textOf(const FindList& list);
 [[nodiscard]] Result<void> writeFindList(const std::filesystem::path& file, const FindList& list);
 
-/// Reads a list leniently. Accepts fields with or without quotes, CRLF, a byte order mark, blanks around
-/// fields, capitals, any order of columns and missing minor columns. Errors name file, line and expectation.
+/// Reads a list and tolerates other ways of writing it. Fields may have quotes, blanks around them or
+/// capitals. Columns may have any order, and minor ones may be missing. CRLF and a byte order mark are
+/// accepted. Errors name file, line and what was expected.
 [[nodiscard]] Result<FindList> readFindList(const std::filesystem::path& file);
 
 }  // namespace leitstand

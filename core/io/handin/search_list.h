@@ -9,18 +9,18 @@
 
 namespace leitstand {
 
-/// How much of the floor a kind of sensor saw, or a piece that it missed.
+/// How much of the floor one kind of sensor has seen, or a piece of floor that it has missed.
 struct ListedSearch {
     std::string sensor;              ///< "scanner", "camera", "infrared"
     std::string what;                ///< "reachable", "seen", "missed"
     double area = 0.0;               ///< [m2]
-    double share = 0.0;              ///< of the reachable floor, 0 to 1
-    double x = 0.0, y = 0.0;         ///< of a missed piece, in the map [m]; else 0
-    std::optional<int> storey = {};  ///< number of the storey; empty: all
+    double share = 0.0;              ///< share of the reachable floor, 0 to 1
+    double x = 0.0, y = 0.0;         ///< where a missed piece is in the map [m]; 0 in other rows
+    std::optional<int> storey = {};  ///< number of the storey; empty: all storeys
 };
 
 /// Writes a table "sensor,what,m2,percent,x,y" with a line for each of @p rows. Only missed pieces have
-/// coordinates, with two decimals. A column "storey" follows when any row has a storey.
+/// coordinates, with two decimals. If any row has a storey, a column "storey" follows.
 [[nodiscard]] Result<void> writeSearchList(const std::filesystem::path& file,
                                            const std::vector<ListedSearch>& rows);
 /// Reads a table of writeSearchList(), with or without the column "storey". Errors name file, line and

@@ -9,15 +9,15 @@
 
 namespace leitstand {
 
-/// Parses the bindings of a gamepad from the YAML @p text of a file called @p name, which a stranger may have
-/// written. An action that is not listed has no control. The error has a line for each mistake.
+/// Parses the bindings of a gamepad from YAML @p text. The text may be untrusted; errors call the file
+/// @p name. An action that is not listed has no control. The error has a line for each mistake.
 [[nodiscard]] Result<PadBindings> parsePad(std::string_view text, const std::string& name);
-/// Reads the bindings in @p file. Errors as in parsePad(), or when it cannot be read.
+/// Reads the bindings in @p file. Errors are those of parsePad(), or that the file cannot be read.
 [[nodiscard]] Result<PadBindings> readPad(const std::filesystem::path& file);
 
-/// Returns YAML that parsePad() reads back; @p pad is the pad's own name, for people.
+/// Returns @p bindings as YAML for parsePad(). @p pad: the pad's own name, written for people.
 [[nodiscard]] std::string padText(const PadBindings& bindings, const std::string& pad);
-/// Writes @p file whole or not at all; makes its folder when it is missing.
+/// Writes @p file completely or not at all. Makes its folder when it is missing.
 [[nodiscard]] Result<void> writePad(const PadBindings& bindings, const std::string& pad,
                                     const std::filesystem::path& file);
 

@@ -9,10 +9,10 @@
 
 namespace leitstand {
 
-/// Reads the results of brake tests by robot, which the station keeps between runs (YAML). Empty when the
-/// file is missing or invalid: robots are untested then.
+/// Reads the results of brake tests, which the station keeps between runs (YAML). The key is the robot. Empty
+/// when the file is missing or invalid: then all robots count as untested.
 [[nodiscard]] std::map<std::string, BrakeResult> readBrakes(const std::filesystem::path& file);
-/// Replaces the stored results by @p results; the file is never half written. Errors name the file.
+/// Replaces the stored results by @p results, completely or not at all. Errors name the file.
 [[nodiscard]] Result<void> writeBrakes(const std::filesystem::path& file,
                                        const std::map<std::string, BrakeResult>& results);
 

@@ -9,20 +9,19 @@
 
 namespace leitstand {
 
-/// Reads a robot's file (YAML; docs/robots.md lists the keys and their defaults).
-///
-/// The error is one text with a line for each mistake, in the order of the file: file, line, key, what was
-/// expected and what was found.
+/// Reads a robot's file (YAML; docs/robots.md lists the keys and their defaults). The error is one text with
+/// a line for each mistake, in the order of the file. A line names file, line, key, what was expected and
+/// what was found.
 [[nodiscard]] Result<RobotDescription> readRobot(const std::filesystem::path& file);
-/// Parses a robot's file from @p text; errors call it @p name.
+/// Parses the @p text of a robot's file; errors call the file @p name.
 [[nodiscard]] Result<RobotDescription> parseRobot(std::string_view text, const std::string& name);
 
-/// Returns @p robot as a file that readRobot() accepts and that people can edit.
+/// Returns @p robot as the text of a file that readRobot() accepts and that people can edit.
 [[nodiscard]] std::string writeRobot(const RobotDescription& robot);
 
-/// Returns the robot's file @p text with @p correction for its sensor @p sensor. Everything else, also
-/// comments, stays as written. Error when there is no such sensor, or when it is written in a way that is not
-/// supported here. The correction must then be written by hand; errors call the file @p name.
+/// Returns @p text, which is a robot's file, with @p correction for the sensor @p sensor. Everything else
+/// stays as written, comments included. Error when there is no such sensor, or when the file writes it in a
+/// way that is not supported here. A person must then write the correction. Errors call the file @p name.
 [[nodiscard]] Result<std::string> withCorrection(const std::string& text, const std::string& name,
                                                  const std::string& sensor,
                                                  const ScannerCorrection& correction);

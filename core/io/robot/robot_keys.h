@@ -21,7 +21,8 @@ inline constexpr std::string_view StreamKeys[] = {"role",  "sensor",  "topic",  
 inline constexpr std::string_view QosKeys[] = {"reliability", "durability", "depth", "lifespan", "deadline"};
 inline constexpr std::string_view ThermalKeys[] = {"scale", "offset", "measured"};
 
-/// Returns every key with its path: "name", "frames.base", "sensors.NAME.frame", "streams[].qos.depth".
+/// Returns all keys of a robot's file with their paths: "name", "frames.base", "sensors.NAME.frame",
+/// "streams[].qos.depth".
 [[nodiscard]] std::vector<std::string> allRobotKeys();
 
 }  // namespace leitstand::detail

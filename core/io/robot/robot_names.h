@@ -21,7 +21,7 @@ using Words = std::vector<std::pair<std::string, T>>;
 [[nodiscard]] const Words<TfPrefix>& prefixWords();
 [[nodiscard]] const Words<LinkLossRule>& linkLossWords();
 
-/// Returns the word for @p meaning.
+/// Returns the word that stands for @p meaning in a robot's file.
 template <class T>
 [[nodiscard]] const std::string& wordFor(const Words<T>& words, T meaning) {
     for (const auto& [word, one] : words) {

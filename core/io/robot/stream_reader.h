@@ -5,7 +5,8 @@
 
 namespace leitstand::detail {
 
-/// Reads the list `streams` of a robot's file into @p robot, whose name, frames and sensors are read already.
+/// Reads the list `streams` of a robot's file into @p robot. Name, frames and sensors of @p robot must have
+/// been read before.
 void readStreams(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors);
 
 }  // namespace leitstand::detail

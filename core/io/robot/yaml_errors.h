@@ -11,13 +11,14 @@
 
 namespace leitstand::detail {
 
-/// Returns @p text in quotes for an error: cut when long, control characters as \x1b.
+/// Returns @p text in quotes, for an error message. Long text is cut; control characters are written as \x1b.
 [[nodiscard]] std::string shown(std::string_view text);
-/// Returns the content of @p node for an error: text in quotes, "a list of 3", "keys and values", "nothing".
+/// Describes @p node for an error message: text in quotes, "a list of 3", "keys and values", "nothing".
 [[nodiscard]] std::string shown(const YAML::Node& node);
-/// Returns ", did you mean ...?" with the one of @p words closest to @p word; empty when none is close.
+/// Returns ", did you mean ...?" with the one of @p words that is closest to @p word; empty when none is
+/// close.
 [[nodiscard]] std::string likely(std::string_view word, const std::vector<std::string>& words);
-/// Returns "a, b or c".
+/// Joins @p words: "a, b or c".
 [[nodiscard]] std::string anyOf(const std::vector<std::string>& words);
 
 /// Collects the errors of a file.
@@ -25,11 +26,12 @@ class YamlErrors {
 public:
     explicit YamlErrors(std::string file) : m_file(std::move(file)) {}
 
-    /// Adds "kurt3d.yaml:14: streams[3].qos: expected ..., found ..."; @p line counts from 1.
+    /// Adds an error such as "kurt3d.yaml:14: streams[3].qos: expected ..., found ...". @p line counts from
+    /// 1.
     void add(int line, const std::string& path, const std::string& text);
     [[nodiscard]] bool empty() const { return m_lines.empty(); }
-    /// Returns a line for each error, in the order of the file; of more than a hundred, only the first
-    /// hundred and the number of others.
+    /// Returns one error with a line for each mistake, in the order of the file. If there are more than a
+    /// hundred, it has the first hundred and the number of the others.
     [[nodiscard]] Error error() const;
 
 private:

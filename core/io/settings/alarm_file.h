@@ -9,11 +9,11 @@
 
 namespace leitstand {
 
-/// Reads the limits beyond which the operator is alarmed (YAML; docs/alarms.md, "Limits"). A limit that is
-/// not named keeps its default. Errors name @p name, line, key and what was expected.
+/// Parses the limits beyond which the operator is alarmed (YAML; docs/alarms.md, "Limits"). A limit that is
+/// missing keeps its default. Errors have @p name, line, key and what was expected.
 [[nodiscard]] Result<AlarmLimits> parseAlarmLimits(std::string_view text, const std::string& name);
 
-/// Reads the limits from @p file; a missing file leaves all defaults.
+/// Reads the limits from @p file. If the file is missing, all limits have their defaults.
 [[nodiscard]] Result<AlarmLimits> readAlarmLimits(const std::filesystem::path& file);
 
 }  // namespace leitstand

@@ -10,19 +10,20 @@
 
 namespace leitstand {
 
-/// Parses the rules of a score from JSON @p text (docs/score.md). Errors name @p name, line, key and what was
-/// expected.
+/// Parses the rules of a score from JSON @p text (docs/score.md). Errors have the file name @p name, line,
+/// key and what was expected.
 [[nodiscard]] Result<ScoreProfile> parseScoreProfile(std::string_view text, const std::string& name);
 
 /// Reads the rules of a score from @p file.
 [[nodiscard]] Result<ScoreProfile> readScoreProfile(const std::filesystem::path& file);
 
-/// Profiles sorted by name, and why others could not be read.
+/// Profiles sorted by name, and why other profiles could not be read.
 struct ScoreProfiles {
     std::vector<ScoreProfile> profiles;
     std::vector<std::string> problems;
 
-    /// Returns the profile of @p name, otherwise the newest (last by name); null when there are none.
+    /// Returns the profile called @p name. If there is none, returns the newest (last by name). Null when
+    /// there are no profiles.
     [[nodiscard]] const ScoreProfile* find(const std::string& name) const;
 };
 

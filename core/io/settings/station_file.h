@@ -17,21 +17,22 @@ namespace leitstand {
 /// Parses the @p text of a station's file; empty when it is invalid.
 [[nodiscard]] std::optional<StationIdentity> parseStation(const std::string& text);
 
-/// The identity of a station and the grants that it held, kept in a file (YAML) between runs. The file is
-/// made when it is missing. While this object lives, no other program can use the identity: two programs of
-/// one identity would both hold its grants.
+/// The identity of a station and the grants that it held, in a file (YAML) that is kept between runs. The
+/// file is made when it is missing. While this object exists, no other program can use the identity.
+/// Otherwise two programs with one identity would both hold its grants.
 class StationFile {
 public:
-    /// Opens or makes @p file. Error, with the name of the file, when it cannot be written or another program
-    /// has it. An invalid file is moved aside ("<file>.damaged") and a new identity made: see warning().
+    /// Opens or makes @p file. An error names the file: it cannot be written, or another program uses it. An
+    /// invalid file is moved aside ("<file>.damaged") and a new identity is made: see warning().
     [[nodiscard]] static Result<StationFile> open(const std::filesystem::path& file,
                                                   const std::string& title);
 
-    [[nodiscard]] const StationIdentity& identity() const { return m_identity; }  ///< as it was at the start
+    /// Identity as it was at the start.
+    [[nodiscard]] const StationIdentity& identity() const { return m_identity; }
     [[nodiscard]] const std::string& warning() const {
         return m_warning;
-    }  ///< for people; empty when all is well
-    /// Replaces the stored grants by @p held; the file is never half written.
+    }  ///< text for people; empty when there is nothing to warn about
+    /// Replaces the stored grants by @p held, completely or not at all.
     Result<void> remember(const std::vector<HeldGrant>& held) const;
 
 private:

@@ -12,34 +12,36 @@
 
 namespace leitstand {
 
-/// The kind of fault that an advised correction removes. The operator is asked about each kind separately.
+/// The kind of fault that a suggested correction removes. The operator is asked about each kind separately.
 enum class ScannerFault : std::uint8_t { Range, Lean, Clock, Mount };
-/// Returns the kind of fault that @p more corrects; of several, the first in the order of ScannerFault.
+/// Returns the kind of fault that @p more corrects. If it corrects several, returns the first in the order of
+/// ScannerFault.
 [[nodiscard]] ScannerFault faultOf(const ScannerCorrection& more);
-/// Returns whether the operator would see no difference between advice @p a and advice @p b: the same fault
-/// and nearly the same values.
+/// Returns whether the suggestions @p a and @p b are the same for the operator: the same fault and nearly the
+/// same values.
 [[nodiscard]] bool asksAlike(const ScannerCorrection& a, const ScannerCorrection& b);
 
-/// What the map shows of a scanner whose measurements have the correction `present`.
+/// A correction that a scanner uses (`present`), and what the map still shows of its errors.
 struct ScannerFinding {
     ScannerCorrection present;
-    std::optional<ScannerCorrection> more = {};  ///< advised on top of `present`; empty: none, or no longer
+    /// Suggested in addition to `present`; empty: none, or no longer.
+    std::optional<ScannerCorrection> more = {};
 };
 
 /// What the map shows of a scanner, compared with its configuration.
 struct ScannerCalibration {
-    std::optional<Estimated> range;  ///< by how much its ranges are too long [m]; empty: unknown
-    /// Roll and pitch in the base, less the configured ones [rad].
+    std::optional<Estimated> range;  ///< by how much ranges are too long [m]; empty: unknown
+    /// Roll and pitch in the base, minus the configured values [rad].
     Eigen::Vector2d lean = Eigen::Vector2d::Zero();
     Eigen::Vector2d leanDeviation = Eigen::Vector2d::Zero();  ///< standard deviations of `lean` [rad]
 
     std::optional<MountError> mount = {};
 
-    /// Returns the correction to advise, for one fault only: the first one that is large and certain enough.
-    /// Empty: none. Ranges come first: ranges that are too long bend the floor, which looks like a lean. The
-    /// lean, the clock and the mount follow.
-    /// @p standing: the present advice, kept while the error is not much smaller. @p left: faults that are
-    /// not to be corrected.
+    /// Returns the correction to suggest. It corrects one fault only: the first that is large and certain
+    /// enough. Empty: none. Ranges come first, because ranges that are too long bend the floor, which looks
+    /// like a lean. The lean, the clock and the mount follow.
+    /// @p standing: the present suggestion, which is kept unless the error has become much smaller. @p left:
+    /// faults that shall not be corrected.
     [[nodiscard]] std::optional<ScannerCorrection> advised(
         const std::optional<ScannerCorrection>& standing = {}, const std::set<ScannerFault>& left = {}) const;
 };

@@ -10,31 +10,33 @@ namespace leitstand {
 /// Settings of the solver: Levenberg-Marquardt (Madsen, Nielsen & Tingleff 2004).
 struct GraphSettings {
     int maxIterations = 100;
-    double costChange = 1e-6;  ///< the solver has converged when a step lowers the cost by a smaller share
+    /// The solver has converged when a step lowers the cost by a smaller share than this.
+    double costChange = 1e-6;
     double initialDamping = 1e-4;
-    /// Weighs loop links: those that contradict the others count less and less, in the end not at all
-    /// (graduated non-convexity with truncated least squares: Yang, Antonante, Tzoumas & Carlone 2020).
+    /// Whether loop links are weighted. Links that contradict the others get less and less weight, at the end
+    /// none (graduated non-convexity with truncated least squares: Yang, Antonante, Tzoumas & Carlone 2020).
     bool robust = false;
-    /// Largest e^T Omega e of a loop link that may be right: 99 % of six degrees of freedom.
+    /// Largest e^T Omega e at which a loop link may be right: 99 % for six degrees of freedom.
     double mostDisagreement = 16.8;
 };
 
 /// The result of a solver.
 struct GraphResult {
-    /// 1/2 sum of e^T Omega e over active links, before and after solving; in `cost`, each term times its
-    /// weight.
+    /// 1/2 sum of e^T Omega e over active links, before and after solving. In `cost` each term is multiplied
+    /// by its weight.
     double costBefore = 0.0, cost = 0.0;
     int iterations = 0;
     bool converged = false;
-    std::vector<double> weights;  ///< 0 to 1, of each link of the graph; 1 for links that are not weighed
+    /// Weight of each link of the graph, 0 to 1; always 1 for links that are not weighted.
+    std::vector<double> weights;
 };
 
-/// Returns 1/2 sum of e^T Omega e over @p graph's active links; links to missing nodes do not count.
+/// Returns 1/2 sum of e^T Omega e over active links of @p graph. Links to missing nodes are ignored.
 [[nodiscard]] double costOf(const PoseGraph& graph);
 
 /// Moves the nodes of @p graph to the poses that fit its active links best. In each connected part without a
-/// fixed node, the node with the lowest id stays. The result depends on nodes, links and their order alone.
-/// Cancelled: the poses of the newest iteration.
+/// fixed node, the node with the lowest id stays. The result depends only on nodes, links and their order.
+/// Cancelled: the poses of the last iteration.
 GraphResult solve(PoseGraph& graph, const GraphSettings& settings = {}, const Progress& progress = {});
 
 }  // namespace leitstand

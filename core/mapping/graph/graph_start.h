@@ -4,12 +4,14 @@
 
 namespace leitstand {
 
-/// Moves the nodes of @p graph, by rising id, to where an active link puts them relative to a node of a lower
-/// id. Of a node's links, one of the surest kind counts: matches, then the operator's, then odometry, then
-/// loops. Of one kind, the link with the lowest id counts. Nodes that are fixed, or that have no such link,
-/// stay. Parts may still be separate then although a link joins them. Of two such parts, the later one moves
-/// as a whole to where its surest link puts it. So the start of a solver depends on the links alone, and not
-/// on an earlier solution.
+/// Gives the nodes of @p graph poses from which a solver can start. In the order of their ids, each node is
+/// placed relative to a node with a lower id, by an active link. If there are several links, the kind
+/// decides: matches first, then the operator's, then odometry, then loops. Of several links of this kind, the
+/// one with the lowest id is used. Nodes that are fixed, or that have no such link, stay.
+///
+/// Afterwards two parts may still be apart although a link connects them. Then the later part is moved as a
+/// whole to where its surest link puts it. So the start depends only on the links, and not on an earlier
+/// solution.
 void startFromLinks(PoseGraph& graph);
 
 }  // namespace leitstand

@@ -26,7 +26,7 @@
 
 namespace leitstand {
 
-/// The map that LiveMapper makes, with its robots: what registration, decisions and links work on together.
+/// The map of a LiveMapper, with its robots. Registration, decisions and links share it.
 struct GrowingMap {
     GrowingMap(std::string name, LiveSettings chosen)
         : station(std::move(name)),
@@ -45,51 +45,53 @@ struct GrowingMap {
     GrowingMap(const GrowingMap&) = delete;  // its parts refer to each other
     GrowingMap& operator=(const GrowingMap&) = delete;
 
-    [[nodiscard]] bool empty() const;                   ///< whether no scan counts
-    [[nodiscard]] LiveKeyScan* find(std::uint64_t id);  ///< null: the map has no scan of that id
+    [[nodiscard]] bool empty() const;  ///< whether all scans are set aside, or there are none
+    [[nodiscard]] LiveKeyScan* find(std::uint64_t id);  ///< null: the map has no scan with that id
     [[nodiscard]] std::vector<ScanInPart> scansInParts() const;
-    /// Returns LiveKeyScan::part of @p robot's newest key scan. Also 0 if the robot has none, or it is gone.
+    /// Returns LiveKeyScan::part of @p robot's newest key scan. 0 when the robot has no such scan, or it was
+    /// removed.
     [[nodiscard]] std::uint64_t partOf(const RobotTrack& robot);
-    void findParts();  ///< sets LiveKeyScan::part of all scans by the present links
+    void findParts();  ///< sets LiveKeyScan::part of all scans from the present links
     /// Returns whether the newest scan of @p robot that is not set aside is uncertain.
     [[nodiscard]] bool awaitsDecision(const std::string& robot) const;
-    /// Returns the time of entry of a scan that is registered @p now. It differs for all scans, also of one
-    /// batch.
+    /// Returns the time at which a scan registered @p now enters the map. It is different for each scan, even
+    /// within one batch.
     [[nodiscard]] Time entering(Time now);
-    /// Takes over @p poses, with their trust. A robot moves with its newest key scan.
+    /// Sets the poses and trust of the scans to @p poses. Each robot moves with its newest key scan.
     void apply(std::span<const ScanPose> poses);
-    /// Continues the robot's pose from its newest key scan that is not set aside.
+    /// Continues the pose of @p robot from its newest key scan that is not set aside.
     void goOn(const std::string& robot);
     void linksChanged();  ///< notes that the map has to be solved
-    /// Returns the cloud for matching of @p key, made of its points @p reduced. The scan of @p key must still
-    /// be whole; it is kept in LiveKeyScan::kept, too.
+    /// Returns the cloud for matching of @p key, made of its points @p reduced. LiveKeyScan::scan must still
+    /// have all points. The cloud is also stored in LiveKeyScan::kept.
     [[nodiscard]] MatchedCloudPtr matchedOf(LiveKeyScan& key, const PointCloud& reduced) const;
-    /// The same, but the cloud is made of the whole scan on first use.
+    /// As matchedOf(), but the cloud is made from the whole scan when it is first used.
     [[nodiscard]] MatchedCloudPtr promised(LiveKeyScan& key) const;
 
     std::string station;
     LiveSettings settings;
-    LiveSettings uncropped;  ///< the same without the area, for parts whose pose relative to it is unknown
+    /// Settings without the map's area, for parts whose pose relative to it is unknown.
+    LiveSettings uncropped;
     std::map<std::string, RobotTrack> robots;
     LiveMap map;
-    MatchedClouds clouds;  ///< of the map's scans
-    CroppedScans cropped;  ///< which points of the map's scans are in it
-    MapGraph graph;        ///< links of the map's scans
+    MatchedClouds clouds;  ///< clouds of the map's scans
+    CroppedScans cropped;  ///< which points of the scans are inside the map's area
+    MapGraph graph;        ///< links between the map's scans
     PlaceFinder places;
     LoopCloser loops;
     HandLinks byHand;
-    /// Rises with decisions, new loops, and changes by other stations. A solution of an earlier revision is
-    /// dropped.
+    /// Increases with decisions, new loops, and changes by other stations. A solution that was begun at an
+    /// earlier revision is discarded.
     std::uint64_t revision = 0;
-    bool unsolved = false;  ///< whether a loop closed or was taken back since the map was last solved
-    std::deque<std::uint64_t> meeting;  ///< scans of parts that came together, for MapLinks::meetMore()
-    std::uint64_t sought = 0;           ///< newest scan to be looked for in the whole map; 0: none
+    bool unsolved = false;  ///< whether a loop was closed or removed since the map was last solved
+    std::deque<std::uint64_t> meeting;  ///< scans of parts that have been joined, for MapLinks::meetMore()
+    std::uint64_t sought = 0;           ///< newest scan that shall be looked for in the whole map; 0: none
     std::uint64_t nextId = 1;
-    Time entered{};  ///< time of the newest scan
+    Time entered{};  ///< when the newest scan entered
     ScanMatcher matcher;
 };
 
-/// Deactivates those of @p links that poses do not follow (unheldLoops()). Returns their ids.
+/// Deactivates those of @p links that poses do not follow (unheldLoops()), and returns their ids.
 std::set<std::uint64_t> leaveUnheld(std::vector<Link>& links, std::span<const ScanInPart> scans);
 
 }  // namespace leitstand

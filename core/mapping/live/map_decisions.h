@@ -14,7 +14,8 @@
 
 namespace leitstand {
 
-/// Decisions of the operator and of the log on the key scans of a map. For each function see LiveMapper.
+/// Carries out decisions about the key scans of a map, from the operator or from the log. Functions are
+/// documented in LiveMapper.
 class MapDecisions {
 public:
     explicit MapDecisions(GrowingMap& map) : m_map(map) {}
@@ -35,7 +36,7 @@ private:
     void linkAgain(std::uint64_t id, std::span<const std::uint64_t> against, const Match& match, Time now);
 
     GrowingMap& m_map;
-    std::optional<ScanLinksSample> m_made;  ///< links that the newest decision changed
+    std::optional<ScanLinksSample> m_made;  ///< links that the last decision changed
 };
 
 }  // namespace leitstand

@@ -16,7 +16,8 @@
 
 namespace leitstand {
 
-/// Finds links where a map meets itself, and applies its solution. For each function see LiveMapper.
+/// Finds links where robots return to mapped places, and applies the solution of the map. Functions are
+/// documented in LiveMapper.
 class MapLinks {
 public:
     explicit MapLinks(GrowingMap& map) : m_map(map) {}

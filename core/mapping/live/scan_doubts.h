@@ -5,11 +5,12 @@
 
 namespace leitstand {
 
-/// Returns the meaning of @p doubts (bits of ScanDoubt), for alarms and the log, in English; empty: none.
+/// Returns the meaning of @p doubts (bits of ScanDoubt) as English text, for alarms and the log; empty: no
+/// doubts.
 [[nodiscard]] std::string inWords(std::uint8_t doubts);
 
-/// Returns how certain a pose is, 0 to 1: from the share of the points that meet the map and the certainty of
-/// the match (IcpResult::certainty).
+/// Returns how certain a pose is, 0 to 1. @p overlap: share of the points that fit the map. @p certainty:
+/// IcpResult::certainty.
 [[nodiscard]] double certaintyOf(double overlap, double certainty);
 
 }  // namespace leitstand

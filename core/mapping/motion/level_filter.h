@@ -9,24 +9,24 @@
 
 namespace leitstand {
 
-/// Estimates the up direction of a robot: gyros measure its change, gravity its long-term mean (complementary
-/// filter, Mahony, Hamel & Pflimlin 2008). The level that an inertial unit reports at one moment is off by
-/// some tenths of a degree, and differently two seconds later. Within a turn of the scanner that would bend
-/// floors. One thread at a time.
+/// Estimates the up direction of a robot. Gyros measure how it changes, gravity measures its long-term mean
+/// (complementary filter, Mahony, Hamel & Pflimlin 2008). The level that an inertial unit reports has an
+/// error of some tenths of a degree, which changes within seconds. During a turn of the scanner, this error
+/// would bend floors. One thread at a time.
 class LevelFilter {
 public:
-    /// Adds a unit's measurement at @p stamp, in the robot's frame: the up direction, and the angular
-    /// velocity @p turning [rad/s]. Stamps must rise; other measurements are left out. If the next one agrees
-    /// with a stamp that does not fit, the clock was set, and the filter restarts. Without @p turning the
-    /// robot counts as at rest.
+    /// Adds a measurement of the inertial unit at @p stamp, in the robot's frame: the up direction and the
+    /// angular velocity @p turning [rad/s]. Stamps must rise; other measurements are ignored. But if a
+    /// measurement with such a stamp agrees with the next one, the clock was set, and the filter restarts.
+    /// Without @p turning, the robot is assumed not to turn.
     void add(Time stamp, const std::optional<Eigen::Vector3d>& up,
              const std::optional<Eigen::Vector3d>& turning);
-    /// Returns the up direction at @p stamp, unit length; empty without a measurement within @p gap.
+    /// Returns the up direction at @p stamp (unit length). Empty: there is no measurement within @p gap.
     [[nodiscard]] std::optional<Eigen::Vector3d> at(
         Time stamp, std::chrono::nanoseconds gap = std::chrono::milliseconds(300)) const;
     void forgetBefore(Time stamp);
     void clear() { m_entries.clear(), m_stray.reset(), m_settled = {}; }
-    /// Stamp of the newest measurement that counts; empty: none.
+    /// Stamp of the newest measurement that was used; empty: none.
     [[nodiscard]] std::optional<Time> newest() const {
         return m_entries.empty() ? std::nullopt : std::optional(m_entries.back().stamp);
     }
@@ -40,7 +40,8 @@ private:
     void begin(const Entry& entry);
 
     std::deque<Entry> m_entries;
-    std::optional<Entry> m_stray;  ///< its stamp does not fit; if the next one agrees, the clock was set
+    /// Measurement whose stamp does not fit; if the next one agrees, the clock was set.
+    std::optional<Entry> m_stray;
     std::chrono::nanoseconds m_settled{};  ///< run time of the filter
 };
 

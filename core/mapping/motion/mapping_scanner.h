@@ -17,41 +17,45 @@ struct RobotDescription;
 
 /// Settings of MappingScanner.
 struct MappingScannerSettings {
-    std::chrono::nanoseconds compare = std::chrono::seconds(3);  ///< how long clouds are compared
-    /// How long it is waited for scanners that have sent nothing yet, since the first cloud.
+    /// How long clouds are compared before a scanner is chosen.
+    std::chrono::nanoseconds compare = std::chrono::seconds(3);
+    /// How long to wait after the first cloud for scanners that have sent nothing yet.
     std::chrono::nanoseconds waitForAll = std::chrono::seconds(15);
-    std::chrono::nanoseconds steady = std::chrono::seconds(1);  ///< longest gap between steady clouds
-    double nearest = 0.5;     ///< points this near may be of the robot itself [m]
-    double farEnough = 30.0;  ///< what is seen farther makes no difference [m]
+    /// Longest gap between clouds of a scanner that sends steadily.
+    std::chrono::nanoseconds steady = std::chrono::seconds(1);
+    double nearest = 0.5;     ///< nearer points may belong to the robot itself [m]
+    double farEnough = 30.0;  ///< larger ranges make no difference [m]
 };
 
-/// Decides which 3D scanner of a robot makes the map. Scanners differ in place, rate and error: the scans of
-/// two of them are never registered in one chain. Where no stream is named (StreamDescription::maps), clouds
-/// are compared first: the scanner that sees most directions, and farthest in them, is chosen among those
-/// that send steadily. Without clock and thread.
+/// Decides which 3D scanner of a robot makes the map. Scanners differ in place, rate and error, so scans of
+/// two scanners are never registered in one chain. If no stream is named (StreamDescription::maps), clouds
+/// are compared first. Of the scanners that send steadily, the one is chosen that sees most directions, and
+/// farthest in them. It has no clock and no thread.
 class MappingScanner {
 public:
     explicit MappingScanner(const RobotDescription& robot, const MappingScannerSettings& settings = {});
 
-    /// Takes a cloud of @p topic that was received at @p received. Returns whether it is of the scanner that
-    /// makes the map; false while scanners are compared.
+    /// Takes a cloud of @p topic that was received at @p received. Returns whether it comes from the scanner
+    /// that makes the map; false while scanners are compared.
     [[nodiscard]] bool takes(const std::string& topic, const CloudSample& cloud, Time received);
     void choose(const std::string& topic) { m_chosen = topic; }
-    /// Ends the comparison at @p now with what was seen so far.
+    /// Ends the comparison at @p now, and decides by the clouds so far.
     void decide(Time now);
-    /// Returns the topic of the scanner that makes the map; empty: scanners are still compared, or there is
+    /// Returns the topic of the scanner that makes the map. Empty: scanners are still compared, or there is
     /// none.
     [[nodiscard]] const std::string& chosen() const { return m_chosen; }
-    [[nodiscard]] bool hasChoice() const { return m_topics.size() > 1; }  ///< the robot has several scanners
+    /// Whether the robot has several scanners.
+    [[nodiscard]] bool hasChoice() const { return m_topics.size() > 1; }
 
 private:
-    /// What one scanner's clouds showed so far.
+    /// What the clouds of one scanner have shown so far.
     struct Seen {
         int clouds = 0;
-        std::bitset<216> directions;     ///< on a cube about the scanner, 6 x 6 a side
-        std::vector<double> reaches;     ///< of each cloud: nine of ten of its points are nearer [m]
+        /// Directions in which it sees, on a cube around it with 6 x 6 cells per side.
+        std::bitset<216> directions;
+        std::vector<double> reaches;     ///< range of each cloud within which nine of ten points are [m]
         Time last{};                     ///< when its newest cloud was received
-        std::chrono::nanoseconds gap{};  ///< longest time without one
+        std::chrono::nanoseconds gap{};  ///< longest time between two clouds
     };
     void look(Seen& seen, const CloudSample& cloud, Time received) const;
     [[nodiscard]] double worth(const Seen& seen, Time now) const;
@@ -60,7 +64,7 @@ private:
     std::vector<std::string> m_topics;
     std::string m_chosen;
     std::optional<Time> m_began;         ///< when the first cloud was received
-    Time m_newcomer{};                   ///< when the first cloud of the last scanner was received
+    Time m_newcomer{};                   ///< when the newest scanner sent its first cloud
     std::map<std::string, Seen> m_seen;  ///< by topic
 };
 

@@ -6,15 +6,15 @@
 
 namespace leitstand {
 
-/// The expected error of odometry after a step: a constant, and a share of the step.
+/// The expected error of odometry after a step: a constant plus a share of the step.
 struct OdometryDrift {
-    double share = 0.03;                ///< of the distance [m / m]
-    double atLeast = 0.004;             ///< [m]
-    double turnShare = 0.03;            ///< of the turn [rad / rad]
-    double turnAtLeast = degrees(0.3);  ///< [rad]
+    double share = 0.03;                ///< error of the distance per distance [m / m]
+    double atLeast = 0.004;             ///< constant error of the distance [m]
+    double turnShare = 0.03;            ///< error of the turn per turn [rad / rad]
+    double turnAtLeast = degrees(0.3);  ///< constant error of the turn [rad]
 
-    /// Returns standard deviations after @p way [m] and @p turn [rad]: translation [m], then rotation [rad],
-    /// the same for all axes.
+    /// Returns standard deviations after driving @p way [m] and turning @p turn [rad]. The translation [m]
+    /// comes first, then the rotation [rad]; all axes have the same values.
     [[nodiscard]] Eigen::Matrix<double, 6, 1> deviation(double way, double turn) const {
         Eigen::Matrix<double, 6, 1> deviation;
         deviation.head<3>().setConstant(atLeast + share * way);

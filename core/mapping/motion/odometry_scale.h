@@ -5,11 +5,12 @@
 
 namespace leitstand {
 
-/// The ratio of a robot's distances to those by its odometry, which differ by worn wheels, a wrong diameter
-/// or slip. It is the least-squares ratio over the last metres where surfaces held all directions.
+/// The ratio of a robot's true distances to those of its odometry. They differ because of worn wheels, a
+/// wrong diameter or slip. It is the least-squares ratio over the last metres where surfaces held all
+/// directions.
 class OdometryScale {
 public:
-    /// Adds a step of @p byOdometry [m] by odometry, and @p found [m] by the map.
+    /// Adds a step of @p byOdometry [m] in odometry, and @p found [m] in the map.
     void add(double byOdometry, double found) {
         constexpr double Forgetting = 40.0;  // [m]
         const double kept = std::exp(-byOdometry / Forgetting);

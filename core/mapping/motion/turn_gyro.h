@@ -8,17 +8,18 @@
 
 namespace leitstand {
 
-/// How far a robot turned about the vertical, by its gyros: for moments without odometry. Stamps are the
-/// robot's clock. One thread at a time.
+/// How far a robot has turned about the vertical, measured by its gyros. Used for times without odometry.
+/// Stamps are the robot's clock. One thread at a time.
 class TurnGyro {
 public:
-    static constexpr std::chrono::milliseconds LongestStep{100};  ///< longest gap between rates of one run
+    /// Longest gap between rates that belong together.
+    static constexpr std::chrono::milliseconds LongestStep{100};
 
-    /// Adds @p rate about the vertical, counter-clockwise [rad/s]. NaN and rates out of order are left out.
-    /// When the clock jumps back, the rates so far are dropped.
+    /// Adds @p rate about the vertical, counter-clockwise [rad/s]. Ignores NaN and rates out of order. When
+    /// the clock jumps back, earlier rates are dropped.
     void add(Time stamp, double rate);
-    /// Returns the turn from @p from to @p to, which must be later [rad]; empty if there is a gap between
-    /// rates. The newest rate is used up to LongestStep beyond its stamp.
+    /// Returns the turn from @p from to the later @p to [rad]; empty if there is a gap between rates. The
+    /// newest rate is used up to LongestStep after its stamp.
     [[nodiscard]] std::optional<double> turned(Time from, Time to) const;
     void forgetBefore(Time stamp);
     void clear() { m_rates.clear(); }
@@ -27,7 +28,7 @@ private:
     struct Rate {
         Time stamp;
         double rate = 0.0;   ///< [rad/s]
-        double since = 0.0;  ///< turn since the first one of its run [rad]
+        double since = 0.0;  ///< turn since the first rate without a gap [rad]
         int run = 0;         ///< rises with every gap
     };
     struct Moment {

@@ -15,34 +15,37 @@
 
 namespace leitstand {
 
-/// Settings of LaserLocaliser: when and how far a robot's pose is corrected by its laser.
+/// Settings of LaserLocaliser: when a robot's pose is corrected by its laser, and how far.
 struct LocaliserSettings {
-    std::chrono::nanoseconds every = std::chrono::milliseconds(500);  ///< between views, while it moves ...
-    std::chrono::nanoseconds atRest = std::chrono::seconds(3);        ///< ... and while it stands ...
-    double way = 0.2;                                                 ///< ... or after this distance [m] ...
-    double turn = degrees(15);                                        ///< ... or turn [rad]
-    double leastOverlap = 0.5;  ///< least share of what the laser sees that is in the map
-    double jump = 0.06;         ///< largest jump against the odometry [m] ...
-    double jumpOfWay = 0.2;     ///< ... plus so much per distance since the robot was certain [m / m]
+    /// Time between views while the robot moves ...
+    std::chrono::nanoseconds every = std::chrono::milliseconds(500);
+    std::chrono::nanoseconds atRest = std::chrono::seconds(3);  ///< ... and while it stands ...
+    double way = 0.2;           ///< ... or earlier, after driving this far [m] ...
+    double turn = degrees(15);  ///< ... or turning this far [rad]
+    double leastOverlap = 0.5;  ///< least share of the view that must fit the map
+    double jump = 0.06;         ///< largest correction of odometry's position [m] ...
+    double jumpOfWay = 0.2;     ///< ... plus this much per distance since the robot was certain [m / m]
     double sureJump = 0.15,
-           sureJumpOfWay = 0.3;      ///< the same where the laser fits beyond doubt: tracks slip
-    double swing = degrees(4);       ///< largest turn against the odometry [rad] ...
-    double swingOfTurn = 0.3;        ///< ... plus so much per turn [rad / rad] ...
+           sureJumpOfWay = 0.3;      ///< the same if the laser fits very well, since tracks slip
+    double swing = degrees(4);       ///< largest correction of odometry's heading [rad] ...
+    double swingOfTurn = 0.3;        ///< ... plus this much per turn [rad / rad] ...
     double swingOfWay = degrees(5);  ///< ... and per distance [rad / m]
-    double fades = 1.0;              ///< certainty falls to 1/e over this distance without a fit [m]
-    double leastDirection = 0.05;    ///< WallFit::direction; below, the robot is not certain
-    double ownOverlap = 0.7;      ///< least share of a view that meets earlier ones, to carry the pose on ...
-    double ownDrift = 0.1;        ///< ... and this share of that distance counts as one without a fit
-    int searchAfter = 4;          ///< doubted views in a row before the robot is searched for around its pose
-    double sureOverlap = 0.65;    ///< least share of the view that is in the map, to be found there ...
-    double allOverlap = 0.6;      ///< ... and of what the robot saw on the last metres
-    double mostAgainst = 0.25;    ///< largest contradiction() of a place where it is found
+    double fades = 1.0;              ///< without a fit, certainty falls to 1/e over this distance [m]
+    double leastDirection = 0.05;    ///< least WallFit::direction at which the robot is certain
+    /// Least share of a view that must fit earlier views to continue the pose by them ...
+    double ownOverlap = 0.7;
+    double ownDrift = 0.1;  ///< ... then only this share of the distance counts as driven without a fit
+    /// Number of doubtful views in a row after which the robot is searched for around its pose.
+    int searchAfter = 4;
+    double sureOverlap = 0.65;    ///< the search succeeds if at least this share of the view fits the map ...
+    double allOverlap = 0.6;      ///< ... and this share of all that the robot saw over the last metres
+    double mostAgainst = 0.25;    ///< largest contradiction() at a place where the robot is found
     PlacementSettings placement;  ///< settings of the search for the robot
 };
 
-/// Keeps a robot with a plane laser localised in the map while it drives. It fits what the laser sees to the
-/// map's walls, starting from odometry. A fit that jumps, or that meets too little of the map, is rejected.
-/// Then what the laser sees is fitted to its earlier views. If that fails too, odometry carries the robot on,
+/// Keeps a robot with a plane laser localised in the map while it drives. What the laser sees is fitted to
+/// the map's walls, starting from odometry. A fit is rejected if it jumps, or if too little of the view fits
+/// the map. Then the view is fitted to earlier views. If that fails too, only odometry continues the pose,
 /// and certainty falls. One thread at a time.
 class LaserLocaliser {
 public:
@@ -50,27 +53,27 @@ public:
 
     /// Begins at @p fix, where the robot was placed.
     void begin(const MapFix& fix);
-    /// Returns whether a view of @p stamp is to correct the robot: enough time has passed, or it has moved
-    /// enough since the last view. @p motion: how it moved.
+    /// Returns whether a view at @p stamp should correct the robot: enough time has passed since the last
+    /// view, or the robot has moved enough. @p motion: how it moved.
     [[nodiscard]] bool due(Time stamp, const MotionBuffer& motion) const;
-    /// Corrects the pose by @p view. @p predicted: base_link in the map at the view's stamp by odometry.
+    /// Corrects the pose by @p view. @p predicted: base_link in the map at the view's stamp, by odometry.
     [[nodiscard]] MapFix follow(const LaserView& view, const LocalMap& local, const Pose& predicted,
                                 const MotionBuffer& motion);
-    /// Forgets earlier views: scans of the map moved, and the robot with them.
+    /// Forgets earlier views, because scans of the map moved, and the robot with them.
     void mapMoved() { m_own.forget(); }
-    /// Returns whether the last follow() searched for the robot, and found it away from its pose by odometry.
+    /// Returns whether the last follow() searched for the robot and found it away from its pose by odometry.
     [[nodiscard]] bool foundAgain() const { return m_foundAgain; }
-    /// Returns whether the robot is lost: views were doubted so often in a row that it was searched for, in
-    /// vain.
+    /// Returns whether the robot is lost: after several doubtful views in a row it was searched for, but not
+    /// found.
     [[nodiscard]] bool lost() const { return m_doubted >= m_settings.searchAfter; }
-    [[nodiscard]] double overlap() const { return m_overlap; }  ///< of the last view
+    [[nodiscard]] double overlap() const { return m_overlap; }  ///< overlap of the last view
 
 private:
-    /// Returns @p predicted corrected by earlier views and the map; empty: @p view does not fit these.
+    /// Returns @p predicted corrected by earlier views and the map; empty: @p view does not fit them.
     [[nodiscard]] std::optional<Pose> carriedOn(const LaserView& view, const WallMap& map,
                                                 const Pose& predicted, const Travel& travel) const;
-    /// Returns whether the map also has what the laser saw on the last metres, if the robot is at @p found
-    /// instead of @p guess.
+    /// Returns whether the map also fits what the laser saw over the last metres, if the robot is at @p found
+    /// and not at @p guess.
     [[nodiscard]] bool meetsAll(const LaserView& view, const WallMap& map, const FlatPose& guess,
                                 const FlatPose& found) const;
     [[nodiscard]] MapFix sought(const LaserView& view, const LocalMap& local, MapFix doubted);
@@ -78,11 +81,12 @@ private:
     LocaliserSettings m_settings;
     MapFix m_last;
     OwnWalls m_own;
-    double m_way = 0.0, m_turn = 0.0;  ///< since it was certain [m, rad]
-    double m_drift = 0.0;              ///< part of `m_way` by odometry alone: all, or ownDrift of it [m]
-    double m_certainty = 0.0;          ///< certainty when the robot was certain last
+    double m_way = 0.0, m_turn = 0.0;  ///< distance and turn since the robot was certain [m, rad]
+    /// Part of `m_way` that counts as odometry alone: all of it, or the share ownDrift [m].
+    double m_drift = 0.0;
+    double m_certainty = 0.0;  ///< certainty when the robot was last certain
     double m_overlap = 0.0;
-    int m_doubted = 0;  ///< doubted views in a row
+    int m_doubted = 0;  ///< number of doubtful views in a row
     bool m_foundAgain = false;
 };
 

@@ -15,29 +15,30 @@ namespace leitstand {
 
 struct RangesSample;
 
-/// The surroundings of a robot as its laser sees them from one place; its motion and its tilt are taken out.
+/// The surroundings of a robot as its laser sees them from one place. The robot's motion and tilt are
+/// removed.
 struct LaserView {
-    Time stamp{};                         ///< of that place: when the last ray was shot, robot's clock
-    std::vector<Eigen::Vector2f> points;  ///< from base_link, level, x ahead [m]; without the floor
-    Pose tilt = Pose::Identity();         ///< of base_link against that level frame
-    double low = 0.1, high = 0.5;         ///< heights over the robot's ground of what the laser sees [m]
+    Time stamp{};  ///< when the last ray was shot, robot's clock; the view is from that place
+    std::vector<Eigen::Vector2f> points;  ///< in a level frame at base_link, x ahead, without the floor [m]
+    Pose tilt = Pose::Identity();         ///< pose of base_link in that level frame
+    double low = 0.1, high = 0.5;  ///< range of heights above the robot's ground that the laser sees [m]
 };
 
-/// A round place on the map that holds no information on walls: another robot stands there.
+/// A round place on the map without information about walls, because another robot stands there.
 struct Disc {
-    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< [m]
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< middle in the map [m]
     double radius = 0.0;                               ///< [m]
 };
 
 /// Removes points of @p view, seen from @p baseInMap, that lie within @p discs.
 void leaveOut(LaserView& view, const Pose& baseInMap, std::span<const Disc> discs);
 
-/// Removes points of @p view, seen from @p baseInMap, that lie outside @p crop, since the map lacks what
-/// stands there.
+/// Removes points of @p view, seen from @p baseInMap, that lie outside @p crop. The map does not show what is
+/// there.
 void leaveOutCropped(LaserView& view, const Pose& baseInMap, const MapCrop& crop);
 
-/// Returns the view of @p ranges from a laser at @p laserInBase. Takes out the motion that @p motion holds;
-/// without it the robot counts as at rest and level.
+/// Returns the view of @p ranges from a laser at @p laserInBase. Removes the robot's motion, which @p motion
+/// knows. Where it is unknown, the robot is assumed to be level and at rest.
 [[nodiscard]] LaserView laserView(const RangesSample& ranges, const Pose& laserInBase,
                                   const MotionBuffer& motion);
 

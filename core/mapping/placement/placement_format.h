@@ -6,8 +6,8 @@
 #include "core/base/phrases/coded_text.h"
 #include "core/base/words.h"
 
-/// The reasons why a robot's pose in the map is certain or not, as the log holds them
-/// (RobotPlaceSample::how). A value is a figure, a name or another reason.
+/// Phrases that say why a robot's pose in the map is certain or not, as they are in the log
+/// (RobotPlaceSample::how). A value in a phrase is a figure, a name or another reason.
 namespace leitstand::placement_format {
 
 inline constexpr LogPhrase TooFewPoints = {
@@ -81,16 +81,16 @@ inline constexpr LogPhrase NewestKeyScan = {"newest_key_scan",
 inline constexpr LogPhrase OdometryRestarted = {
     "odometry_restarted", translatable("leitstand::Station", "its odometry began anew")};
 
-/// All these phrases, the most specific first.
+/// All these phrases, beginning with the most specific.
 inline constexpr auto All = std::to_array<LogPhrase>(
     {FoundByScan,   FoundAgain,   PutBut,    WhereLeftBut,      SeenBy,        TooFewPoints, FromGuess,
      TooLittle,     LittleInMap,  OnlyInMap, FarFromTracks,     DirectionOpen, Elsewhere,    AgainstMap,
      PutBlindly,    PutUntilScan, WhereLeft, OdometryRestarted, FitsMap,       OwnPart,      DoesNotFit,
      NewestKeyScan, Because,      InMap,     LaserInMap});
 
-/// Returns whether @p how is @p phrase, with any values.
+/// Returns whether @p how is @p phrase with any values.
 [[nodiscard]] bool isPhrase(const std::string& how, const LogPhrase& phrase);
-/// Returns @p how in the window's language; an unknown reason stays as it is.
+/// Returns @p how in the window's language. An unknown reason is not translated.
 [[nodiscard]] std::string inWindowsLanguage(const std::string& how);
 
 }  // namespace leitstand::placement_format

@@ -9,10 +9,10 @@
 
 namespace leitstand {
 
-/// Returns links for the scans of @p map that no active link of @p links leads to, although no part begins
-/// with them. They are of missions from before there were links. Each is linked with the scan that it was
-/// registered against (LiveKeyScan::matched), and loosely with the same robot's scan before, by their present
-/// poses. The matches of relax() have more weight. Ids begin with @p first.
+/// Returns links for scans of @p map that have no active link in @p links and begin no part. They come from
+/// old missions that had no links. Each is linked with the scan that it was registered against
+/// (LiveKeyScan::matched), and loosely with the same robot's previous scan, by their present poses. Matches
+/// of relax() have more weight than these links. Ids begin at @p first.
 [[nodiscard]] std::vector<Link> missingLinks(const LiveMap& map, std::span<const Link> links,
                                              std::uint64_t first);
 

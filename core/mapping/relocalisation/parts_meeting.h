@@ -12,19 +12,19 @@
 
 namespace leitstand {
 
-/// The result of looking for a part of a map in its first part.
+/// The result of searching the map's first part for another part.
 struct PartsMeeting {
-    /// Poses of the key scans that agree, by id, in the map as its first part lies. Empty: the relative pose
-    /// of the two parts is not known.
+    /// Poses of the key scans that agree, by id, in the map's first part. Empty: the relative pose of the two
+    /// parts is unknown.
     std::map<std::uint64_t, Pose> scansInMap;
-    std::size_t sought = 0;  ///< scans that were looked for
-    std::size_t found = 0;   ///< scans that were found, each on its own, whether or not they agree
+    std::size_t sought = 0;  ///< number of scans that were looked for
+    std::size_t found = 0;   ///< number of scans that were found, each by itself, whether or not they agree
 };
 
-/// Looks for scans from all over the part @p part of @p map (LiveKeyScan::part) in its first part: for maps
-/// that are complete. The two parts meet where at least LoopSettings::partsAgree scans agree, and twice as
-/// many as agree on anything else. The whole part, moved there, may also hardly stand where the first part
-/// looked through. Cancelled: they do not meet.
+/// Looks for scans of the part @p part of @p map (LiveKeyScan::part) in the map's first part. Scans are taken
+/// from all over the part; the map must be complete. The two parts are joined if at least
+/// LoopSettings::partsAgree scans agree, and twice as many as agree on anything else. The moved part must
+/// also hardly stand in the free space of the first part. Cancelled: they are not joined.
 [[nodiscard]] PartsMeeting meetingOf(const LiveMapPtr& map, std::uint64_t part, const LiveSettings& settings,
                                      const RelocalisationSettings& how = {}, const Progress& progress = {});
 

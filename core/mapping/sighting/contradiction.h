@@ -7,9 +7,9 @@
 
 namespace leitstand {
 
-/// Returns the share of @p view's points that contradict a laser at @p pose. These points lie behind the
-/// walls of @p map, or where @p local has open floor. @p map: wallMap() of @p local. The share is about zero
-/// at the robot's true pose, whatever the map lacks so far. It is large where the place only looks alike.
+/// Returns the share of points of @p view that contradict a laser at @p pose: they lie behind the walls of
+/// @p map, or where @p local has open floor. @p map: wallMap() of @p local. At the robot's true pose the
+/// share is about zero, even if the map is incomplete. It is large at a place that only looks similar.
 [[nodiscard]] double contradiction(const LaserView& view, const LocalMap& local, const WallMap& map,
                                    const FlatPose& pose);
 

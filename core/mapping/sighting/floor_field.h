@@ -12,10 +12,10 @@ namespace leitstand {
 /// A square of the map around a place, divided into cells.
 class SquareGrid {
 public:
-    /// Reaches @p reach [m] to each side of @p middle, in cells with edges of @p edge [m].
+    /// The square reaches @p reach [m] to each side of @p middle. @p edge: edge of a cell [m].
     SquareGrid(const Eigen::Vector2d& middle, double reach, double edge);
 
-    /// Returns the cell of @p point; empty outside.
+    /// Returns the cell of @p point; empty: outside the square.
     [[nodiscard]] std::optional<std::size_t> cellOf(const Eigen::Vector2d& point) const;
     [[nodiscard]] std::size_t cells() const { return m_size * m_size; }
     /// Calls @p what with @p cell and the cells around it.
@@ -33,14 +33,14 @@ private:
     std::size_t m_size;
 };
 
-/// The height of the floor around a place, from the low points there, also on ramps and where a body hides
-/// it.
+/// The height of the floor around a place, computed from its low points. Also works on ramps, and where a
+/// body hides the floor.
 class FloorField {
 public:
-    /// @p points: map frame [m].
+    /// @p points: in the map [m].
     FloorField(const SquareGrid& grid, std::span<const Eigen::Vector3f> points);
 
-    /// Returns the floor's height, map frame [m]; empty where it is unknown.
+    /// Returns the floor's height in the map [m]; empty: unknown.
     [[nodiscard]] std::optional<double> heightAt(const Eigen::Vector2d& point) const;
 
 private:

@@ -7,8 +7,8 @@
 
 namespace leitstand {
 
-/// Returns the indices 0 to @p count - 1 in connected groups. @p far(a, b) returns whether b is too far from
-/// a to belong to the same thing.
+/// Divides the indices 0 to @p count - 1 into connected groups. @p far(a, b) returns whether b is too far
+/// from a to belong to the same thing.
 template <class Far>
 [[nodiscard]] std::vector<std::vector<std::size_t>> grouped(std::size_t count, const Far& far) {
     std::vector<std::vector<std::size_t>> found;

@@ -8,9 +8,9 @@
 
 namespace leitstand {
 
-/// Adds to @p bodies where @p robot, with @p body, was in the map from @p start to @p end (its own clock):
-/// several places if it moved. Adds nothing where its pose is unknown. The less certain its pose is, the
-/// wider is its margin. Scans of other robots leave out what lies on these bodies.
+/// Adds to @p bodies where @p robot, whose shape is @p body, was in the map from @p start to @p end (its own
+/// clock). If it moved, these are several places. Adds nothing where its pose is unknown. The less certain
+/// its pose is, the wider the margin. Scans of other robots omit points on these bodies.
 void addBodies(std::vector<PlacedBody>& bodies, const RobotTracker& robot, const RobotBody& body, Time start,
                Time end);
 

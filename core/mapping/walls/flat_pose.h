@@ -15,7 +15,7 @@ struct FlatPose {
     [[nodiscard]] static FlatPose of(const Pose& pose) {
         return {pose.translation().head<2>(), headingOf(pose)};
     }
-    /// Returns the level pose at @p height [m].
+    /// Returns this pose in space, level and at @p height [m].
     [[nodiscard]] Pose standing(double height) const {
         return poseFrom({place.x(), place.y(), height}, 0.0, 0.0, heading);
     }

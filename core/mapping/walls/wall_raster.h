@@ -12,17 +12,17 @@
 
 namespace leitstand {
 
-/// A place of a raster where the walls of a view match the map.
+/// A place in a raster where the walls of a view fit the map.
 struct RasterPlace {
     FlatPose pose;
-    double score = 0.0;  ///< 0 to 1: mean likelihood of the walls of the view
+    double score = 0.0;  ///< mean likelihood of the view's walls, 0 to 1
 };
 
 /// The result of a search.
 struct RasterPlaces {
     std::vector<RasterPlace> places;  ///< best first
-    /// Upper bound of the score of all places that are not in `places`, nor beside one of these. Places below
-    /// the least scores of RasterSearch are not considered.
+    /// Upper bound of the score of all places that are neither in `places` nor beside one of them. Places
+    /// below the least scores of RasterSearch are ignored.
     double others = 0.0;
 };
 
@@ -33,40 +33,44 @@ struct RasterSearch {
     double likeBest = 0.75;            ///< ... and least share of the best score
     double apart = 1.0;                ///< least distance between places [m] ...
     double turnedApart = degrees(15);  ///< ... or least turn [rad]
-    double angleStep = degrees(1.5);   ///< step between the headings that are tried [rad]
+    double angleStep = degrees(1.5);   ///< step between headings [rad]
 };
 
-/// The upright surfaces of a map, seen from above, as likelihoods on a raster of cells. Each block of cells
-/// holds the largest likelihood of its cells.
+/// The vertical surfaces of a map, seen from above, as likelihoods in a raster of cells. Coarser levels have
+/// blocks of cells, each with the largest likelihood of its cells.
 class WallRaster {
 public:
-    /// @p walls: points on upright surfaces, map's frame [m]; those beyond @ref Farthest are left out. A map
-    /// of more than @ref MostCells is not searched: nothing is found in it.
+    /// @p walls: points on vertical surfaces, in the map [m]; those beyond @ref Farthest are left out. A map
+    /// with more than @ref MostCells cells is not searched: nothing is found in it.
     explicit WallRaster(std::span<const Eigen::Vector2f> walls);
 
-    /// Returns the poses from which the walls of the map look like @p view: points on walls, in a level frame
-    /// of their own [m]. Searches the whole raster and all headings by branch and bound (Olson 2009; Hess,
-    /// Kohler, Rapp & Andor 2016). The same arguments give the same result. Cancelled: what was found so far.
+    /// Returns the poses from which the walls of the map look like @p view. @p view: points on walls, in
+    /// their own level frame [m]. Searches the whole raster and all headings by branch and bound (Olson 2009;
+    /// Hess, Kohler, Rapp & Andor 2016). The same arguments give the same result. Cancelled: what was found
+    /// so far.
     [[nodiscard]] RasterPlaces find(std::span<const Eigen::Vector2f> view, const RasterSearch& search = {},
                                     const Progress& progress = {}) const;
 
-    /// Returns RasterPlace::score of @p view at any @p pose.
+    /// Returns RasterPlace::score of @p view at @p pose, which may be anywhere.
     [[nodiscard]] double scoreAt(std::span<const Eigen::Vector2f> view, const FlatPose& pose) const;
 
-    /// Returns other places than @p best, at most @p within [m] from @p about and at the same heading, best
-    /// first. Their score is at least @p alike times that of @p best. Somewhere between the two it is clearly
-    /// lower; so places along a corridor's axis are left out.
+    /// Returns other places than @p best with the same heading, at most @p within [m] from @p about, best
+    /// first. Their score is at least @p alike times that of @p best. Between each place and @p best the
+    /// score must be clearly lower at some point. So places along the axis of a corridor are left out.
     [[nodiscard]] std::vector<RasterPlace> beside(std::span<const Eigen::Vector2f> view, const FlatPose& best,
                                                   const Eigen::Vector2d& about, double within,
                                                   double alike) const;
 
-    static constexpr double PlacesApart = 0.6;  ///< between places of beside(), and to the best one [m]
-    static constexpr double Cell = 0.1;         ///< [m]
-    static constexpr double Farthest = 500.0;   ///< from the map's origin, each way [m]
+    /// Distance of the places of beside() from each other and from the best place [m].
+    static constexpr double PlacesApart = 0.6;
+    static constexpr double Cell = 0.1;  ///< edge of a cell [m]
+    /// Largest distance from the map's origin, in each direction [m].
+    static constexpr double Farthest = 500.0;
     static constexpr std::size_t MostCells = 16'000'000;  ///< 400 m x 400 m
 
 private:
-    static constexpr int Levels = 5;  ///< blocks of the coarsest are 2^(Levels - 1) cells wide
+    /// Number of levels; blocks of the coarsest level are 2^(Levels - 1) cells wide.
+    static constexpr int Levels = 5;
 
     [[nodiscard]] float at(int level, int x, int y) const;
     [[nodiscard]] Eigen::Vector2i cellOf(const Eigen::Vector2d& point) const;
@@ -74,8 +78,8 @@ private:
     void pool();
 
     Eigen::Vector2d m_from = Eigen::Vector2d::Zero();
-    int m_width = 0, m_height = 0;                    ///< cells
-    std::vector<std::vector<std::uint8_t>> m_levels;  ///< 255: likely
+    int m_width = 0, m_height = 0;                    ///< size in cells
+    std::vector<std::vector<std::uint8_t>> m_levels;  ///< likelihoods of each level; 255: most likely
 };
 
 }  // namespace leitstand

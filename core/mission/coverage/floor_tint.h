@@ -9,10 +9,10 @@
 
 namespace leitstand {
 
-/// A level rectangle of floor.
+/// A horizontal rectangle of floor.
 struct FloorPatch {
-    Eigen::Vector2f low, high;  ///< corners, in the map [m]
-    float height = 0.0F;        ///< [m]
+    Eigen::Vector2f low, high;  ///< corners in the map [m]
+    float height = 0.0F;        ///< height in the map [m]
     bool seen = false;
 };
 
@@ -24,7 +24,7 @@ struct FloorTint {
 using FloorTintPtr = std::shared_ptr<const FloorTint>;
 
 /// Returns the reachable floor of @p coverage, joined into few patches. Heights that differ by less than 5 cm
-/// count as level.
+/// are treated as the same.
 [[nodiscard]] FloorTint floorTintOf(const CoverageMap& coverage, SearchSensor sensor);
 
 }  // namespace leitstand

@@ -7,22 +7,23 @@
 
 namespace leitstand {
 
-/// Thresholds below which two views count as one.
+/// Thresholds below which two views count as the same view.
 struct ViewGrain {
     double apart = 0.0;   ///< distance between their cameras [m]
     double turned = 0.0;  ///< angle between their cameras [rad]
 };
 
-/// The views that hang on one scan, without near duplicates. The grain can only become coarser. A dropped
-/// duplicate loses only the edge of the floor that the kept views see.
+/// The views that belong to one scan, without near duplicates. The thresholds (grain) can only become
+/// coarser. A duplicate that is dropped would have added only a little floor, at the edge of what the kept
+/// views see.
 class ScanViews {
 public:
     explicit ScanViews(const ViewGrain& grain) : m_grain(grain) {}
 
-    /// Whether a held view counts as one with @p view.
+    /// Whether a kept view counts as the same as @p view.
     [[nodiscard]] bool holds(const SearchView& view) const { return holds(m_views, view); }
     void add(const SearchView& view) { m_views.push_back(view); }
-    /// Coarsens the grain to @p grain and keeps only the first of all views that now count as one. Does
+    /// Coarsens the grain to @p grain and keeps only the first of the views that are now the same. Does
     /// nothing when the grain is already as coarse.
     void thin(const ViewGrain& grain);
 

@@ -15,33 +15,35 @@ namespace leitstand {
 
 class FloorHeights;
 
-/// The floor to search, as a grid in the map frame. Holds the height of the floor by the scans, what stands
-/// on it, and which of it robots can reach.
+/// The floor to search, as a grid in the map's frame. Has the height of the floor as seen by scans, what
+/// stands on it, and where robots can go.
 class SearchGround {
 public:
-    /// Computes the ground of the storey with @p heights. @p trail: base_link where robots were, in the map
+    /// Computes the ground of the storey with @p heights. @p trail: where base_link of robots was in the map
     /// [m].
     [[nodiscard]] static SearchGround of(std::span<const ReportScan> scans,
                                          std::span<const Eigen::Vector3d> trail,
                                          const CoverageSettings& settings = {},
                                          const StoreyHeights& heights = {});
 
-    [[nodiscard]] double cell() const { return m_cell; }                      ///< edge [m]
-    [[nodiscard]] int columns() const { return m_columns; }                   ///< along x
-    [[nodiscard]] int rows() const { return m_rows; }                         ///< along y
+    [[nodiscard]] double cell() const { return m_cell; }                      ///< edge of a cell [m]
+    [[nodiscard]] int columns() const { return m_columns; }                   ///< number of cells along x
+    [[nodiscard]] int rows() const { return m_rows; }                         ///< number of cells along y
     [[nodiscard]] const Eigen::Vector2d& origin() const { return m_origin; }  ///< corner of cell 0 [m]
     [[nodiscard]] std::size_t size() const { return m_floor.size(); }
 
-    [[nodiscard]] std::ptrdiff_t cellAt(const Eigen::Vector2d& place) const;       ///< -1: outside
-    [[nodiscard]] Eigen::Vector2d middleOf(std::size_t cell) const;                ///< [m]
-    [[nodiscard]] float height(std::size_t cell) const { return m_height[cell]; }  ///< of the floor [m]
+    /// Index of the cell; -1: outside.
+    [[nodiscard]] std::ptrdiff_t cellAt(const Eigen::Vector2d& place) const;
+    [[nodiscard]] Eigen::Vector2d middleOf(std::size_t cell) const;  ///< middle of the cell in the map [m]
+    /// Height of the floor in the map [m].
+    [[nodiscard]] float height(std::size_t cell) const { return m_height[cell]; }
     /// Whether the floor of @p cell was seen and carries no obstacle for robots.
     [[nodiscard]] bool isFloor(std::size_t cell) const { return m_floor[cell] != 0; }
     /// Whether a robot can reach the floor of @p cell from where robots drove.
     [[nodiscard]] bool isReachable(std::size_t cell) const { return m_reachable[cell] != 0; }
-    [[nodiscard]] double reachableArea() const;  ///< [m2]
-    /// Whether something stands between @p from and @p to (map frame [m]). What stands in the cell of @p from
-    /// or of @p to does not count.
+    [[nodiscard]] double reachableArea() const;  ///< area that robots can reach [m2]
+    /// Whether something stands between @p from and @p to (in the map [m]). Things in the cells of @p from
+    /// and @p to are ignored.
     [[nodiscard]] bool hides(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
 private:
@@ -61,7 +63,8 @@ private:
     double m_cell = 0.1;
     Eigen::Vector2d m_origin = Eigen::Vector2d::Zero();
     int m_columns = 0, m_rows = 0;
-    std::vector<float> m_height;            ///< of the floor; where none was seen, of the nearest [m]
+    /// Height of the floor in each cell; of the nearest known cell where none was seen [m].
+    std::vector<float> m_height;
     std::vector<std::uint32_t> m_standing;  ///< bit i: something stands i to i + 1 layers above the floor
     std::vector<std::uint8_t> m_floor, m_reachable;
 };

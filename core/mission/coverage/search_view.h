@@ -20,13 +20,14 @@ inline constexpr std::array SearchSensors = {SearchSensor::Scanner, SearchSensor
 /// "scanner", "camera", "infrared".
 [[nodiscard]] std::string_view nameOf(SearchSensor sensor);
 
-/// What a camera can see: a pyramid ahead, or a ring about its axis (cameras below mirrors). Optical frame.
+/// What a camera can see, in its optical frame: a pyramid ahead, or a ring around its axis (cameras below
+/// mirrors).
 struct SearchField {
     double left = 0.0, right = 0.0, up = 0.0, down = 0.0;  ///< slopes of the pyramid's sides: x/z, y/z
     double inner = 0.0, outer = 0.0;  ///< angles of the ring's edges from the axis [rad]; outer 0: no ring
     double pixelsPerRadian = 0.0;
 
-    /// Whether @p point (optical frame) lies in the field.
+    /// Whether @p point (optical frame) is within the field.
     [[nodiscard]] bool holds(const Eigen::Vector3d& point) const;
     /// Returns the largest angle between the optical axis and a point in the field [rad].
     [[nodiscard]] double halfAngle() const;
@@ -35,16 +36,16 @@ struct SearchField {
 /// Returns the field of @p camera; empty when it is not calibrated or its model is unknown.
 [[nodiscard]] std::optional<SearchField> fieldOf(const CameraInfoSample& camera);
 
-/// A pose from which a camera looked. It hangs on a key scan and so moves with the map.
+/// A pose from which a camera looked. It belongs to a key scan and moves with it in the map.
 struct SearchView {
     std::uint64_t scan = 0;  ///< KeyScanSample::id
     SearchSensor sensor = SearchSensor::Camera;
     Pose cameraInScan = Pose::Identity();  ///< optical frame (z ahead) in the scan's frame
     SearchField field;
-    Time seen{};  ///< station's clock
+    Time seen{};  ///< when it looked, station's clock
 
-    /// Returns the distance up to which the camera searches: a lying body spans enough pixels, and the reach
-    /// of @p settings is not exceeded [m].
+    /// Returns the distance up to which the camera searches [m]: a lying body spans enough pixels, within the
+    /// range limits of @p settings.
     [[nodiscard]] double range(const CoverageSettings& settings) const;
 };
 

@@ -13,20 +13,20 @@ namespace leitstand {
 struct SearchedStorey {
     int number = 0;
     double reachable = 0.0;                           ///< floor that robots can reach [m2]
-    std::array<double, SearchSensors.size()> seen{};  ///< seen part of it, by SearchSensor [m2]
+    std::array<double, SearchSensors.size()> seen{};  ///< seen part of it by each SearchSensor [m2]
 };
 
-/// What each kind of sensor searched: everything that a window shows of the search, ready to paint. Immutable
+/// What each kind of sensor has searched: all that a window shows about the search, ready to paint. Immutable
 /// once shared.
 struct SearchedFloor {
     /// What one kind of sensor saw and missed.
     struct Part {
         double seen = 0.0;                 ///< reachable floor that it saw [m2]
-        std::vector<MissedRegion> missed;  ///< the largest first
+        std::vector<MissedRegion> missed;  ///< largest first
         FloorTint tint;
     };
     double reachable = 0.0;               ///< floor that robots can reach, of all storeys [m2]
-    std::vector<SearchedStorey> storeys;  ///< from the lowest on
+    std::vector<SearchedStorey> storeys;  ///< from the lowest to the highest
     std::array<Part, SearchSensors.size()> parts;
 
     [[nodiscard]] const Part& by(SearchSensor sensor) const {

@@ -8,12 +8,12 @@
 
 namespace leitstand {
 
-/// Density of a scan's points by direction from its scanner, in bins of 5 degrees.
+/// The density of a scan's points by direction from its scanner, in bins of 5 degrees.
 class ShotDensity {
 public:
     [[nodiscard]] static ShotDensity of(const Scan& scan);
 
-    /// Returns the points per steradian around @p direction (scan's frame, any length).
+    /// Returns points per steradian around @p direction (scan's frame; any length).
     [[nodiscard]] double about(const Eigen::Vector3d& direction) const;
 
 private:
@@ -21,7 +21,7 @@ private:
     static int columnOf(const Eigen::Vector3d& direction);
     static int ringOf(const Eigen::Vector3d& direction);
 
-    /// Over each bin and its neighbours [1/sr].
+    /// Mean over each bin and its neighbours [1/sr].
     std::array<float, static_cast<std::size_t>(Around* Rings)> m_densities = {};
 };
 

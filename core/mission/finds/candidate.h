@@ -14,24 +14,26 @@
 
 namespace leitstand {
 
-using ScanPlaces = std::map<std::uint64_t, Pose>;  ///< key scans in the map
+using ScanPlaces = std::map<std::uint64_t, Pose>;  ///< poses of key scans in the map, by id
 
-/// Sums up the cues of one kind that one robot saw of one thing from one key scan.
+/// Summary of the cues of one kind that one robot saw of one thing from one key scan.
 struct CandidateLook {
-    Eigen::Vector3d inScan = Eigen::Vector3d::Zero();  ///< weighted mean, in the key scan's frame [m]
-    Eigen::Vector3d fromInScan =
-        Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< camera [m]; NaN: unknown
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< mean covariance of a cue, same frame [m2]
-    double weight = 0.0;                                       ///< sum of the cues' weights
-    double evidence = 0.0;                                     ///< sum of the cues' confidences
-    double strongest = 0.0;                                    ///< highest confidence of a cue
+    /// Weighted mean position, in the key scan's frame [m].
+    Eigen::Vector3d inScan = Eigen::Vector3d::Zero();
+    /// Mean position of the camera, same frame [m]; NaN: unknown.
+    Eigen::Vector3d fromInScan = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    /// Mean covariance of a cue, in the same frame [m2].
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+    double weight = 0.0;     ///< sum of the cues' weights
+    double evidence = 0.0;   ///< sum of the cues' confidences
+    double strongest = 0.0;  ///< highest confidence of a cue
     int cues = 0;
-    int moments = 0;  ///< moments in which the cues came; cues within half a second are one moment
+    int moments = 0;  ///< number of moments with cues; cues within half a second are one moment
     Time moment{};    ///< newest of these moments
-    Cue best;         ///< the surest cue, with its own stamp and sequence
+    Cue best;         ///< the most certain cue, with its own stamp and sequence
 };
 
-/// One thing that was seen.
+/// A thing of which cues were seen.
 struct CandidateThing {
     using Key =
         std::tuple<std::string, std::string, std::uint64_t, std::string>;  ///< kind, robot, scan, text
@@ -40,9 +42,9 @@ struct CandidateThing {
     FindSample::Kind what = FindSample::Kind::Victim;
     std::map<Key, CandidateLook> looks;
     std::uint32_t victim = 0;
-    bool dismissed = false;  ///< a person dismissed it; new cues do not change that
-    bool withdrawn = false;  ///< it was published, and is no longer believed
-    bool discarded = false;  ///< it was filed, and its find was discarded
+    bool dismissed = false;  ///< whether a person dismissed it; new cues do not change that
+    bool withdrawn = false;  ///< whether it was published, and is no longer believed
+    bool discarded = false;  ///< whether it was filed, and its find was discarded
     std::uint64_t order = 0;
     // as last published
     Time published{};
@@ -54,12 +56,12 @@ struct CandidateThing {
     std::uint64_t scan = 0;  ///< key scan from which most of it was seen
 
     void add(const PlacedCue& cue, const ScanPlaces& scans);
-    /// Computes position, covariance and confidence again from all looks.
+    /// Computes position, covariance and confidence from all looks.
     void settle(const ScanPlaces& scans, const CandidateSettings& settings);
-    /// Returns the text with the most evidence among the cues, except those of robots' own sightings; empty:
-    /// no cue has a text.
+    /// Returns the text with the most evidence among the cues; empty: no cue has a text. Robots' own
+    /// sightings are ignored.
     [[nodiscard]] std::string text() const;
-    /// Returns the text of the tag with the most evidence; empty: no tag was read.
+    /// Returns the text of the victim tag with the most evidence; empty: no tag was read.
     [[nodiscard]] std::string tag() const;
     /// Whether a person dismissed it or discarded its find.
     [[nodiscard]] bool isRuledOut() const { return dismissed || discarded; }
@@ -67,11 +69,11 @@ struct CandidateThing {
     [[nodiscard]] double deviation() const;
 };
 
-/// Returns the squared Mahalanobis distance of @p off [m] by @p covariance, seen from above (x and y).
-/// Infinite when @p covariance is degenerate.
+/// Returns the squared Mahalanobis distance of the offset @p off [m] for @p covariance, seen from above (x
+/// and y). Infinite when @p covariance is degenerate.
 [[nodiscard]] double squaredDeviations(const Eigen::Vector3d& off, const Eigen::Matrix3d& covariance);
 
-/// Returns the confidence of @p thing from its kinds of cues.
+/// Returns the confidence of @p thing, computed from its kinds of cues.
 [[nodiscard]] double confidenceOf(const CandidateThing& thing, const CandidateSettings& settings);
 
 }  // namespace leitstand

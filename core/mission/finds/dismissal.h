@@ -11,12 +11,12 @@ namespace leitstand {
 
 struct MissionState;
 
-/// Whether a person dismissed the candidate in @p sample. A CandidateBook also takes back candidates that it
-/// doubts, or that became part of another one. Such candidates are not dismissed: they may come again.
+/// Whether a person dismissed the candidate in @p sample. A CandidateBook also withdraws candidates that it
+/// doubts, or that became part of another candidate. These are not dismissed: they may appear again.
 [[nodiscard]] bool isDismissal(const CandidateSample& sample, const CandidateSettings& settings = {});
 
-/// Returns @p candidate as a person at @p station dismisses it at @p now. With @p dismissed false, the person
-/// takes the dismissal back.
+/// Returns @p candidate as a person at @p station dismisses it at @p now. If @p dismissed is false, the
+/// person revokes the dismissal.
 [[nodiscard]] CandidateSample judged(CandidateSample candidate, bool dismissed, const std::string& station,
                                      Time now, const CandidateSettings& settings = {});
 

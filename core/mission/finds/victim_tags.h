@@ -6,10 +6,10 @@
 
 namespace leitstand {
 
-/// Patterns of codes that are tags of victims: * stands for any text, ? for one character, # for one digit.
+/// Patterns for the texts of codes that are victim tags: * matches any text, ? one character, # one digit.
 using TagPatterns = std::vector<std::string>;
 
-/// Returns the patterns of the generated arenas, with tags such as V-01.
+/// Returns the patterns for the generated arenas, with tags such as V-01.
 [[nodiscard]] inline TagPatterns usualTags() {
     return {"V-#*"};
 }

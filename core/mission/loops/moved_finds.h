@@ -9,8 +9,8 @@
 
 namespace leitstand {
 
-/// Returns the finds, without discarded ones, that would move by more than @p least [m] if key scans stood
-/// where @p scansInMap has them.
+/// Returns the finds that would move by more than @p least [m] if key scans had the poses @p scansInMap.
+/// Leaves out discarded finds.
 [[nodiscard]] std::vector<FindKey> findsMovedBy(const MissionState& state,
                                                 const std::map<std::uint64_t, Pose>& scansInMap,
                                                 double least);

@@ -13,21 +13,21 @@
 
 namespace leitstand {
 
-/// An event that undo can take back, and whether it is undone. All decisions are kept in order, so that a
-/// timeline can jump to each.
+/// An event that can be undone, and whether it is undone. All decisions are kept in order, so that a timeline
+/// can show each of them.
 struct Decision {
     std::uint64_t sequence = 0;
-    Time received{};      ///< station's clock
-    bool undone = false;  ///< by an undo that is not undone itself
-    /// A ScanLinksSample holds only those of its links that close loops.
+    Time received{};      ///< when it was received, station's clock
+    bool undone = false;  ///< whether there is an undo of it that is not undone itself
+    /// A ScanLinksSample has only its loop links here.
     std::variant<FindSample, NoteSample, ScanPosesSample, KeyScanEntry, UndoSample, MapCropSample,
                  ScanLinksSample, ScanBodiesSample>
         content;
 };
 
-/// A link that closes a loop, as the newest decision that is not undone has it.
+/// A link that closes a loop, from the newest decision about it that is not undone.
 struct LoopState {
-    std::uint64_t sequence = 0;  ///< of that decision
+    std::uint64_t sequence = 0;  ///< sequence of that decision
     Link link;
 };
 

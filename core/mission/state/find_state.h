@@ -10,26 +10,26 @@
 
 namespace leitstand {
 
-/// A victim or other find, by the newest decision on it that is not undone.
+/// A victim or another find, from the newest decision about it that is not undone.
 struct FindState {
-    std::uint64_t sequence = 0;  ///< of that decision
-    std::uint64_t filed = 0;     ///< sequence of the first decision on it that is not undone
+    std::uint64_t sequence = 0;  ///< sequence of that decision
+    std::uint64_t filed = 0;     ///< sequence of the first decision about it that is not undone
     FindSample victim;
 };
 
-/// The first report of a candidate: its robot, and whether that robot drove itself then. A find made from the
-/// candidate counts accordingly, however late it is filed.
+/// The first report of a candidate: which robot, and whether it was driving itself. A find made from the
+/// candidate is scored by this, no matter when it is filed.
 struct FirstReport {
-    Time stamp{};                    ///< station's clock
+    Time stamp{};                    ///< when it was reported, station's clock
     std::string robot;               ///< empty: unknown
-    std::optional<bool> autonomous;  ///< it drove itself; empty: unknown
+    std::optional<bool> autonomous;  ///< whether it was driving itself; empty: unknown
 };
 
-/// A candidate: what the station believes to have found, by its newest sample.
+/// A candidate: what the station believes it has found, from its newest sample.
 struct CandidateState {
-    std::uint64_t sequence = 0;  ///< of the newest
-    std::uint64_t first = 0;     ///< sequence of the first of this id
-    FirstReport firstReport;     ///< by that event
+    std::uint64_t sequence = 0;  ///< sequence of its newest sample
+    std::uint64_t first = 0;     ///< sequence of the first sample with its id
+    FirstReport firstReport;     ///< from that first sample
     CandidateSample candidate;
 };
 

@@ -28,24 +28,24 @@ struct StopCommandSample;
 struct StopStateSample;
 enum class StreamRole : std::uint8_t;
 
-/// Number of events on a topic, and the newest of them.
+/// The number of events on a topic, and facts about the newest one.
 struct StreamState {
     std::optional<StreamRole> role;  ///< empty for the station's own topics
     std::string sensor;              ///< StreamDescription::sensor
     std::uint64_t events = 0;
-    std::uint64_t sequence = 0;  ///< of the newest
-    Time received{};             ///< newest, station's clock
-    Time stamp{};                ///< newest, sender's clock; epoch where the sample has none
+    std::uint64_t sequence = 0;  ///< sequence of the newest event
+    Time received{};             ///< when the newest event was received, station's clock
+    Time stamp{};                ///< stamp of the newest sample, sender's clock; epoch if it has no stamp
 };
 
-/// A sample and where it stands in the mission.
+/// A sample and its place in the mission.
 template <class T>
 struct Latest {
     std::uint64_t sequence = 0;
-    Time received{};  ///< station's clock
+    Time received{};  ///< when it was received, station's clock
     T sample;
 };
-/// The newest sample; null: none has come. Code that reads the sample includes the sample's header.
+/// The newest sample; null: none was received. Code that reads the sample includes the sample's header.
 template <class T>
 using LatestPtr = std::shared_ptr<const Latest<T>>;
 template <class T>
@@ -55,37 +55,40 @@ template <class T>
 
 /// A hit that a robot's bumpers counted.
 struct Contact {
-    std::uint64_t sequence = 0;  ///< of the event that reported it
-    Time received{};             ///< station's clock
+    std::uint64_t sequence = 0;  ///< sequence of the event that reported it
+    Time received{};             ///< when it was received, station's clock
     std::string bumper;
     std::uint32_t hits = 1;            ///< counted since the previous contact
-    std::optional<Pose> baseInOdom{};  ///< by the newest odometry at that time
+    std::optional<Pose> baseInOdom{};  ///< from the newest odometry at that time
 };
 
 /// Mean current of a battery over the last minute.
 struct BatteryLoad {
-    double current = Unknown;  ///< negative: it discharges [A]
+    double current = Unknown;  ///< negative: the battery discharges [A]
     double seconds = 0.0;      ///< time that the mean covers [s]
 
-    static constexpr double AtFirst = 5.0, Longest = 60.0;  ///< [s]
+    /// Times that the mean covers: at first, and at most [s].
+    static constexpr double AtFirst = 5.0, Longest = 60.0;
 };
 
-/// Newest samples of a robot. Scans and pictures are not kept: StreamState holds where the newest is.
+/// The newest samples of a robot. Scans and pictures are not kept; StreamState says which event has the
+/// newest.
 struct RobotState {
     LatestPtr<OdometrySample> odometry;  ///< without its covariances
     LatestPtr<ImuSample> imu;            ///< without its covariances
     LatestPtr<ModeSample> mode;
     LatestPtr<BatterySample> battery;
-    BatteryLoad load;  ///< of that battery
+    BatteryLoad load;  ///< load of the battery above
     LatestPtr<GasSample> gas;
     LatestPtr<BumpSample> bumps;
     std::vector<Contact> contacts;  ///< all hits of the mission, oldest first; at most MostContacts
     LatestPtr<SightingSample> sightings;
-    LatestPtr<DiagnosticsSample> diagnostics;  ///< newest status of each part, the latest updated part last
+    /// Newest status of each part; the part that was updated last is the last one.
+    LatestPtr<DiagnosticsSample> diagnostics;
     LatestPtr<StopStateSample> stop;
-    LatestPtr<StopCommandSample> stopCommand;  ///< newest that a station sent to it
+    LatestPtr<StopCommandSample> stopCommand;  ///< newest stop that a station sent to it
     LatestPtr<ClockOffsetSample> clockOffset;
-    LatestPtr<RobotPlaceSample> place;           ///< of robots placed in the map of another robot
+    LatestPtr<RobotPlaceSample> place;           ///< of robots that were placed in another robot's map
     std::map<std::string, StreamState> streams;  ///< by topic
 
     static constexpr std::size_t MostContacts = 10'000;

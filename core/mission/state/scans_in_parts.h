@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// Returns the key scans @p scans of a mission as input of findParts(), by rising id. ScanInPart::part is
+/// Returns the key scans @p scans of a mission, by rising id, as input for findParts(). ScanInPart::part is
 /// still 0 in all of them.
 [[nodiscard]] inline std::vector<ScanInPart> scansInParts(
     const std::map<std::uint64_t, KeyScanState>& scans) {

@@ -7,7 +7,7 @@
 namespace leitstand {
 
 /// A value that copies share until one of them is edited. A copy may be read, copied and destroyed in any
-/// thread; edit() is for the owner of the copy.
+/// thread. Only the owner of a copy may call edit().
 template <class T>
 class SharedValue {
 public:
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] const T& operator*() const { return *m_value; }
     [[nodiscard]] const T* operator->() const { return m_value.get(); }
 
-    /// Returns the value to change; a new copy when others may share this one.
+    /// Returns the value for editing. If others may share it, this is a new copy.
     [[nodiscard]] T& edit() {
         // Not use_count(): when another thread released the value, its reads need not be over.
         if (m_shared.load(std::memory_order_relaxed)) {

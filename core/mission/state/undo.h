@@ -12,31 +12,31 @@
 
 namespace leitstand {
 
-/// A decision on the map that the operator may take back or do again.
+/// A decision about the map that the operator can undo or redo.
 struct MapDecision {
     enum class Kind {
-        Taken,     ///< scans count
-        SetAside,  ///< scans do not count
-        Tried,     ///< scans were registered again, and are still doubted
-        Crop,      ///< the area that belongs to the map
-        Loop,      ///< the map was joined where it meets itself
-        Refused,   ///< the map was not joined there: it is another place
+        Taken,     ///< scans were accepted
+        SetAside,  ///< scans were set aside
+        Tried,     ///< scans were registered again, and are still uncertain
+        Crop,      ///< the area that belongs to the map was set
+        Loop,      ///< the map was joined at a place that was mapped twice
+        Refused,   ///< the map was not joined at a possible loop: it is another place
     };
     Kind kind = Kind::Taken;
-    std::vector<std::uint64_t> scans;  ///< by id
-    std::uint64_t event = 0;           ///< sequence that the UndoSample must name
+    std::vector<std::uint64_t> scans;  ///< ids of the scans
+    std::uint64_t event = 0;           ///< sequence to name in the UndoSample
 };
-/// Returns what an undo of @p decision takes back.
+/// Returns what an undo of @p decision undoes, for the text of the UndoSample.
 [[nodiscard]] UndoneThing undoneThing(const MapDecision& decision);
 
-/// Returns the newest decision on the map that the operator of @p station made and that is not taken back;
-/// empty: there is none.
+/// Returns the newest decision about the map that the operator of @p station made and did not undo; empty:
+/// there is none.
 [[nodiscard]] std::optional<MapDecision> undoable(const MissionState& state, const std::string& station);
-/// Returns the decision on the map that @p station took back last, with the event of that undo. Empty: none
-/// was taken back, or the operator decided something since.
+/// Returns the decision about the map that @p station undid last, with the event of that undo. Empty: none
+/// was undone, or the operator made another decision since.
 [[nodiscard]] std::optional<MapDecision> redoable(const MissionState& state, const std::string& station);
 
-/// Returns the newest loop closure, by itself or by hand, that is not taken back; empty: there is none.
+/// Returns the newest loop closure that is not undone, whether automatic or by hand; empty: there is none.
 [[nodiscard]] std::optional<MapDecision> lastLoop(const MissionState& state);
 /// Returns the undo of lastLoop(); empty when there is none.
 [[nodiscard]] std::optional<UndoSample> undoLoop(const MissionState& state, const std::string& station,

@@ -6,32 +6,32 @@
 
 namespace leitstand {
 
-/// What an undo takes back, or a redo does again.
+/// What an undo or a redo is about.
 struct UndoneThing {
     enum class Kind : std::uint8_t {
-        Taken,         ///< scans count
-        SetAside,      ///< scans do not count
+        Taken,         ///< scans were accepted
+        SetAside,      ///< scans were set aside
         Tried,         ///< scans were registered again
-        Crop,          ///< the area that belongs to the map
-        Loop,          ///< the map was joined where it meets itself
+        Crop,          ///< the area that belongs to the map was set
+        Loop,          ///< the map was joined at a place that was mapped twice
         TidiedMap,     ///< all overlapping scans were moved to where they fit each other
-        RefusedLoop,   ///< the map was not joined where it seems to meet itself
-        Find,          ///< the newest entry on a find
-        ReviewedFind,  ///< the newest entry on a find in a review
-        ReviewNote,    ///< a note that was written in a review
+        RefusedLoop,   ///< the map was not joined at a possible loop
+        Find,          ///< newest entry about a find
+        ReviewedFind,  ///< newest entry about a find, made in a review
+        ReviewNote,    ///< note that was written in a review
     };
     Kind kind = Kind::ReviewNote;
-    bool again = false;       ///< a redo, not an undo
-    std::uint64_t scans = 0;  ///< how many scans it is about
-    std::uint64_t scan = 0;   ///< id of the scan, when scans is 1
-    std::string find = {};    ///< "V1"
+    bool again = false;       ///< whether it is a redo
+    std::uint64_t scans = 0;  ///< number of scans
+    std::uint64_t scan = 0;   ///< id of the scan if `scans` is 1
+    std::string find = {};    ///< name of the find, "V1"
     friend bool operator==(const UndoneThing&, const UndoneThing&) = default;
 };
 
-/// Returns @p thing as the log holds it (UndoSample::text): "undo what=set_aside scans=3".
+/// Returns @p thing in the form for the log (UndoSample::text): "undo what=set_aside scans=3".
 [[nodiscard]] std::string undoText(const UndoneThing& thing);
-/// Returns the thing for which undoText() made @p text; empty: it is another text. Also reads the English
-/// sentences of old logs, written before there were codes.
+/// Parses a @p text of undoText(); empty: it is another text. Also reads the English sentences of old logs,
+/// from before there were codes.
 [[nodiscard]] std::optional<UndoneThing> undoneThing(const std::string& text);
 
 }  // namespace leitstand

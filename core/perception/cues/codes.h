@@ -13,13 +13,14 @@ namespace leitstand {
 
 /// A QR code in a picture.
 struct FoundCode {
-    std::string text;                        ///< as read; without control characters, at most 512 bytes
-    std::array<Eigen::Vector2d, 4> corners;  ///< around it, in the order of ZBar [px]
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< [px]
+    std::string text;                        ///< its text; without control characters, at most 512 bytes
+    std::array<Eigen::Vector2d, 4> corners;  ///< its corners, in the order of ZBar [px]
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< middle of the code [px]
     double size = 0.0;                                 ///< square root of its area [px]
 };
 
-/// Reads QR codes (ZBar). Pictures up to 800 pixels wide are also read enlarged, for small codes. One thread.
+/// Reads QR codes (ZBar). Pictures up to 800 pixels wide are also read after enlarging, to find small codes.
+/// One thread.
 class CodeReader {
 public:
     CodeReader();
@@ -27,8 +28,8 @@ public:
     CodeReader(CodeReader&&) noexcept;
     CodeReader& operator=(CodeReader&&) noexcept;
 
-    /// Returns all codes of @p picture, each text once. Reads colours and grey of 8 bits; finds none in other
-    /// pictures.
+    /// Returns the codes in @p picture, each text once. Reads colours and grey of 8 bits; finds nothing in
+    /// other pictures.
     [[nodiscard]] std::vector<FoundCode> read(const Picture& picture);
 
 private:

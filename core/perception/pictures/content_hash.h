@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// Returns a hash of a picture's compressed or raw bytes (FNV-1a over words). It serves to detect a driver
-/// that stamps the same picture again and again.
+/// Returns a hash of a picture's bytes, compressed or raw (FNV-1a over words). It is used to detect a driver
+/// that sends the same picture again and again with new stamps.
 [[nodiscard]] std::uint64_t contentHash(std::span<const std::byte> bytes);
 
 }  // namespace leitstand

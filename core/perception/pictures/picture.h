@@ -6,12 +6,12 @@
 
 namespace leitstand {
 
-/// A decoded picture; rows follow each other without gaps, values in the machine's byte order.
+/// A decoded picture. Rows follow each other without gaps; values are in the machine's byte order.
 struct Picture {
     enum class Pixel : std::uint8_t {
         Grey8,
         Rgb8,    ///< red, green, blue
-        Grey16,  ///< unsigned
+        Grey16,  ///< unsigned values
         Float32
     };
     int width = 0, height = 0;  ///< [px]
@@ -36,7 +36,7 @@ struct Picture {
 /// Temperatures of a thermal picture.
 struct ThermalPicture {
     int width = 0, height = 0;   ///< [px]
-    std::vector<float> celsius;  ///< row-major [degrees C]; NaN where the camera measures nothing
+    std::vector<float> celsius;  ///< row by row [degrees C]; NaN where the camera measures nothing
 };
 
 }  // namespace leitstand

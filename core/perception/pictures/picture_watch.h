@@ -10,22 +10,23 @@
 
 namespace leitstand {
 
-/// Ages of what a camera shows.
+/// How old the pictures of a camera are.
 struct PictureAges {
-    double arrival = std::numeric_limits<double>::infinity();  ///< since a picture came [s]; infinite: never
-    double content = std::numeric_limits<double>::infinity();  ///< since a picture came that differs from the
-                                                               ///< one before [s]
+    /// Since the last picture arrived [s]; infinite: never.
+    double arrival = std::numeric_limits<double>::infinity();
+    /// Since the last picture arrived that differs from the one before [s].
+    double content = std::numeric_limits<double>::infinity();
 
     [[nodiscard]] double seconds() const { return arrival > content ? arrival : content; }
-    /// Whether pictures still come, but the same one for more than @p limit seconds.
+    /// Whether pictures still arrive, but have been the same for more than @p limit seconds.
     [[nodiscard]] bool isFrozen(double limit) const { return content > limit && arrival <= limit; }
 };
 
-/// Measures the age of a camera's pictures by the gaps between their arrivals and by their content. This
-/// detects a driver that hangs and stamps one picture again and again. Stamps are ignored. Pure.
+/// Measures how old a camera's pictures are: when they arrived, and when their content changed. This detects
+/// a driver that hangs and sends one picture again and again with new stamps. Stamps are ignored. Pure.
 class PictureWatch {
 public:
-    /// Call when a picture arrived. @p bytes: as they were sent, compressed or raw.
+    /// Call when a picture arrives. @p bytes: as they were sent, compressed or raw.
     void arrived(std::span<const std::byte> bytes, SteadyTime now);
     [[nodiscard]] PictureAges at(SteadyTime now) const;
 

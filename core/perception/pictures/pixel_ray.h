@@ -12,25 +12,25 @@ struct CameraInfoSample;
 
 /// A half-line.
 struct Ray {
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero();      ///< [m]
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();      ///< where it begins [m]
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< of unit length
 };
 
 /// Returns the direction of @p pixel in the camera's optical frame (x right, y down, z forward), of unit
-/// length. The middle of the first pixel is (0.5, 0.5). The picture has @p width x @p height and may be
-/// smaller than that of the calibration. Distortion is "plumb_bob", "rational_polynomial" (5 or 8 parameters)
-/// or none. Empty for other distortions and without calibration.
+/// length. The middle of the first pixel is (0.5, 0.5). The picture has @p width x @p height pixels, which
+/// may be fewer than those of the calibration. Distortion is "plumb_bob", "rational_polynomial" (5 or 8
+/// parameters) or none. Empty for other distortions, and without calibration.
 [[nodiscard]] std::optional<Eigen::Vector3d> pixelDirection(const CameraInfoSample& camera,
                                                             const Eigen::Vector2d& pixel, int width,
                                                             int height);
 
-/// The inverse of pixelDirection(): returns the pixel of @p direction (optical frame), which may be off the
-/// picture. Empty behind the camera, and where pixelDirection() is.
+/// Inverse of pixelDirection(): returns the pixel of @p direction (optical frame), which may be outside the
+/// picture. Empty behind the camera, and where pixelDirection() is empty.
 [[nodiscard]] std::optional<Eigen::Vector2d> pixelOf(const CameraInfoSample& camera,
                                                      const Eigen::Vector3d& direction, int width, int height);
 
-/// Returns the ray in base_link that leaves a camera in @p direction. @p direction: in the camera's optical
-/// frame, which is at @p opticalInBase.
+/// Returns the ray in base_link that begins at a camera and has the direction @p direction. @p direction is
+/// in the camera's optical frame, whose pose is @p opticalInBase.
 [[nodiscard]] Ray rayFrom(const Pose& opticalInBase, const Eigen::Vector3d& direction);
 
 /// Returns the pose of the optical frame (z forward) in base_link, for a camera frame with x forward (REP

@@ -4,9 +4,9 @@
 
 namespace leitstand {
 
-/// Returns the sharpness of @p picture in grey levels squared: the variance of its Laplacian, at a width of
-/// at most 320 pixels (Pech-Pacheco et al. 2000). Comparable only between pictures of one camera. 0 for empty
-/// ones.
+/// Returns the sharpness of @p picture in squared grey levels: the variance of its Laplacian, at a width of
+/// at most 320 pixels (Pech-Pacheco et al. 2000). Comparable only between pictures of the same camera. 0 for
+/// empty pictures.
 [[nodiscard]] double sharpness(const Picture& picture);
 
 }  // namespace leitstand

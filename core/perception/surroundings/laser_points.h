@@ -10,8 +10,8 @@ namespace leitstand {
 
 struct RangesSample;
 
-/// Returns the end points of the rays of @p turn in odom [m]; each from the robot's pose at the time of the
-/// ray. Rays without an echo or without a known pose are left out. @p sensorInBase: pose of the laser.
+/// Returns the end points of the rays of @p turn in odom [m]. Each ray starts from the robot's pose at its
+/// time. Rays without an echo or without a known pose are left out. @p sensorInBase: pose of the laser.
 [[nodiscard]] std::vector<Eigen::Vector3f> laserPoints(const RangesSample& turn, const Pose& sensorInBase,
                                                        const BaseInOdomAt& baseInOdom);
 

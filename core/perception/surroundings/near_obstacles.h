@@ -9,28 +9,28 @@
 
 namespace leitstand {
 
-/// Obstacles close to a robot. Its scanner no longer sees them once they are beside the wheels. They stay
-/// until a raw scan looks through their place, for half a minute, or until the scanner is 2 m away. Of more
-/// than a thousand, the newest stay.
+/// Obstacles close to a robot, which its scanner no longer sees when they are beside the wheels. An obstacle
+/// is remembered for half a minute, or until a raw scan looks through its place, or until the scanner is 2 m
+/// away. Of more than a thousand obstacles, only the newest are kept.
 class NearObstacles {
 public:
     struct One {
-        Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< odometry's frame [m]
+        Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< position in odometry's frame [m]
         double top = 0.0;                                 ///< height of its upper end [m]
         Time at{};
-        Eigen::Vector3d shot =
-            Eigen::Vector3d::Zero();  ///< from the scanner to the obstacle at that time, base_link's axes
-                                      ///< [m]; zero: not checked by forgetMixed()
-        double bottom = 0.0;          ///< height of its lower end, above 0 for what hangs [m]
-        double z = 0.0;               ///< height of the measured point in odometry's frame [m]
-        double rise = 0.0;            ///< ... and over the robot's ground at that time [m]
+        /// Vector from the scanner to the obstacle when it was seen, along base_link's axes [m]; zero:
+        /// forgetMixed() does not check it.
+        Eigen::Vector3d shot = Eigen::Vector3d::Zero();
+        double bottom = 0.0;  ///< height of its lower end [m]; above 0 for things that hang
+        double z = 0.0;       ///< height of the measured point in odometry's frame [m] ...
+        double rise = 0.0;    ///< ... and above the robot's ground when it was seen [m]
     };
     void add(const One& one);
-    /// Call when a raw scan from @p origin towards @p heading [rad] saw free ground from @p from to @p to [m]
-    /// away. Drops the obstacles there, and those that are too old or too far away.
+    /// Call when a raw scan from @p origin towards @p heading [rad] saw free ground at distances @p from to
+    /// @p to [m]. Removes the obstacles there, and those that are too old or too far away.
     void lookThrough(const Eigen::Vector2d& origin, double heading, double from, double to, Time at);
-    /// Drops points that may be mixed with the robot's own edges, which @p mask has learned since: those
-    /// nearer to the scanner than @p within [m].
+    /// Removes points that may be mixed with edges of the robot, which @p mask has learned since they were
+    /// seen. Only points nearer to the scanner than @p within [m] are checked.
     void forgetMixed(const OwnBodyMask& mask, double within);
     template <class Is>
     void forgetWhere(Is is) {

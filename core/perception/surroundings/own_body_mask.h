@@ -10,13 +10,13 @@
 
 namespace leitstand {
 
-/// Directions in which a scanner sees its own robot. A shot close beside such a direction may mix the robot's
-/// edge with what is behind. Its point then hangs in the air next to the robot and moves along with it.
+/// Directions in which a scanner sees its own robot. A shot close to such a direction may mix the robot's
+/// edge with what is behind it. Its point then hangs in the air next to the robot and moves with it.
 class OwnBodyMask {
 public:
-    /// Adds a shot that met the robot; @p direction: from the scanner, in base_link.
+    /// Adds a shot that hit the robot. @p direction: from the scanner, along the axes of base_link.
     void add(const Eigen::Vector3d& direction, Time at);
-    /// Whether a shot in @p direction or beside it met the robot within the last 20 s.
+    /// Whether a shot in @p direction or close to it hit the robot within the last 20 s.
     [[nodiscard]] bool isNear(const Eigen::Vector3d& direction, Time at) const;
     void clear() { m_metAt.clear(); }
 

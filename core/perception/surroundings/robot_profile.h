@@ -5,11 +5,11 @@
 
 namespace leitstand {
 
-/// Clearance needed above a robot: it bounces while it drives, and its height is measured at rest [m].
+/// Free space needed above a robot [m]: it bounces while it drives, and its height was measured at rest.
 inline constexpr double HeadClearance = 0.10;
 
-/// Returns what floor and obstacles are to @p robot: its height plus HeadClearance, and the climb and step of
-/// its file. Values that the file lacks are those of @p usual.
+/// Returns what counts as floor and obstacle for @p robot: its height plus HeadClearance, and the climb and
+/// step from its file. Values that the file lacks are taken from @p usual.
 [[nodiscard]] ProfileSettings profileOf(const RobotDescription& robot, ProfileSettings usual = {});
 
 }  // namespace leitstand

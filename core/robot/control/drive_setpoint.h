@@ -13,23 +13,23 @@ namespace leitstand {
 struct DriveVelocity {
     double forward = 0.0;  ///< [m/s]
     double left = 0.0;     ///< [m/s]; omnidirectional robots only
-    double turn = 0.0;     ///< counter-clockwise [rad/s]
+    double turn = 0.0;     ///< turn rate, counter-clockwise [rad/s]
     friend bool operator==(const DriveVelocity&, const DriveVelocity&) = default;
 };
 [[nodiscard]] inline bool isZero(const DriveVelocity& velocity) {
     return velocity == DriveVelocity{};
 }
 
-/// Speed limits of a robot. A limit of 0, or one that is no number, forbids the motion.
+/// Speed limits of a robot. If a limit is 0 or not a number, that motion is forbidden.
 struct DriveLimits {
-    double speed = 0.0;     ///< of forward and left together [m/s]
+    double speed = 0.0;     ///< limit for forward and left together [m/s]
     double turnRate = 0.0;  ///< [rad/s]
     bool sideways = false;  ///< whether it can move sideways
 };
 [[nodiscard]] DriveLimits limitsOf(const RobotDescription& robot);
 
-/// Returns @p velocity within @p limits: forward and left are scaled together, turn is cut on its own. Zero
-/// when one of the numbers is not finite.
+/// Returns @p velocity within @p limits: forward and left are scaled together, turn is limited separately.
+/// Zero when a number is not finite.
 [[nodiscard]] DriveVelocity limited(const DriveVelocity& velocity, const DriveLimits& limits);
 
 /// Distance between the tracks of @p robot: the width of its footprint [m].
@@ -38,38 +38,39 @@ struct DriveLimits {
 [[nodiscard]] std::pair<double, double> tracksOf(const DriveVelocity& velocity, double distance);
 [[nodiscard]] DriveVelocity velocityOf(std::pair<double, double> tracks, double distance);
 
-/// Our robots stop when no drive command came for this long; a command has the same lifetime. Fixed: commands
-/// come every 25 ms, so seven of them in a row may be lost.
+/// Our robots stop when they have received no drive command for this long; a command has the same lifetime.
+/// Not configurable: commands are sent every 25 ms, so seven in a row may be lost.
 inline constexpr std::chrono::milliseconds DriveWatchdog(200);
 
-/// A setpoint that expired this long ago is dropped: motion starts again only after neutral sticks. A shorter
-/// gap is a hiccup: sticks that are still held keep their effect.
+/// If a setpoint expired this long ago, motion starts again only after the sticks were neutral. After a
+/// shorter gap, sticks that are still held are obeyed.
 inline constexpr std::chrono::milliseconds SetpointForgotten(500);
 
-/// The operator's setpoint for a robot (docs/design.md, "The wire" and "The window"): the newest one counts,
+/// The operator's setpoint for a robot (docs/design.md, "The wire" and "The window"): the newest one is valid
 /// for 200 ms. Pure.
 ///
-/// Without permission (no focus, no grant, stopped) the setpoint is zero. With permission again it stays zero
-/// until a zero was set: sticks must be neutral first. The same holds when the last setpoint expired
-/// SetpointForgotten ago: a station that hung must not move the robot when it is back.
+/// Without permission (no focus, no grant, stopped) the setpoint is zero. When permission is given again, it
+/// stays zero until a zero was set: the sticks must be neutral first. The same holds if the last setpoint
+/// expired at least SetpointForgotten ago: a station that hung must not move the robot when it continues.
 class DriveSetpoint {
 public:
     explicit DriveSetpoint(const DriveLimits& limits, std::chrono::nanoseconds lifetime = DriveWatchdog);
 
-    /// Sets the sticks at @p now; call it again and again while they are held. @p withoutEyes: the driver
+    /// Sets the sticks at @p now; call it repeatedly while they are held. @p withoutEyes: whether the driver
     /// holds the override of the speed cap.
     void set(const DriveVelocity& velocity, SteadyTime now, bool withoutEyes = false);
     void permit(bool permitted);
-    void halt() { m_neutral = false; }  ///< the setpoint is zero until the sticks were neutral
+    void halt() { m_neutral = false; }  ///< sets zero until the sticks were neutral
 
     [[nodiscard]] DriveVelocity at(SteadyTime now) const;
-    [[nodiscard]] bool isFresh(SteadyTime now) const;  ///< permitted, and set within its lifetime
-    /// Whether the override of the speed cap is held; it ends together with the sticks that it was set with.
+    /// Whether driving is permitted, and the setpoint has not expired.
+    [[nodiscard]] bool isFresh(SteadyTime now) const;
+    /// Whether the override of the speed cap is held. It ends together with the setpoint that it belongs to.
     [[nodiscard]] bool withoutEyes(SteadyTime now) const { return isFresh(now) && m_withoutEyes; }
     [[nodiscard]] const DriveLimits& limits() const { return m_limits; }
     /// When the last setpoint expires.
     [[nodiscard]] SteadyTime expires() const { return m_set + m_lifetime; }
-    /// Whether permission is given, but the sticks have not been neutral since.
+    /// Whether driving is permitted, but the sticks have not been neutral since.
     [[nodiscard]] bool waitsForNeutral() const { return m_permitted && !m_neutral; }
 
 private:

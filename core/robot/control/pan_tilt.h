@@ -22,30 +22,33 @@ struct PanTiltAngles {
 /// (x ahead, y left, z up).
 [[nodiscard]] PanTiltAngles towards(const Eigen::Vector3d& direction);
 
-/// Returns the angles that keep what was grabbed under the pointer, as in a dragged picture. @p start: the
-/// angles when it was grabbed. @p grabbed and @p pointer: directions in the camera's optical frame (x right,
-/// y down, z ahead) at that time and now.
+/// Returns the angles at which the point that was grabbed in the picture stays under the pointer. @p start:
+/// the angles when it was grabbed. @p grabbed and @p pointer: directions of the pointer then and now, in the
+/// camera's optical frame (x right, y down, z ahead).
 [[nodiscard]] PanTiltAngles dragged(const PanTiltAngles& start, const Eigen::Vector3d& grabbed,
                                     const Eigen::Vector3d& pointer);
 
-/// Control of one pan-tilt unit by the operator: its angles, the requested angles, and what must be sent.
-/// Pure: no clock, no thread.
+/// The operator's control of one pan-tilt unit: its present angles, the requested angles, and what must be
+/// sent. Pure: no clock, no thread.
 class PanTiltControl {
 public:
     explicit PanTiltControl(const PanTiltMount& mount) : m_mount(mount) {}
 
-    void reported(const PanTiltAngles& now) { m_now = now; }  ///< as reported by the robot's joint states
+    /// Takes the angles that the robot's joint states report.
+    void reported(const PanTiltAngles& now) { m_now = now; }
     void turnTo(const PanTiltAngles& angles, SteadyTime now);
-    /// Turns by @p step from the requested angles, or else from the reported ones.
+    /// Turns by @p step from the requested angles. If there are none, turns from the reported angles.
     void turnBy(const PanTiltAngles& step, SteadyTime now);
-    /// Turns at @p perSecond [rad/s] until the rate is set again; zero: stays at the angles requested so far.
+    /// Turns at @p perSecond [rad/s] until another rate is set. Zero: keeps the angles requested so far.
     void setRate(const PanTiltAngles& perSecond, SteadyTime now);
     /// Returns what to send now, at most 25 times a second. The requested angles are repeated until the unit
-    /// is there. They are dropped after 5 s without a change: something blocks the unit.
+    /// has reached them. If they do not change for 5 s without being reached, they are dropped: something
+    /// blocks the unit.
     [[nodiscard]] std::optional<PanTiltAngles> due(SteadyTime now);
 
     [[nodiscard]] const PanTiltMount& mount() const { return m_mount; }
-    [[nodiscard]] const std::optional<PanTiltAngles>& now() const { return m_now; }  ///< empty: unknown
+    /// Reported angles; empty: unknown.
+    [[nodiscard]] const std::optional<PanTiltAngles>& now() const { return m_now; }
     [[nodiscard]] const std::optional<PanTiltAngles>& requested() const {
         return m_requested;
     }  ///< angles that the unit shall reach; empty: none

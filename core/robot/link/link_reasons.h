@@ -8,10 +8,10 @@
 
 namespace leitstand {
 
-/// Returns @p reason for the log, without the topic: "stale stream=odometry seconds=1.4".
+/// Returns @p reason in the form for the log, without the topic: "stale stream=odometry seconds=1.4".
 [[nodiscard]] std::string logged(const LinkReason& reason);
-/// Reads a reason from the log: what logged() wrote, or the English sentence of logs older than the codes;
-/// figures are as rounded there. Empty when @p reported is neither.
+/// Reads a reason from the log: the text of logged(), or the English sentence in logs that are older than the
+/// codes. Figures are rounded as in the text. Empty when @p reported is neither.
 [[nodiscard]] std::optional<LinkReason> linkReasonFrom(std::string_view reported);
 
 }  // namespace leitstand

@@ -8,37 +8,39 @@
 
 namespace leitstand {
 
-/// Packets of one sender that never reached the DDS library, and why.
+/// Packets of one sender that were not passed to the DDS library, and why.
 struct ScreenDrop {
     enum class Kind : std::uint8_t {
-        NoRtps,    ///< not RTPS: broken, cut off, or made to break its reader
-        Numbers,   ///< numbers or counts that no writer or reader can have reached
-        Impostor,  ///< claims to be a participant that has another address
-        TooMany,   ///< more participants than a host may have, or more endpoints in one
-        Flood,     ///< more than may come from a sender that is no participant
-        Plain,     ///< not encrypted, in a domain with keys
+        NoRtps,    ///< not RTPS: damaged, truncated, or made to crash its reader
+        Numbers,   ///< with numbers or counts that no writer or reader can have reached
+        Impostor,  ///< from a sender that claims to be a participant with another address
+        /// With more participants than a host may have, or more endpoints than a participant may have.
+        TooMany,
+        Flood,  ///< more packets than are accepted from a sender that is no participant
+        Plain,  ///< not encrypted, in a domain with keys
     };
     Kind kind = Kind::NoRtps;
-    std::string from;           ///< address; empty: of many senders
-    std::uint64_t packets = 0;  ///< number so far
+    std::string from;           ///< address of the sender; empty: many senders
+    std::uint64_t packets = 0;  ///< number of packets so far
     friend bool operator==(const ScreenDrop&, const ScreenDrop&) = default;
 };
 
-/// For logs: "somebody sends what is no RTPS: 1,200 packets from 10.0.0.7".
+/// Text for logs: "somebody sends what is no RTPS: 1,200 packets from 10.0.0.7".
 [[nodiscard]] std::string toString(const ScreenDrop& drop);
-/// The same in the window's language.
+/// The same text in the window's language.
 [[nodiscard]] std::string worded(const ScreenDrop& drop);
 
-/// Transports of a profile file that bypass the screen.
+/// Transports in a profile file that bypass the screen.
 enum class Unscreened : std::uint8_t { SharedMemory, Tcp };
 /// Returns why a transport that bypasses the screen is a risk, in the window's language.
 [[nodiscard]] std::string worded(Unscreened what);
 
-/// Selects the drops to report to an operator: each when it is first seen, and again when its packets are ten
-/// times as many. Not thread-safe.
+/// Selects the drops to report to an operator: each when it is first seen, and again when it has ten times as
+/// many packets. Not thread-safe.
 class ScreenMessages {
 public:
-    /// Returns those of @p drops that are due; they then count as reported. @p drops: all so far.
+    /// Returns those of @p drops that should be reported now, and marks them as reported. @p drops: all so
+    /// far.
     [[nodiscard]] std::vector<ScreenDrop> due(const std::vector<ScreenDrop>& drops);
 
 private:

@@ -11,9 +11,9 @@ struct Qos {
     enum class Durability : std::uint8_t { Volatile, TransientLocal };
     Reliability reliability = Reliability::Reliable;
     Durability durability = Durability::Volatile;
-    int depth = 1;          ///< keep_last; 0: keep_all
-    double lifespan = 0.0;  ///< [s]; 0: for ever
-    double deadline = 0.0;  ///< [s]; 0: none; requested only where the robot's file has one
+    int depth = 1;          ///< number of samples (keep_last); 0: keep_all
+    double lifespan = 0.0;  ///< lifespan [s]; 0: for ever
+    double deadline = 0.0;  ///< deadline [s]; 0: none; requested only if the robot's file has one
     friend bool operator==(const Qos&, const Qos&) = default;
 };
 

@@ -7,12 +7,12 @@
 
 namespace leitstand {
 
-/// How the station wants one stream of a robot to be; the robot chooses what is left open.
+/// What the station requests for one stream of a robot. The robot chooses what is left open.
 struct StreamRequest {
     bool enabled = true;
     double rate = 0.0;  ///< highest rate [Hz]; 0: the robot chooses
     int quality = 0;    ///< quality of JPEG, 1 to 100; 0: the robot chooses
-    int maxWidth = 0;   ///< widest picture [px]; 0: the robot chooses
+    int maxWidth = 0;   ///< largest width of a picture [px]; 0: the robot chooses
 
     [[nodiscard]] bool isPlain() const { return *this == StreamRequest{}; }
     friend bool operator==(const StreamRequest&, const StreamRequest&) = default;
@@ -22,10 +22,10 @@ struct StreamRequest {
 [[nodiscard]] StreamRequest stricter(const StreamRequest& one, const StreamRequest& other);
 
 /// Whether @p stream follows @p request, as far as its figures show: it is off, or not much faster than
-/// requested. Quality and width do not show.
+/// requested. Quality and width cannot be seen there.
 [[nodiscard]] bool isFollowed(const StreamRequest& request, const StreamStatus& stream);
 
-/// Returns @p request for @p topic as it goes over the wire; stamp and station are left to the sender.
+/// Returns @p request for @p topic as a message; the sender fills in stamp and station.
 [[nodiscard]] StreamCommandSample commandOf(const std::string& topic, const StreamRequest& request);
 
 }  // namespace leitstand

@@ -8,13 +8,13 @@
 
 namespace leitstand {
 
-/// Decides which tone sounds when: "act" again and again until it is acknowledged, "attention" once for each.
-/// Pure.
+/// Decides which tone sounds when: "act" repeatedly until it is acknowledged, "attention" once for each
+/// alarm. Pure.
 class AlarmVoice {
 public:
-    /// Returns the tone to play now; empty: none. @p loud: an "act" alarm is not acknowledged. @p attentions:
-    /// AlarmBook::attentions(). Called a few times a second. An attention raised while muted gets no tone
-    /// afterwards.
+    /// Returns the tone to play now; empty: none. Call a few times a second. @p loud: an "act" alarm is not
+    /// acknowledged. @p attentions: AlarmBook::attentions(). If an attention is raised while muted, no tone
+    /// follows later.
     [[nodiscard]] std::optional<AlarmTone> due(bool loud, std::uint64_t attentions, Time mutedUntil,
                                                Time now);
 

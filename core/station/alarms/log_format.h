@@ -7,8 +7,8 @@
 #include "core/base/phrases/coded_text.h"
 #include "core/base/words.h"
 
-/// The log's own alarms about the disk, as the log holds them (AlarmSample::text). The file that is written
-/// follows as a further value.
+/// Alarms of the log about its disk, in the form stored in the log (AlarmSample::text). The last value is the
+/// file that is being written.
 namespace leitstand::log_format {
 
 inline constexpr LogPhrase DiskFilling = {
@@ -45,18 +45,18 @@ inline constexpr auto All =
     std::to_array<LogPhrase>({DiskFilling, DiskLasts, DiskLastsForDays, DiskFull, DiskFree, DiskSlow,
                               DiskKeepsUp, EventsLost, EventsKept, WrittenAgain});
 
-/// Returns @p phrase with @p values, about @p file, as the log holds it.
+/// Returns @p phrase with @p values for @p file, in the form stored in the log.
 template <class... Values>
 [[nodiscard]] std::string about(const std::string& file, const LogPhrase& phrase, const Values&... values) {
     return logged(phrase, values...) + toString(CodedText{{}, {{"file", file}}});
 }
 
-/// Returns the phrase of All that @p text holds, with its figures. Also reads the English sentences of old
-/// logs, written before there were codes, which follow a file and ": ". Empty when a figure is no number, and
-/// for failures, whose text is the system's.
+/// Returns the one of All that @p text contains, with its figures. Also reads the English sentences of old
+/// logs from before there were codes, which follow a file and ": ". Empty when a figure is no number, and for
+/// failures, whose text comes from the system.
 [[nodiscard]] ReadPhrase newsIn(std::string_view text);
-/// Returns @p text in words of the window's language, after the name of the file. Other texts, such as
-/// failures, are returned as they are.
+/// Returns @p text in the window's language, after the name of the file. Other texts, such as failures, are
+/// not changed.
 [[nodiscard]] std::string message(const std::string& text);
 
 }  // namespace leitstand::log_format

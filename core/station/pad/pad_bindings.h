@@ -11,51 +11,51 @@
 
 namespace leitstand {
 
-/// What a control of a gamepad can do. Opposite actions are the two ends of one stick, or two buttons.
+/// What a control of a gamepad can do. Two opposite actions are the two ends of a stick, or two buttons.
 enum class PadAction : std::uint8_t {
-    DeadMan,  ///< the robot moves only while it is held
+    DeadMan,  ///< the robot only moves while it is held
     Forward,
     Back,
     TurnLeft,
     TurnRight,
-    SlideLeft,  ///< omnidirectional robots
+    SlideLeft,  ///< for omnidirectional robots
     SlideRight,
     Turbo,
     Slow,
-    Stop,  ///< all robots
+    Stop,  ///< stops all robots
     PanLeft,
     PanRight,
     TiltUp,
     TiltDown,
-    WithoutEyes  ///< while it is held, old pictures do not cap the speed
+    WithoutEyes  ///< while it is held, old pictures do not limit the speed
 };
 inline constexpr std::size_t PadActionCount = 15;
 [[nodiscard]] std::array<PadAction, PadActionCount> padActions();
-/// Returns the name in files: "turn_left".
+/// Returns the name of an action in files: "turn_left".
 [[nodiscard]] std::string toString(PadAction action);
 /// Returns the opposite, such as Forward for Back; empty when there is none.
 [[nodiscard]] std::optional<PadAction> oppositeOf(PadAction action);
 
-/// One way to push one control: a button, or an axis from its rest towards one of its ends.
+/// One way to push one control: a button, or an axis from its rest towards one end.
 struct PadControl {
     enum class Kind : std::uint8_t { None, Axis, Button };
     Kind kind = Kind::None;
     int index = 0;
-    bool negative = false;  ///< of an axis: towards -1
-    double rest = 0.0;      ///< of an axis: where it is when nobody touches it; -1 and 1 for some triggers
+    bool negative = false;  ///< for an axis: whether it is pushed towards -1
+    double rest = 0.0;      ///< for an axis: its value when nobody touches it; -1 or 1 for some triggers
     friend bool operator==(const PadControl&, const PadControl&) = default;
 };
 [[nodiscard]] PadControl padButton(int index);
-/// @p towards: the end of axis @p index to push to, -1 or 1. @p rest: see PadControl::rest.
+/// @p towards: end towards which the axis @p index is pushed, -1 or 1. @p rest: see PadControl::rest.
 [[nodiscard]] PadControl padAxis(int index, int towards, double rest = 0.0);
 /// Returns the other end of a stick; Kind::None for triggers and buttons.
 [[nodiscard]] PadControl oppositeOf(const PadControl& control);
 /// Returns how far @p control is pushed, 0 to 1.
 [[nodiscard]] double amountOf(const PadControl& control, const PadState& state);
 
-/// A command of the window on a control.
+/// A command of the window that is bound to a control.
 struct PadCommand {
-    std::string id;  ///< of the command, "camera.recentre"
+    std::string id;  ///< id of the command, "camera.recentre"
     PadControl control;
     friend bool operator==(const PadCommand&, const PadCommand&) = default;
 };
@@ -69,10 +69,10 @@ struct PadBindings {
     PadLayout layout = PadLayout::Standard;
     std::array<PadControl, PadActionCount> controls{};
     std::vector<PadCommand> commands;
-    double deadZone = 0.12;   ///< of sticks: share around the rest that counts as zero
-    double expo = 0.4;        ///< 0: sticks are linear, 1: cubic, finer around the rest
-    double press = 0.5;       ///< share from which an axis counts as pressed
-    double cameraRate = 1.2;  ///< of pan and tilt at the end of the stick [rad/s]
+    double deadZone = 0.12;   ///< for sticks: share around the rest that is treated as zero
+    double expo = 0.4;        ///< 0: sticks are linear; 1: they are cubic, finer around the rest
+    double press = 0.5;       ///< share from which an axis is pressed
+    double cameraRate = 1.2;  ///< turn rate of pan and tilt at the end of the stick [rad/s]
 
     [[nodiscard]] const PadControl& at(PadAction action) const {
         return controls[static_cast<std::size_t>(action)];
@@ -81,27 +81,27 @@ struct PadBindings {
     friend bool operator==(const PadBindings&, const PadBindings&) = default;
 };
 
-/// Returns how far the hand holds the stick between @p plus (1) and its opposite (-1), without dead zone and
+/// Returns the position of the stick between @p plus (1) and its opposite action (-1), without dead zone and
 /// expo. @p plus must have an opposite.
 [[nodiscard]] double deflectionOf(const PadBindings& bindings, PadAction plus, const PadState& state);
 /// Returns the same as deflectionOf(), with dead zone and expo applied.
 [[nodiscard]] double shapedOf(const PadBindings& bindings, PadAction plus, const PadState& state);
 
-/// Returns the default bindings of a known pad. Other joysticks have none, so that nothing moves. Left
-/// trigger: dead-man; right trigger: turbo. Right shoulder: slow; left shoulder: drives without eyes. Left
-/// stick: drives; right stick: turns cameras. B stops all, X files a victim, A confirms it, the cross fills
-/// in its form.
+/// Returns the default bindings of a known pad. Other joysticks have none, so that nothing moves
+/// unexpectedly. Left trigger: dead-man; right trigger: turbo. Right shoulder: slow; left shoulder: drives
+/// without eyes. Left stick: drives; right stick: turns cameras. B stops all, X files a victim, A confirms
+/// it, the cross fills in its form.
 [[nodiscard]] PadBindings defaultBindings(PadLayout layout);
 
-/// Binds @p action to @p control, and the opposite action to the other end of a stick. Whatever these
-/// controls did before is removed. False, without a change, when that would remove the control that stops
-/// all.
+/// Binds @p action to @p control, and the opposite action to the other end of a stick. Earlier bindings of
+/// these controls are removed. Returns false without a change if that would remove the control that stops all
+/// robots.
 [[nodiscard]] bool bindPad(PadBindings& bindings, PadAction action, const PadControl& control);
-/// Binds the command @p id to @p control in the same way. Without a control (Kind::None), the command is
-/// removed from the pad.
+/// Binds the command with the id @p id to @p control in the same way. Kind::None removes the command from the
+/// pad.
 [[nodiscard]] bool bindPad(PadBindings& bindings, const std::string& id, const PadControl& control);
 
-/// Returns the control of the command @p id; Kind::None when it has none.
+/// Returns the control of the command @p id; Kind::None if there is none.
 [[nodiscard]] PadControl controlOf(const PadBindings& bindings, const std::string& id);
 
 }  // namespace leitstand

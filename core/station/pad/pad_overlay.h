@@ -9,17 +9,18 @@
 
 namespace leitstand {
 
-/// Returns the button for its name in a layout file: "a", "left_shoulder", "up" on a known pad; "button 7",
-/// counted from 1, on any pad. Empty for other words.
+/// Returns the button that a layout file calls @p name: "a", "left_shoulder", "up" on a known pad; "button
+/// 7", counted from 1, on any pad. Empty for other names.
 [[nodiscard]] std::optional<PadControl> padButtonNamed(const std::string& name, PadLayout layout);
 
 /// What a pad does while a window's layout is in use.
 struct PadOverlay {
     PadBindings bindings;
-    std::vector<std::string> refused;  ///< names of buttons that do not exist, or that drive or stop
+    /// Names of buttons that do not exist, or that drive or stop and keep doing so.
+    std::vector<std::string> refused;
 };
-/// Returns @p own with the commands of @p byButton (name of a button -> id of a command) on their buttons.
-/// Buttons that drive or stop keep doing so.
+/// Returns @p own with the commands in @p byButton bound to their buttons (name of a button -> id of a
+/// command). Buttons that drive or stop are not changed.
 [[nodiscard]] PadOverlay withCommands(const PadBindings& own,
                                       const std::map<std::string, std::string>& byButton);
 

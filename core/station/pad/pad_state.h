@@ -8,8 +8,9 @@ namespace leitstand {
 
 /// How the controls of a gamepad are numbered.
 enum class PadLayout : std::uint8_t {
-    Standard,  ///< a known pad: as in standard_axis and standard_button, whatever its maker calls them
-    Plain      ///< any joystick: as its driver numbers them, four buttons for each hat after its own buttons
+    Standard,  ///< a known pad: as in standard_axis and standard_button, whatever its manufacturer calls them
+    /// Any joystick: in the numbers of its driver, with four buttons for each hat after its own buttons.
+    Plain
 };
 
 /// Axes of a known pad. Sticks: -1 to 1, right and down positive; triggers: 0 to 1.
@@ -30,7 +31,7 @@ inline constexpr int Count = 15;
 struct PadState {
     bool connected = false;
     std::vector<double> axes = {};   ///< -1 to 1
-    std::vector<bool> buttons = {};  ///< held
+    std::vector<bool> buttons = {};  ///< whether each button is held
 
     [[nodiscard]] double axis(int index) const {
         const auto i = static_cast<std::size_t>(index);

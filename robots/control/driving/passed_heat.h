@@ -7,22 +7,22 @@
 
 namespace leitstand {
 
-/// Bodies that a robot saw while it drove to another one and has not visited yet; the robot goes there next.
-/// Places are in odom [m]. Pure.
+/// Bodies that a robot saw while it drove to another body, and has not visited yet. The robot visits them
+/// next. Places are in odom [m]. Pure.
 class PassedHeat {
 public:
     struct One {
         Eigen::Vector3d heat = Eigen::Vector3d::Zero();  ///< where it was seen
-        Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< where the robot saw it from
+        Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< where the robot was when it saw it
         int pictures = 0;
     };
-    /// Notes that a picture taken when the robot was at @p from showed a body's heat at @p heat.
+    /// Takes the place @p heat of a body's heat, from a picture that was taken when the robot was at @p from.
     void see(const Eigen::Vector3d& heat, const Eigen::Vector3d& from);
-    /// Returns the body nearest to @p here that was in at least four pictures; bodies on the same storey come
-    /// first. Empty: there is none.
+    /// Returns the body nearest to @p here that was seen in at least four pictures. Bodies on the same storey
+    /// come first. Empty: there is none.
     [[nodiscard]] std::optional<One> next(const Eigen::Vector3d& here) const;
-    /// Forgets bodies within @p radius of @p place [m], seen from above, on the same storey: the robot has
-    /// been there.
+    /// Forgets bodies on the same storey within @p radius of @p place [m], seen from above, because the robot
+    /// has been there.
     void forget(const Eigen::Vector3d& place, double radius);
 
 private:

@@ -16,10 +16,10 @@ public:
         m_state += MixedBitsStep;
         return bits;
     }
-    /// Returns a number from 0 to below 1.
+    /// Returns a random number of at least 0 and below 1.
     double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
     double between(double least, double most) { return least + (most - least) * uniform(); }
-    /// Returns a whole number from 0 to below @p count, which must be positive.
+    /// Returns a random whole number of at least 0 and below @p count, which must be positive.
     int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
     bool chance(double probability) { return uniform() < probability; }
 

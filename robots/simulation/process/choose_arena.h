@@ -10,7 +10,7 @@
 namespace leitstand::simulation {
 
 [[nodiscard]] std::optional<Grade> gradeFrom(const std::string& name);
-/// Options of a building on the command line.
+/// Options for a generated building on the command line.
 struct BuildingOptions {
     std::string size;  ///< "60x40"; empty: default size
     std::optional<int> storeys;
@@ -19,8 +19,8 @@ struct BuildingOptions {
     [[nodiscard]] bool any() const { return !size.empty() || storeys || twins || smooth; }
 };
 
-/// Returns the arena of a grade or a file. @p seed applies to generated arenas, @p building only to the grade
-/// "building". Error when @p building is set for another arena or the file cannot be read.
+/// Returns the arena of a grade or from a file. @p seed is used for generated arenas, @p building only for
+/// the grade "building". Error when @p building is set for another arena, or the file cannot be read.
 [[nodiscard]] Result<Arena> chooseArena(const std::string& gradeOrFile, std::uint64_t seed,
                                         const BuildingOptions& building = {});
 

@@ -8,11 +8,11 @@
 
 namespace leitstand::simulation {
 
-/// Imitates cameras whose driver hangs: each publishes its last picture again and again, under new stamps.
+/// Simulates cameras whose driver hangs: each publishes its last picture again and again with new stamps.
 class FrozenPictures {
 public:
-    /// While @p frozen, replaces the picture in @p sample by the last one of its camera before that;
-    /// otherwise remembers the picture. Leaves all other samples as they are, infrared pictures too.
+    /// While @p frozen, replaces the picture in @p sample by the last picture of its camera before that.
+    /// Otherwise remembers the picture. All other samples are not changed, including infrared pictures.
     void pass(HardwareSample& sample, bool frozen);
 
 private:

@@ -11,11 +11,11 @@ namespace leitstand::simulation {
 /// True labels of a robot's 3D scans: each point gets the label of the surface on which it was measured.
 class PointLabels {
 public:
-    /// @p robot: its number in the world.
+    /// @p robot: number of the robot in the world.
     PointLabels(const RobotDescription& description, int robot);
 
-    /// Returns a grey picture with header, rows and columns of @p cloud. Each pixel holds the number of its
-    /// point's Label. Points without echo and those between surfaces (mixed pixels) are Unlabelled. @p cloud
+    /// Returns a grey picture with the header, rows and columns of @p cloud. Each pixel is the number of its
+    /// point's Label. Points without echo and points between surfaces (mixed pixels) are Unlabelled. @p cloud
     /// must be at most 5 s old.
     [[nodiscard]] PictureSample of(const CloudSample& cloud, const World& world) const;
 

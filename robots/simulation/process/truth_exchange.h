@@ -12,13 +12,13 @@
 
 namespace leitstand::simulation {
 
-/// Shares the truth of an arena between the processes whose robots are in it (topics: docs/simulation.md,
-/// "Truth"). Robots of other processes become ghosts in this one's world. Used by one thread, beside the
-/// node's.
+/// Shares the truth about an arena between the processes whose robots are in it (topics: docs/simulation.md,
+/// "Truth"). Robots of other processes are ghosts in this process's world. Used by one thread in addition to
+/// the node's.
 class TruthExchange {
 public:
-    /// @p robot is this process's robot, of @p kind ("kurt3d", "crawler"), with @p number in its world.
-    /// Errors name the topic.
+    /// @p robot: name of this process's robot, of @p kind ("kurt3d", "crawler"), with the number @p number in
+    /// its world. Errors name the topic.
     [[nodiscard]] static Result<std::unique_ptr<TruthExchange>> create(Node& node, const Arena& arena,
                                                                        const std::string& kind,
                                                                        const RobotDescription& robot,
@@ -27,9 +27,9 @@ public:
     TruthExchange(const TruthExchange&) = delete;
     TruthExchange& operator=(const TruthExchange&) = delete;
 
-    void take(World& world);                ///< moves ghosts to the poses that were received
+    void take(World& world);                ///< moves ghosts to the received poses
     void publishTruth(const World& world);  ///< publishes the pose at 50 Hz of world time, and new contacts
-    /// Publishes the labels of @p cloud (at most 5 s old) while somebody subscribes to them.
+    /// Publishes the labels of @p cloud (at most 5 s old), if somebody subscribes to them.
     void publishLabels(const World& world, const CloudSample& cloud);
 
 private:

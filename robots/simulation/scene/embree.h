@@ -23,7 +23,8 @@ inline void intersect(RTCScene scene, RTCRayHit& query) {
 #endif
 }
 
-/// Casts eight rays of similar direction into the scene, but only those whose entry in @p valid is -1, not 0.
+/// Casts eight rays with similar directions into the scene. Only rays whose entry in @p valid is -1 are cast;
+/// the others have 0.
 inline void intersect(RTCScene scene, const int* valid, RTCRayHit8& query) {
 #if RTC_VERSION_MAJOR >= 4
     RTCIntersectArguments arguments;

@@ -11,8 +11,8 @@
 
 namespace leitstand::simulation {
 
-/// Bits of Embree's masks. A triangle has Solid or Soft; an instance has Still, Moving or the bit of its
-/// body. A ray meets a triangle when it shares a bit with the triangle and a bit with the instance.
+/// Bits of Embree's masks. A triangle has the bit Solid or Soft; an instance has Still, Moving or the bit of
+/// its body. A ray hits a triangle if it shares a bit with the triangle and a bit with the instance.
 namespace mask {
 inline constexpr unsigned Solid = 1U << 0, Soft = 1U << 1;
 inline constexpr unsigned Still = 1U << 2, Moving = 1U << 3;
@@ -20,7 +20,7 @@ inline constexpr unsigned bodyBit(int body) {
     return 1U << (4 + body);
 }
 inline constexpr unsigned AllBodies = ~0U << 4;
-/// Returns the mask of what a ray may meet. @p without: as in Scene::cast().
+/// Returns the mask of what a ray can hit. @p without: as in Scene::cast().
 [[nodiscard]] inline constexpr unsigned of(RayKind kind, int without) {
     const unsigned kinds = kind == RayKind::Contact ? Solid : Solid | Soft;
     if (without == Scene::StillOnly) return kinds | Still;
@@ -30,14 +30,15 @@ inline constexpr unsigned AllBodies = ~0U << 4;
 }
 }  // namespace mask
 
-/// A mesh in Embree's index, instanced at its own pose. Solid and soft triangles are separate geometries, so
-/// that masks can distinguish them.
+/// A mesh in Embree's index, with its own pose. Solid and soft triangles are separate geometries, so that
+/// masks can distinguish them.
 class EmbreeMesh {
 public:
     /// Returns whether a surface stops robots.
     using IsSolid = std::function<bool(const Surface&)>;
 
-    /// Throws std::invalid_argument when @p mesh names a corner, surface or texture that it does not have.
+    /// Throws std::invalid_argument when @p mesh refers to a corner, surface or texture that it does not
+    /// have.
     EmbreeMesh(RTCDevice device, Mesh mesh, unsigned maskOfInstance, const IsSolid& isSolid);
     ~EmbreeMesh();
     EmbreeMesh(const EmbreeMesh&) = delete;
@@ -47,7 +48,7 @@ public:
     void place(const Pose& meshInArena);
     void hide();
 
-    /// Returns the hit for Embree's numbers. Its normal points against @p direction.
+    /// Returns the hit for the numbers that Embree reports. Its normal points against @p direction.
     [[nodiscard]] Hit hitOf(unsigned geometry, unsigned triangle, float u, float v,
                             const Eigen::Vector3f& normal, const Eigen::Vector3f& direction,
                             float distance) const;
@@ -56,7 +57,7 @@ private:
     void addGeometry(RTCDevice device, unsigned id, unsigned maskOfTriangles);
 
     Mesh m_mesh;
-    std::array<std::vector<std::uint32_t>, 2> m_triangles;  ///< of each geometry: solid, soft
+    std::array<std::vector<std::uint32_t>, 2> m_triangles;  ///< triangles of each geometry: solid, soft
     Eigen::Matrix3f m_turn = Eigen::Matrix3f::Identity();
     RTCScene m_scene = nullptr;
     RTCGeometry m_instance = nullptr;

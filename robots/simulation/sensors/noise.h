@@ -6,17 +6,18 @@
 
 namespace leitstand::simulation {
 
-/// A stream of random numbers (xoshiro256++, Blackman & Vigna 2019): the same for the same seed and name on
-/// every machine, and independent of all others.
+/// A stream of random numbers (xoshiro256++, Blackman & Vigna 2019). It is the same for the same seed and
+/// name on every machine, and independent of all other streams.
 class Noise {
 public:
-    /// Creates the stream that belongs to @p name ("kurt3d left") among those of @p seed.
+    /// Creates the stream for @p name ("kurt3d left") and @p seed.
     Noise(std::uint64_t seed, std::string_view name);
 
     [[nodiscard]] std::uint64_t bits();
-    [[nodiscard]] double uniform();  ///< from 0 up to below 1
+    [[nodiscard]] double uniform();  ///< at least 0 and below 1
     [[nodiscard]] double normal();   ///< mean 0, standard deviation 1
-    /// Returns a nearly normal number for pixels: the sum of four uniform ones, never beyond 3.5.
+    /// Returns an approximately normal number for pixels: the sum of four uniform numbers, at most 3.5 in
+    /// size.
     [[nodiscard]] float quickNormal();
 
 private:

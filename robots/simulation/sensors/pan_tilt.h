@@ -5,12 +5,12 @@
 
 namespace leitstand::simulation {
 
-/// How far and fast a pan-tilt unit turns.
+/// How far and how fast a pan-tilt unit can turn.
 struct PanTiltLimits {
-    double pan = degrees(100);      ///< to each side [rad]
-    double tiltUp = degrees(60);    ///< [rad]
-    double tiltDown = degrees(50);  ///< [rad]
-    double speed = degrees(120);    ///< of each axis [rad/s]
+    double pan = degrees(100);      ///< largest pan to each side [rad]
+    double tiltUp = degrees(60);    ///< largest tilt upwards [rad]
+    double tiltDown = degrees(50);  ///< largest tilt downwards [rad]
+    double speed = degrees(120);    ///< speed of each axis [rad/s]
 };
 
 /// Angles of a pan-tilt unit, right-handed (REP 103): pan to the left about z, then tilt down about y.
@@ -23,16 +23,16 @@ class PanTilt {
 public:
     PanTilt(const PanTiltLimits& limits, Time start) : m_limits(limits), m_before(start), m_now(start) {}
 
-    /// Sets the angles to turn to [rad], clamped to the limits. Ignores an angle that is not finite.
+    /// Sets the angles to which it turns [rad], clamped to the limits. Ignores an angle that is not finite.
     void setTarget(double pan, double tilt);
     /// Turns towards the target until @p now.
     void advance(Time now);
-    /// Returns the angles at @p time, interpolated between the last two advances; before and after: as at
-    /// these.
+    /// Returns the angles at @p time, interpolated between the last two advances. Outside, returns those of
+    /// the nearer advance.
     [[nodiscard]] PanTiltAngles at(Time time) const;
     /// Returns how fast the axes turned between the last two advances [rad/s].
     [[nodiscard]] PanTiltAngles velocity() const;
-    /// Returns the pose of the tilted platform at @p time, in the frame in which the unit stands.
+    /// Returns the pose of the tilted platform at @p time, in the frame in which the unit is mounted.
     [[nodiscard]] Pose platform(Time time) const;
 
 private:

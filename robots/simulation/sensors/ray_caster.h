@@ -7,10 +7,10 @@
 
 namespace leitstand::simulation {
 
-/// Casts rays into a scene, or at a wall that a test makes up; one hit for each ray.
+/// Casts rays into a scene (or, in tests, at an invented wall). Gives one hit for each ray.
 using CastRays = std::function<void(std::span<const Ray> rays, std::span<Hit> hits)>;
 
-/// Returns a function that casts into @p scene, which must outlive it. @p without: body that is passed
+/// Returns a function that casts into @p scene, which must outlive it. @p without: body that rays pass
 /// through; -1: none.
 [[nodiscard]] inline CastRays castInto(const Scene& scene, RayKind kind, int without = -1) {
     return [&scene, kind, without](std::span<const Ray> rays, std::span<Hit> hits) {

@@ -7,20 +7,20 @@
 
 namespace leitstand::simulation {
 
-/// Moments at a rate, on an exact grid that does not drift.
+/// Moments at a rate, on an exact grid without drift.
 class Schedule {
 public:
-    /// The first moment is @p start, then one every 1 / @p rate seconds.
+    /// The first moment is @p start. Further moments follow every 1 / @p rate seconds.
     Schedule(double rate, Time start);
 
-    /// Sets the rate from the last moment on [Hz]; ignores a rate that is not above 0.
+    /// Sets the rate of the moments after the last one [Hz]. Ignores a rate that is not above 0.
     void setRate(double rate);
     [[nodiscard]] double rate() const { return m_rate; }
 
-    /// Returns the next moment, and each only once; empty while it is after @p now. Skips moments that are
-    /// more than a second before @p now.
+    /// Returns the next moment, each only once; empty if it is after @p now. Skips moments that are more than
+    /// a second before @p now.
     [[nodiscard]] std::optional<Time> due(Time now);
-    /// Returns the last moment that is not after @p now and skips earlier ones; empty when none is due.
+    /// Returns the last moment up to @p now and skips earlier ones; empty when none is due.
     [[nodiscard]] std::optional<Time> newest(Time now);
 
 private:

@@ -12,19 +12,20 @@
 
 namespace leitstand::simulation {
 
-/// Publishes the topics of a stock robot that the simulation has nothing for: empty messages at their rates.
+/// Publishes those topics of a stock robot that the simulation has no content for: empty messages at their
+/// rates.
 class StockOthers {
 public:
     /// Errors name the topic.
     [[nodiscard]] static Result<StockOthers> create(Node& node, const StockProfile& profile,
                                                     const std::string& nameSpace);
-    void publish(Time now);  ///< what is due
+    void publish(Time now);  ///< publishes what is due
 
 private:
     struct Lane {
         std::unique_ptr<Publisher> publisher;
         Payload message;
-        std::chrono::nanoseconds every{};  ///< 0: once
+        std::chrono::nanoseconds every{};  ///< period; 0: only once
         Time next{};
     };
     std::vector<Lane> m_lanes;

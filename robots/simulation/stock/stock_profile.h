@@ -12,29 +12,29 @@
 
 namespace leitstand::simulation {
 
-/// A topic of a stock robot that carries nothing for the station, or nothing that the simulation has.
+/// A topic of a stock robot without content for the station, or without content in the simulation.
 struct StockTopic {
-    std::string_view topic;  ///< below the robot's namespace; with a slash first: absolute
+    std::string_view topic;  ///< name below the robot's namespace; absolute if it begins with a slash
     std::string_view type;
     Qos qos;
-    double rate = 0.0;  ///< [Hz]; 0: once, at the start
+    double rate = 0.0;  ///< rate [Hz]; 0: once, at the start
 };
 
-/// A robot as its maker ships it. What it publishes and takes, of what the simulation has, stands in
-/// resources/stock/NAME.yaml, with the sources; the rest here.
+/// A robot as its manufacturer delivers it. The simulated topics that it publishes and takes are in
+/// resources/stock/NAME.yaml, with sources; everything else is here.
 struct StockProfile {
     std::string_view name;                ///< "turtlebot4"
-    std::string_view body;                ///< simulated robot whose body it has, "crawler"
-    std::string_view nameSpace;           ///< that its topics have as shipped; empty: none
-    std::chrono::nanoseconds watchdog{};  ///< after which it stops without commands
+    std::string_view body;                ///< simulated robot whose body is used, "crawler"
+    std::string_view nameSpace;           ///< namespace of its topics as delivered; empty: none
+    std::chrono::nanoseconds watchdog{};  ///< it stops after this time without commands
     std::span<const StockTopic> others;
 };
 
-[[nodiscard]] std::vector<std::string> stockProfiles();  ///< names
-/// Null: there is none called @p name.
+[[nodiscard]] std::vector<std::string> stockProfiles();  ///< names of all profiles
+/// Null: there is no profile called @p name.
 [[nodiscard]] const StockProfile* stockProfile(std::string_view name);
 
-/// Returns what @p profile publishes and takes, in the namespace @p nameSpace instead of the shipped one.
+/// Returns what @p profile publishes and takes, in the namespace @p nameSpace instead of that of the profile.
 /// Errors name the file.
 [[nodiscard]] Result<RobotDescription> describe(const StockProfile& profile, const std::string& nameSpace);
 /// Returns the topic @p name of a stock robot in @p nameSpace.

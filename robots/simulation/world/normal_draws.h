@@ -8,8 +8,8 @@
 
 namespace leitstand::simulation {
 
-/// Normal random numbers with mean 0 and deviation 1 (Box and Muller 1958). The same seed gives the same
-/// numbers with every library, unlike std::normal_distribution.
+/// Normal random numbers with mean 0 and standard deviation 1 (Box and Muller 1958). The same seed gives the
+/// same numbers with every library, unlike std::normal_distribution.
 class NormalDraws {
 public:
     explicit NormalDraws(std::uint64_t seed) : m_state(seed) {}

@@ -13,10 +13,11 @@ class PoseHistory {
 public:
     static constexpr std::chrono::seconds Kept{5};
 
-    /// Adds a pose at @p at, which must not be before the last one. A second pose of the same time replaces
+    /// Adds a pose at @p at, which must not be before the last pose. A second pose for the same time replaces
     /// the first.
     void add(Time at, const Pose& pose);
-    /// Returns the pose at @p at, interpolated; before the first pose and after the last one, that pose.
+    /// Returns the interpolated pose at @p at. Before the first pose, returns the first; after the last, the
+    /// last.
     [[nodiscard]] Pose at(Time at) const;
 
 private:

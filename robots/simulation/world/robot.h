@@ -18,7 +18,7 @@
 
 namespace leitstand::simulation {
 
-/// A robot that drives in a scene, with the state that it needs from one step to the next.
+/// A robot that drives in a scene, with the state that it keeps from one step to the next.
 class Robot {
 public:
     Robot(const BodySpec& spec, int body, std::uint64_t seed, const Pose& baseInArena);
@@ -27,23 +27,23 @@ public:
 
     void setMotors(double left, double right);
     void setBrake(bool on) { m_brake = on; }
-    void settle(const Scene& scene);  ///< lets it down onto the ground
-    /// What a step needs to know of the world.
+    void settle(const Scene& scene);  ///< lowers it onto the ground
+    /// What a step needs to know about the world.
     struct Surroundings {
         const Scene& scene;
-        std::span<const std::string> names;  ///< of the scene's bodies
+        std::span<const std::string> names;  ///< names of the scene's bodies
         Time now;
-        bool othersNear = false;  ///< other robots may have come closer
+        bool othersNear = false;  ///< whether other robots may have come closer
     };
-    /// Moves the robot on by @p seconds. Returns new bumps.
+    /// Moves the robot for @p seconds. Returns new bumps.
     std::vector<Bump> step(const Surroundings& around, double seconds);
-    void moveTo(const Pose& baseInArena, Time now);  ///< for ghosts
+    void moveTo(const Pose& baseInArena, Time now);  ///< sets the pose of a ghost
     void remember(Time now) { m_history.add(now, m_state.baseInArena); }
 
     [[nodiscard]] const BodyState& state() const { return m_state; }
     [[nodiscard]] const BodySpec& spec() const { return m_spec; }
     [[nodiscard]] const PoseHistory& history() const { return m_history; }
-    [[nodiscard]] bool moved() const { return m_moved; }  ///< in the last step
+    [[nodiscard]] bool moved() const { return m_moved; }  ///< whether it moved in the last step
 
 private:
     void drawSlip(double seconds);
@@ -69,8 +69,9 @@ private:
     double m_left = 0.0, m_right = 0.0;  ///< voltages
     bool m_brake = false;
     double m_leftSlip = 0.0, m_rightSlip = 0.0,
-           m_slipFor = 0.0;                   ///< drawn slips; how long they still hold [s]
-    double m_feltAgo = 1.0, m_freeWay = 0.0;  ///< time since feelers were cast [s]; way still free [m]
+           m_slipFor = 0.0;  ///< present slips; time until new ones are drawn [s]
+    /// Time since feelers were cast [s]; distance that is still free [m].
+    double m_feltAgo = 1.0, m_freeWay = 0.0;
     struct Topple {
         Eigen::Vector3d pivot, axis;
         double speed = 0.3;  ///< [rad/s]

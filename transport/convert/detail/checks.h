@@ -16,7 +16,7 @@
 
 namespace leitstand::detail {
 
-/// Converts the parts that messages have in common, both ways, and keeps the first error.
+/// Converts parts that several messages have in common, in both directions, and keeps the first error.
 class Checks {
 public:
     /// Keeps the error "field: text" when @p holds is false.
@@ -32,7 +32,7 @@ public:
         if (!std::isfinite(value)) fail(field, fmt::format("expected a number, found {}", value));
         return value;
     }
-    /// Accepts NaN, which means that the sender does not know the number; infinity is an error.
+    /// Accepts NaN, which means that the sender does not know the number. Infinity is an error.
     double known(const char* field, double value) {
         if (std::isinf(value)) fail(field, fmt::format("expected a number or NaN, found {}", value));
         return value;
@@ -71,8 +71,8 @@ private:
     std::string m_error;
 };
 
-/// Replaces entries that are not finite by 0, which means unknown. Covariances only hint at how sure a sensor
-/// is.
+/// Replaces entries that are not finite by 0, which means unknown. Covariances are only a hint about a
+/// sensor's error, so they are no reason to refuse a sample.
 template <std::size_t N>
 std::array<double, N> covariance(std::array<double, N> values) {
     for (double& value : values) value = std::isfinite(value) ? value : 0.0;

@@ -7,12 +7,12 @@
 
 namespace leitstand::detail {
 
-/// One field of all points of a cloud. All its values are known to lie within the cloud's data.
+/// One field of all points of a cloud. All its values are known to be within the cloud's data.
 struct CloudColumn {
-    const std::byte* data = nullptr;         ///< first point's value; null: there is no such field
-    std::size_t rows = 0, columns = 0;       ///< of the cloud
+    const std::byte* data = nullptr;         ///< value of the first point; null: there is no such field
+    std::size_t rows = 0, columns = 0;       ///< size of the cloud
     std::size_t pointStep = 0, rowStep = 0;  ///< [bytes]
-    unsigned datatype = 0;                   ///< of sensor_msgs/msg/PointField, 1 to 8
+    unsigned datatype = 0;                   ///< datatype of sensor_msgs/msg/PointField, 1 to 8
     bool swap = false;                       ///< whether values are in the other byte order
 
     explicit operator bool() const { return data != nullptr; }
@@ -28,7 +28,7 @@ T cloudValue(const std::byte* from, bool swap) {
     return value;
 }
 
-/// Calls @p use(point's index, value) for all points, where values are of type T.
+/// Calls @p use(index of the point, value) for all points. Values must be of type T.
 template <class T, class Use>
 void forEachValueOf(const CloudColumn& column, Use use) {
     std::size_t index = 0;
@@ -40,7 +40,7 @@ void forEachValueOf(const CloudColumn& column, Use use) {
     }
 }
 
-/// Calls @p use as above for any of PointField's types (INT8 to FLOAT64).
+/// Calls @p use as above, for any type of PointField (INT8 to FLOAT64).
 template <class Use>
 void forEachValue(const CloudColumn& column, Use use) {
     switch (column.datatype) {

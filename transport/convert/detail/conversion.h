@@ -22,17 +22,17 @@ struct Source {
     const StreamDescription* stream = nullptr;  ///< null for the stations' own topics
 };
 
-/// Holds bytes that a message only points at, until it is written.
+/// Holds bytes that a message only points to, until it is written.
 using Buffer = std::vector<std::byte>;
 
-/// A type of message: how it becomes a sample of core, and back. typesOf() lists the types that a robot's
-/// stream may have.
+/// How a type of message becomes a sample of core, and back. typesOf() lists the types that a robot's stream
+/// may have.
 struct Conversion {
     std::string_view type;  ///< ROS name
     Result<Sample> (*decode)(const RawEvent&, const StreamDescription*);
-    Result<Payload> (*encode)(const Sample&);  ///< null: Leitstand sends none
-    std::size_t kind;                          ///< of the sample: Sample::index()
-    bool ofStations;                           ///< belongs to the stations' own topics
+    Result<Payload> (*encode)(const Sample&);  ///< null: Leitstand never sends it
+    std::size_t kind;                          ///< kind of the sample: Sample::index()
+    bool ofStations;                           ///< whether it is for the stations' own topics
 };
 
 template <class Message>
@@ -47,7 +47,7 @@ Result<Sample> decodeAs(const RawEvent& event, const StreamDescription* stream) 
     return Sample(std::move(sample));
 }
 
-/// Estimates the size of a message [B]: reserving it saves copies while the message is written.
+/// Estimates the size of a message [B]. Reserving it avoids copies while the message is written.
 template <class Message>
 std::size_t bulk(const Message& message) {
     std::size_t size = 256;
@@ -78,7 +78,7 @@ Result<Payload> encodeAs(const Sample& sample) {
 ///     Kind fromWire(const Message& from, const Source& source, Checks& checks);
 ///     void toWire(const Kind& from, Message& to, Buffer& buffer, Checks& checks);
 ///
-/// @p checks keeps the first error; the result is valid only without one.
+/// @p checks keeps the first error. The result is valid only if there is none.
 template <class Message, class Kind>
 Conversion conversion() {
     return {Message::RosName, &decodeAs<Message>, &encodeAs<Kind, Message>, SampleTypes::indexOf<Kind>(),
@@ -96,8 +96,7 @@ Conversion decoding() {
     return {Message::RosName, &decodeAs<Message>, nullptr, SampleTypes::indexOf<Kind>(), false};
 }
 
-/// Returns all rows. When a kind of sample has several types, its first row is the type that holds
-/// everything.
+/// Returns all rows. If a kind of sample has several types, the type of its first row can hold everything.
 [[nodiscard]] const std::vector<Conversion>& conversions();
 
 // The rows of each source file.

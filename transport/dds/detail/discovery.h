@@ -13,8 +13,8 @@
 
 namespace leitstand::detail {
 
-/// Keeps what discovery reports. As a listener it only records this and calls `changed` of its constructor,
-/// which must not block.
+/// Keeps what discovery reports. When it is called as a listener, it only records this and calls `changed` of
+/// its constructor, which must not block.
 class Discovery final : public fastdds::DiscoveryListener {
 public:
     Discovery(std::function<void()> changed, bool secure);
@@ -22,11 +22,11 @@ public:
     [[nodiscard]] std::vector<RemoteParticipant> participants() const;
     [[nodiscard]] std::vector<RemoteEndpoint> endpoints() const;
     [[nodiscard]] std::vector<Mismatch> mismatches() const;
-    /// Leaves OfferedWriter::received false: only readers know whether a writer was heard.
+    /// Sets OfferedWriter::received to false, because only readers know which writers were heard.
     [[nodiscard]] DomainReception reception() const;
 
-    /// Forgets all participants and endpoints, our own endpoints, too. Call it when the participant has left
-    /// its domain.
+    /// Forgets all participants and endpoints, including our own endpoints. Call when the participant has
+    /// left its domain.
     void clear();
 
     // Our own side

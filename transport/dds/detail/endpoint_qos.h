@@ -9,19 +9,19 @@
 
 namespace leitstand::detail {
 
-/// Returns how many samples a history of @p qos holds: the depth, or 5000 when the history keeps all
-/// (depth 0).
+/// Returns how many samples a history with @p qos holds: the depth, or 5000 if the history keeps all (depth
+/// 0).
 [[nodiscard]] int historyOf(const Qos& qos);
 
 [[nodiscard]] eprosima::fastdds::dds::DataReaderQos readerQos(const Qos& qos);
 [[nodiscard]] eprosima::fastdds::dds::DataWriterQos writerQos(const Qos& qos, Flow flow);
 
-/// Overrides what a user's profile must not change, since samples would be lost silently: payload buffers
-/// grow with the samples, no data sharing, XCDR1.
+/// Overrides settings that a user's profile must not change, since samples would be lost without notice:
+/// payload buffers grow with the samples, no data sharing, XCDR1.
 void keepSound(eprosima::fastdds::dds::DataReaderQos& qos);
 void keepSound(eprosima::fastdds::dds::DataWriterQos& qos);
 
-/// Returns a remote endpoint's policies in our terms. The caller passes @p depth, since discovery does not
+/// Returns the policies of a remote endpoint as Qos. The caller passes @p depth, since discovery does not
 /// report it.
 [[nodiscard]] inline Qos qosOf(const fastdds::EndpointData& data, int depth) {
     namespace efd = eprosima::fastdds::dds;

@@ -73,12 +73,12 @@ using Duration = dds::Duration_t;
 inline const Duration Infinite = dds::c_TimeInfinite;
 inline const Duration Zero = dds::c_TimeZero;
 inline constexpr const char* ProfilesVariable = "FASTDDS_DEFAULT_PROFILES_FILE";
-/// XML namespace of the root element of a profiles file for this version of Fast DDS.
+/// XML namespace of the root element in a profiles file for this version of Fast DDS.
 inline constexpr const char* ProfilesNamespace = "http://www.eprosima.com";
 using ParticipantData = rtps::ParticipantBuiltinTopicData;
 using WriterData = rtps::PublicationBuiltinTopicData;
 using ReaderData = rtps::SubscriptionBuiltinTopicData;
-/// A datagram that a transport is to send, in one piece or several.
+/// A datagram for a transport to send, in one piece or several.
 using Outgoing = const std::vector<rtps::NetworkBuffer>&;
 #else
 namespace rtps = eprosima::fastrtps::rtps;
@@ -93,12 +93,13 @@ using ReaderData = rtps::ReaderProxyData;
 using Outgoing = const rtps::octet*;
 #endif
 
-/// Whether participants may have flow controllers: not with Fast DDS 3.1. There, a participant that has some
-/// announces itself from a thread. When two others appear at once, the next announcement is due before that
-/// thread has run. An assertion, which Debian leaves in, then ends the process. 3.2 announces as 2.9 does.
+/// Whether participants may have flow controllers; not with Fast DDS 3.1. There, a participant with flow
+/// controllers announces itself from a thread. If two others appear at the same time, the next announcement
+/// is due before that thread has run. An assertion, which is active in Debian, then ends the process. Version
+/// 3.2 announces in the same way as 2.9.
 inline constexpr bool HasFlowControllers = LEITSTAND_FLOW_CONTROLLERS;
 
-/// Returns @p duration [s]; 0 when it is infinite.
+/// Converts @p duration to seconds; 0 when it is infinite.
 [[nodiscard]] inline double secondsOf(const Duration& duration) {
     return duration == Infinite
                ? 0.0
@@ -115,7 +116,7 @@ template <class Code>
 #endif
 }
 
-/// Writes @p sample; returns whether the writer's history took it.
+/// Writes @p sample; returns whether the writer's history accepted it.
 [[nodiscard]] inline bool write(dds::DataWriter& writer, void* sample) {
 #if LEITSTAND_FASTDDS_3
     return succeeded(writer.write(sample));
@@ -124,7 +125,7 @@ template <class Code>
 #endif
 }
 
-/// Returns @p bytes as a datagram that a transport is to send.
+/// Returns @p bytes as a datagram for a transport to send.
 [[nodiscard]] inline std::remove_cvref_t<Outgoing> outgoing(std::span<const std::byte> bytes) {
 #if LEITSTAND_FASTDDS_3
     return {rtps::NetworkBuffer(bytes.data(), static_cast<std::uint32_t>(bytes.size()))};
@@ -133,7 +134,8 @@ template <class Code>
 #endif
 }
 
-/// Returns the bytes of @p datagram of @p size [B]. Copies them to @p joined when it has several pieces.
+/// Returns the bytes of @p datagram, whose size is @p size [B]. If it has several pieces, they are copied to
+/// @p joined.
 [[nodiscard]] inline std::span<const std::byte> bytesOf(Outgoing datagram, std::uint32_t size,
                                                         std::vector<std::byte>& joined) {
 #if LEITSTAND_FASTDDS_3
@@ -151,7 +153,7 @@ template <class Code>
 #endif
 }
 
-/// A sender resource of a transport. The function that it sends with has another name in each version.
+/// A sender resource of a transport. Its function for sending has a different name in each version.
 class WayOut : public rtps::SenderResource {
 protected:
     using Send =
@@ -166,7 +168,7 @@ protected:
     }
 };
 
-/// Makes samples between endpoints of this process take the same way as all others.
+/// Makes samples between endpoints of this process go the same way as all others.
 inline void turnOffShortcuts() {
 #if LEITSTAND_FASTDDS_3
     eprosima::fastdds::LibrarySettings library;
@@ -180,7 +182,7 @@ inline void turnOffShortcuts() {
 }
 
 /// Sets how often a writer sends heartbeats while samples are unacknowledged. Also turns off the heartbeats
-/// that 3.1 sends with each piece of a sample.
+/// that 3.1 sends with each fragment of a sample.
 inline void setHeartbeat(dds::DataWriterQos& qos, const Duration& period) {
 #if LEITSTAND_FASTDDS_3
     qos.reliable_writer_qos().times.heartbeat_period = period;
@@ -190,10 +192,10 @@ inline void setHeartbeat(dds::DataWriterQos& qos, const Duration& period) {
 #endif
 }
 
-/// Makes the payload pool of a writer's topic large enough for payloads that are being sent. A message of 3.1
-/// holds up to 64 payloads beside the history, and two threads may send for one writer. With a smaller pool,
-/// an assertion (`TopicPayloadPool::shrink`) ends the process when a reader of the same topic leaves
-/// meanwhile. Without a reader, samples are refused.
+/// Makes the payload pool of a writer's topic large enough to include payloads that are being sent. A message
+/// of 3.1 holds up to 64 payloads in addition to the history, and two threads may send for one writer. If the
+/// pool is too small and a reader of the same topic leaves at that moment, an assertion
+/// (`TopicPayloadPool::shrink`) ends the process. Without such a reader, samples are refused.
 inline void countWhatIsSent(dds::DataWriterQos& qos) {
 #if LEITSTAND_FASTDDS_3
     constexpr int Gathered = 65, Senders = 2;
@@ -218,7 +220,7 @@ inline constexpr auto SuperClient = rtps::DiscoveryProtocol::SUPER_CLIENT;
 inline constexpr auto SuperClient = rtps::DiscoveryProtocol_t::SUPER_CLIENT;
 #endif
 
-/// Adds discovery server @p number at @p locator; false when no server can have that number.
+/// Adds discovery server @p number at @p locator. Returns false when no server can have that number.
 template <class DiscoverySettings>
 [[nodiscard]] bool addServer(DiscoverySettings& discovery, int number, const rtps::Locator_t& locator) {
 #if LEITSTAND_FASTDDS_3
@@ -314,7 +316,7 @@ template <class Data>
 }
 #endif
 
-/// Receives all that discovery finds, changes and loses, on threads of the library.
+/// Receives everything that discovery finds, changes and loses, on threads of the library.
 class DiscoveryListener : public dds::DomainParticipantListener {
 protected:
     virtual void participantSeen(const ParticipantData& data) = 0;

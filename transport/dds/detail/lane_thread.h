@@ -15,20 +15,20 @@ namespace leitstand::detail {
 
 class Reader;
 
-/// One thread that waits for samples of its readers and calls them back, one after the other.
+/// A thread that waits for samples of its readers and calls their callbacks, one after the other.
 class LaneThread {
 public:
-    /// @p onWake runs on the lane's thread after each wake().
+    /// @p onWake is called on this thread after each wake().
     LaneThread(std::string threadName, std::function<void()> onWake = {});
     ~LaneThread();
     LaneThread(const LaneThread&) = delete;
     LaneThread& operator=(const LaneThread&) = delete;
 
     void add(const std::shared_ptr<Reader>& reader);
-    /// Only forgets @p reader; Reader::close() ends its callbacks.
+    /// Only forgets @p reader. Reader::close() ends its callbacks.
     void remove(const Reader& reader);
-    void wake();  ///< any thread, also listeners of Fast DDS
-    void stop();  ///< ends the thread; waits for a running callback, so no callback may call this
+    void wake();  ///< may be called from any thread, also from listeners of Fast DDS
+    void stop();  ///< ends the thread; waits for a running callback, so it must not be called from a callback
 
 private:
     using Readers = std::vector<std::shared_ptr<Reader>>;

@@ -9,13 +9,13 @@
 
 namespace leitstand::detail {
 
-/// What discovery must know about one of our own readers or writers to explain why it does not match others.
+/// What must be known about one of our readers or writers to explain why it does not match others.
 struct LocalEndpoint {
     enum class Kind : std::uint8_t { Reader, Writer };
     Kind kind = Kind::Reader;
     std::string ddsTopic, ddsType;
-    Qos qos;                 ///< in effect, profiles included
-    std::set<Guid> matched;  ///< remote endpoints it exchanges samples with
+    Qos qos;                 ///< QoS in effect, profiles included
+    std::set<Guid> matched;  ///< remote endpoints with which it exchanges samples
 };
 
 }  // namespace leitstand::detail

@@ -8,13 +8,15 @@
 
 namespace leitstand::detail {
 
-/// What discovery reports of a remote endpoint beyond RemoteEndpoint, as far as it decides on a match.
+/// What discovery reports about a remote endpoint in addition to RemoteEndpoint, as far as matching depends
+/// on it.
 struct MatchTerms {
-    bool xcdr1 = true;                ///< the remote writer or reader uses XCDR1, our representation
-    bool automaticLiveliness = true;  ///< the remote reader accepts automatic liveliness without a lease
+    bool xcdr1 = true;  ///< whether the remote writer or reader uses XCDR1, our representation
+    /// Whether the remote reader accepts automatic liveliness without a lease.
+    bool automaticLiveliness = true;
 };
 
-/// Returns why @p ours and @p theirs, endpoints of the same topic, do not match. Empty: nothing prevents a
+/// Returns why @p ours and @p theirs, endpoints on the same topic, do not match. Empty: nothing prevents a
 /// match.
 [[nodiscard]] std::vector<WireProblem> whyNoMatch(const LocalEndpoint& ours, const RemoteEndpoint& theirs,
                                                   const MatchTerms& terms);

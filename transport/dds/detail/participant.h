@@ -21,7 +21,7 @@
 namespace leitstand::detail {
 
 /// A Fast DDS participant, its two lanes, and all readers and writers that it created. The node, its
-/// subscriptions and its publishers share this object. leave() ends the Fast DDS part even while others still
+/// subscriptions and its publishers share this object. leave() ends the Fast DDS part even if others still
 /// hold the object.
 class Participant {
 public:

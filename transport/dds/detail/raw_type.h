@@ -12,8 +12,8 @@ struct RawSample {
     Payload cdr;
 };
 
-/// A type without keys whose samples Fast DDS carries as bytes, encapsulation header included. It announces
-/// its name, but not its structure, as ROS 2 nodes do.
+/// A type without keys whose samples Fast DDS transports as bytes, encapsulation header included. It
+/// announces its name, but not its structure, as ROS 2 nodes do.
 class RawType final : public fastdds::NamedType {
 public:
     explicit RawType(const std::string& ddsName);

@@ -16,34 +16,35 @@ namespace leitstand::detail {
 
 class Participant;
 
-/// A Fast DDS reader of bytes and its callback. Lives as long as its subscription or a lane uses it; the Fast
-/// DDS reader lives only until close().
+/// A Fast DDS reader of bytes and its callback. The object exists as long as its subscription or a lane uses
+/// it. The Fast DDS reader exists only until close().
 class Reader final : public std::enable_shared_from_this<Reader>,
                      private eprosima::fastdds::dds::DataReaderListener {
 public:
     Reader(Participant& participant, ReaderSettings settings, SampleCallback callback);
     ~Reader() override;
 
-    /// Creates the Fast DDS reader and adds this to its lane. Does nothing when the Fast DDS reader exists,
-    /// after close(), or while the participant is out of its domain.
+    /// Creates the Fast DDS reader and adds this object to its lane. Does nothing when the Fast DDS reader
+    /// exists, after close(), or while the participant is outside its domain.
     Result<void> open();
     /// Leaves the topic until the next open(), because the participant leaves its domain. Waits as close()
     /// does.
     void suspend();
-    /// Leaves the topic for good. Waits for a callback that runs on another thread; may be called by the
-    /// callback itself.
+    /// Leaves the topic permanently. Waits for a callback that runs on another thread; the callback itself
+    /// may call this.
     void close();
-    /// Calls back with one sample; false when there is none. Runs on a lane's thread.
+    /// Calls the callback with one sample. Returns false when there is none. Runs on a lane's thread.
     [[nodiscard]] bool deliver();
 
     [[nodiscard]] SubscriptionCounts counts() const;
-    [[nodiscard]] bool hasReceived(const Guid& writer) const;  ///< a sample came since @p writer matches
+    /// Whether a sample was received from @p writer since it matched.
+    [[nodiscard]] bool hasReceived(const Guid& writer) const;
     [[nodiscard]] const ReaderSettings& settings() const { return m_settings; }
-    /// Only while open.
+    /// Valid only while open.
     [[nodiscard]] eprosima::fastdds::dds::StatusCondition& condition() const { return *m_condition; }
     [[nodiscard]] const eprosima::fastdds::dds::Condition* conditionAddress() const { return m_condition; }
 
-    bool unfinished = false;  ///< the lane's own note: samples were left over
+    bool unfinished = false;  ///< set by the lane: samples were left
 
 private:
     using DataReader = eprosima::fastdds::dds::DataReader;

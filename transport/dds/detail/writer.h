@@ -15,7 +15,7 @@ namespace leitstand::detail {
 
 class Participant;
 
-/// A Fast DDS writer of bytes, until close().
+/// A Fast DDS writer of bytes, which exists until close().
 class Writer final : private eprosima::fastdds::dds::DataWriterListener {
 public:
     Writer(Participant& participant, WriterSettings settings);
@@ -23,7 +23,7 @@ public:
 
     Result<void> open();
     /// Leaves the topic until the next open(), because the participant leaves its domain. open() writes
-    /// transient local samples again; other samples that are written meanwhile are lost.
+    /// transient local samples again. Other samples that are written in between are lost.
     void suspend();
     void close();
     Result<void> write(const Payload& cdr);

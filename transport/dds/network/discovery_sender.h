@@ -14,23 +14,24 @@
 
 namespace leitstand::detail {
 
-/// Sends datagrams; those of discovery three times, 30 ms apart. The library repeats a lost discovery
-/// datagram only after a second (docs/wire.md). Any thread.
+/// Sends datagrams; those of discovery are sent three times, 30 ms apart. The library repeats a lost
+/// discovery datagram only after a second (docs/wire.md). Any thread.
 class DiscoverySender {
 public:
     using Moment = std::chrono::steady_clock::time_point;
-    /// Sends bytes to the locators from the first to the last iterator; false when it could not until that
-    /// moment.
+    /// Sends bytes to the locators from the first to the last iterator. Returns false when it could not send
+    /// before the given time.
     using Send = std::function<bool(std::span<const std::byte>, fastdds::rtps::LocatorsIterator&,
                                     fastdds::rtps::LocatorsIterator&, Moment)>;
 
-    /// @p screen knows the ports where others receive discovery: encrypted datagrams to these are discovery.
+    /// @p screen knows the ports where other participants receive discovery. Encrypted datagrams to these
+    /// ports are treated as discovery.
     explicit DiscoverySender(std::shared_ptr<const screen::Screen> screen);
 
     bool send(std::span<const std::byte> bytes, fastdds::rtps::LocatorsIterator& first,
               fastdds::rtps::LocatorsIterator& last, Moment until, const Send& by);
-    /// Sends all waiting copies now. From then on, discovery goes out three times without a pause. Call it
-    /// before what the `Send` functions use is gone.
+    /// Sends all waiting copies now. From then on, discovery is sent three times without a pause. Call it
+    /// before what the `Send` functions use is destroyed.
     void finish();
 
 private:

@@ -8,7 +8,7 @@
 
 namespace leitstand::detail {
 
-/// Returns the IPv4 addresses of @p interfaces (names or addresses of this computer). The error names the
+/// Returns the IPv4 addresses of @p interfaces (names or addresses of this computer). The error has the
 /// unknown interface and lists those of this computer.
 [[nodiscard]] Result<std::vector<std::string>> addressesOf(const std::vector<std::string>& interfaces);
 
@@ -17,7 +17,7 @@ struct Peer {
     std::string address;     ///< IPv4, "192.168.0.7"
     std::uint16_t port = 0;  ///< 0: not given
 };
-/// Reads "192.168.0.7", "robot.local:7410"; looks up names now. Errors name @p setting.
+/// Parses "192.168.0.7" or "robot.local:7410". Names are looked up now. Errors name @p setting.
 [[nodiscard]] Result<Peer> parsePeer(const std::string& text, const std::string& setting);
 
 }  // namespace leitstand::detail

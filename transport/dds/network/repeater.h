@@ -10,16 +10,16 @@
 
 namespace leitstand::detail {
 
-/// Runs tasks a little later, on a thread of its own and in the order given. Any thread.
+/// Runs tasks after a delay, on its own thread and in the given order. Any thread.
 class Repeater {
 public:
-    /// Drops a task when the waiting tasks would keep more than @p mostBytes with it.
+    /// Drops a task if it and the waiting tasks would hold more than @p mostBytes of memory.
     Repeater(std::chrono::milliseconds delay, std::size_t mostBytes);
     ~Repeater();  ///< drops the waiting tasks
     Repeater(const Repeater&) = delete;
     Repeater& operator=(const Repeater&) = delete;
 
-    /// Runs @p what after the delay. @p bytes: memory that @p what keeps.
+    /// Runs @p what after the delay. @p bytes: memory that @p what holds.
     void later(std::size_t bytes, std::function<void()> what);
     /// Runs the waiting tasks now. Tasks that are added after this run at once, on the caller's thread.
     void finish();

@@ -12,9 +12,9 @@
 
 namespace leitstand {
 
-/// Where the map is seen from: a turntable around a focus, z up. A value.
+/// From where the map is seen: a turntable around a focus, z up. A value.
 struct MapCamera {
-    static constexpr double FieldOfView = 0.7;  ///< vertical, perspective [rad]
+    static constexpr double FieldOfView = 0.7;  ///< vertical angle of view in perspective [rad]
 
     Eigen::Vector3d focus = Eigen::Vector3d::Zero();  ///< in the map's frame [m]
     double yaw = 0.0;        ///< heading of the view about z [rad]; 0: along x, positive: to the left
@@ -43,8 +43,8 @@ public:
 
     /// Returns where @p pointInMap is drawn; empty when it is behind the eye.
     [[nodiscard]] std::optional<Projected> project(const Eigen::Vector3d& pointInMap) const;
-    /// Returns the outline on screen of a flat convex shape, without the part behind the eye; may be empty.
-    /// @p corners: of the shape, in order, in the map's frame [m].
+    /// Returns the outline on the screen of a flat convex shape, without the part behind the eye; may be
+    /// empty. @p corners: corners of the shape in order, in the map's frame [m].
     [[nodiscard]] QPolygonF outline(std::span<const Eigen::Vector3d> corners) const;
     /// Returns the point of the map under @p position at @p depth [m].
     [[nodiscard]] Eigen::Vector3d unproject(const QPointF& position, double depth) const;
@@ -63,10 +63,10 @@ private:
     MapCamera m_camera;
     QSize m_size;
     Eigen::Vector3d m_eye, m_forward, m_right, m_up;
-    double m_tangent;  ///< half the widget's height at unit depth
+    double m_tangent;  ///< half the widget's height at a depth of 1
 };
 
-/// Returns @p camera moved, not turned, so that all @p places (map's frame [m]) just fit into a widget of
+/// Returns @p camera moved, but not turned, so that all @p places (map's frame [m]) just fit into a widget of
 /// @p size. The focus is then in the middle of the places.
 [[nodiscard]] MapCamera framed(MapCamera camera, const std::vector<Eigen::Vector3d>& places, QSize size);
 

@@ -9,7 +9,7 @@ namespace leitstand {
 /// A place on the floor and a heading, as an operator draws them.
 struct GroundPose {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< in the map's frame [m]
-    std::optional<double> heading = {};               ///< counter-clockwise from x [rad]; empty: no drag
+    std::optional<double> heading = {};  ///< counter-clockwise from x [rad]; empty: the operator did not drag
 };
 
 /// One step of dragging something over the floor.

@@ -15,8 +15,8 @@ namespace leitstand {
 class MapProjection;
 struct OverlayStyle;
 
-/// Gestures on the floor: draw a robot's pose (press: place, drag: heading, as the 2D goal of RViz), draw the
-/// corners of an area, or drag something.
+/// Gestures on the floor. The operator draws a robot's pose (press for the place, drag for the heading, like
+/// the 2D goal of RViz), draws the corners of an area, or drags something.
 class GroundTools {
 public:
     /// Starts drawing poses of @p robot.
@@ -34,7 +34,7 @@ public:
     /// Returns the pose that was drawn; empty: none.
     [[nodiscard]] std::optional<GroundPose> release();
 
-    /// Starts a drag at @p ground. @p turns: turns instead of moving.
+    /// Begins a drag at @p ground. @p turns: the drag turns instead of moving.
     [[nodiscard]] GroundDrag grab(const Eigen::Vector3d& ground, bool turns);
     /// Continues the drag to @p ground; empty: nothing is held.
     [[nodiscard]] std::optional<GroundDrag> dragTo(const Eigen::Vector3d& ground);
@@ -42,7 +42,8 @@ public:
 
     void addCorner(const Eigen::Vector3d& ground);
     void takeCornerBack();
-    /// Returns the area and starts a new one; empty with fewer than three corners. In the map's frame [m].
+    /// Returns the area in the map's frame [m] and begins a new one; empty: there are fewer than three
+    /// corners.
     [[nodiscard]] std::optional<std::vector<Eigen::Vector2d>> takeArea();
 
     void paint(QPainter& painter, const MapProjection& projection, const OverlayStyle& style) const;
@@ -58,8 +59,8 @@ private:
     std::optional<Eigen::Vector3d> m_cursor;
 };
 
-/// Returns where the ray under @p position meets the level plane at @p height [m]. Empty above the horizon
-/// and, in a perspective view, farther than 200 m from the eye.
+/// Returns where the ray under @p position meets the horizontal plane at @p height [m]. Empty above the
+/// horizon and, in a perspective view, farther than 200 m from the eye.
 [[nodiscard]] std::optional<Eigen::Vector3d> groundUnder(const MapProjection& projection,
                                                          const QPointF& position, double height);
 

@@ -10,8 +10,9 @@ namespace leitstand {
 struct OverlayStyle;
 struct SceneContent;
 
-/// Paints what the colours of @p content mean, in the bottom left corner of a widget of @p size. A legend
-/// that would overlap @p taken lies above it. Returns the box of the legend; null: nothing was painted.
+/// Paints what the colours of @p content mean, in the bottom left corner of a widget of @p size. If the
+/// legend would overlap @p taken, it is painted above it. Returns the box of the legend; null: nothing was
+/// painted.
 QRect paintLegend(QPainter& painter, const SceneContent& content, QSize size, const QRect& taken,
                   const OverlayStyle& style);
 

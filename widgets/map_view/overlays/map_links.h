@@ -11,11 +11,11 @@ class MapProjection;
 struct OverlayStyle;
 struct SceneContent;
 
-/// Two key scans that see the same place, as detected or as stated by an operator.
+/// Two key scans that see the same place, as detected or as an operator said.
 struct MapLink {
     enum class Standing : std::uint8_t {
         Counts,   ///< the map uses it
-        Open,     ///< it is in question, or was undone
+        Open,     ///< it is an open question, or was undone
         Refused,  ///< somebody decided that it is not the same place
     };
     std::uint64_t from = 0, to = 0;  ///< MapScan::id

@@ -15,13 +15,13 @@ class MapProjection;
 struct OverlayStyle;
 struct SceneContent;
 
-/// Paints lines 1 m apart (10 m when seen from afar) in the first scan's frame, for the top view. Returns
+/// Paints lines 1 m apart (10 m if seen from afar) in the frame of the first scan, for the top view. Returns
 /// their distance [m].
 double paintGroundGrid(QPainter& painter, const MapProjection& projection, const SceneContent& content,
                        const OverlayStyle& style);
 
-/// Marks the positions of visible scans: a blue square, or a hollow violet diamond with a question mark if
-/// the scan is uncertain. @p joined: draws each robot's path, too.
+/// Marks the positions of visible scans: a blue square, or for an uncertain scan a hollow violet diamond with
+/// a question mark. @p joined: also draws each robot's path.
 void paintScanPositions(QPainter& painter, const MapProjection& projection, const SceneContent& content,
                         bool joined, const OverlayStyle& style);
 
@@ -33,7 +33,7 @@ void paintHighlight(QPainter& painter, const MapProjection& projection, const Sc
 void paintCaption(QPainter& painter, const MapProjection& projection, std::span<const Eigen::Vector3d> places,
                   const QString& text, const OverlayStyle& style);
 
-/// Paints the ends of a measurement, the line between them and its length. @p to: empty until picked.
+/// Paints the ends of a measurement, the line between them and its length. @p to: empty: not picked yet.
 void paintMeasurement(QPainter& painter, const MapProjection& projection, const Eigen::Vector3d& from,
                       const std::optional<Eigen::Vector3d>& to, const OverlayStyle& style);
 

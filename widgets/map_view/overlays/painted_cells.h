@@ -7,16 +7,16 @@
 
 namespace leitstand {
 
-/// Marks the cells of a widget that are painted, so that nothing is painted twice on the same place. The cost
-/// of an hour's marks is then bounded by the widget's size.
+/// Marks which cells of a widget are painted, so that nothing is painted twice at the same place. So the cost
+/// of marks from a whole hour is limited by the widget's size.
 class PaintedCells {
 public:
-    /// @p size: of the widget. @p cell: edge of what counts as one place. Both in logical pixels.
+    /// @p size: size of the widget. @p cell: edge of a cell. Both in logical pixels.
     PaintedCells(QSize size, double cell);
 
-    /// Marks the place; true if it was not marked before. False for places outside the widget.
+    /// Marks the cell at @p place. True if it was not marked before; false outside the widget.
     bool take(const QPointF& place);
-    /// Marks all places between @p from and @p to; true if one of them was not marked before. A line that
+    /// Marks all cells between @p from and @p to. True if one of them was not marked before. A line that
     /// crosses the widget and is longer than 1000 cells marks nothing and returns true.
     bool takeLine(const QPointF& from, const QPointF& to);
 

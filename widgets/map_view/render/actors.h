@@ -15,7 +15,7 @@ namespace leitstand {
 
 class RangeMapper;
 
-/// Draws points with VTK. A new pose needs no new upload of the points. Render thread only.
+/// Draws points with VTK. If only the pose changes, the points are not uploaded again. Render thread only.
 class PointsActor {
 public:
     PointsActor();
@@ -23,13 +23,13 @@ public:
     PointsActor(PointsActor&&) noexcept = default;
     PointsActor& operator=(PointsActor&&) noexcept = default;
 
-    /// Shows @p points, or nothing when null. The same points as before cost nothing.
+    /// Shows @p points; null: nothing. Setting the same points again costs nothing.
     void update(DrawnPointsPtr points);
     void setPose(const Pose& poseInMap);
     void setVisible(bool visible);
     void setClip(vtkPlaneCollection* planesInMap);
     void setPointSize(double devicePixels);
-    /// Sets the range of points drawn next, as fractions of their number.
+    /// Sets which points are drawn next, as fractions of their number.
     void setRange(double from, double to);
 
     [[nodiscard]] vtkActor* actor() const { return m_actor; }
@@ -44,12 +44,12 @@ private:
 /// Draws a scan's points with VTK. Render thread only.
 class ScanActor {
 public:
-    /// Shows @p scan; isShown() must hold for it. The same points in the same look cost nothing.
+    /// Shows @p scan; isShown() must be true for it. Setting the same points in the same look costs nothing.
     void update(const SceneScan& scan);
     [[nodiscard]] PointsActor& points() { return m_points; }
 
 private:
-    ScanPointsPtr m_scan;   ///< points that m_points shows
+    ScanPointsPtr m_scan;   ///< points that are in m_points
     PointCloudLook m_look;  ///< look of m_points
     PointsActor m_points;
 };

@@ -5,7 +5,7 @@
 
 namespace leitstand {
 
-/// Estimates how many points can be drawn in the wanted frame time; learns from each frame.
+/// Estimates how many points can be drawn within the desired time of a frame. Learns from each frame.
 class DetailBudget {
 public:
     using Seconds = std::chrono::duration<double>;
@@ -14,8 +14,8 @@ public:
         : m_frameTime(frameTime), m_points(firstGuess) {}
 
     [[nodiscard]] std::size_t points() const { return m_points; }
-    /// Learns that drawing @p points took @p time. Frames that show fewer points than the budget can only
-    /// lower it.
+    /// Learns that drawing @p points took @p time. Frames with fewer points than the budget can only lower
+    /// it.
     void drawn(std::size_t points, Seconds time);
 
     static constexpr std::size_t Least = 20'000, Most = 50'000'000;

@@ -6,9 +6,9 @@
 
 namespace leitstand {
 
-/// A connection to EGL without a window system. It tries the first device that works, then Mesa's surfaceless
+/// A connection to EGL without a window system. Tries the first device that works, then Mesa's surfaceless
 /// platform, then the default display. One thread. EGL has one connection per process and platform. It stays
-/// open until the process ends: others may use it, and drivers leak when it closes.
+/// open until the process ends, since others may use it and drivers leak memory when it closes.
 class EglDisplay {
 public:
     [[nodiscard]] static Result<std::unique_ptr<EglDisplay>> open();
@@ -40,7 +40,7 @@ private:
 
     void* m_display;
     void* m_context;
-    void* m_surface;  ///< 1 x 1 px if the driver needs one, else none
+    void* m_surface;  ///< 1 x 1 px if the driver needs a surface, otherwise none
 };
 
 }  // namespace leitstand

@@ -4,18 +4,18 @@
 
 namespace leitstand {
 
-/// Draws a range of the points of a poly data, in their order, without cells. Since that order is random, any
-/// range is a fair sample; consecutive ranges add up to the whole. Render thread only.
+/// Draws a range of the points in a poly data, in their order, without cells. The order is random, so any
+/// range is a fair sample; consecutive ranges give the whole. Render thread only.
 class RangeMapper final : public vtkOpenGLPolyDataMapper {
 public:
     static RangeMapper* New();
     vtkTypeMacro(RangeMapper, vtkOpenGLPolyDataMapper);
 
-    /// Sets the range of points drawn next, as fractions of their number.
+    /// Sets which points are drawn next, as fractions of their number.
     void setRange(double from, double to);
 
 protected:
-    void ComputeBounds() override;  ///< of all points
+    void ComputeBounds() override;  ///< sets the bounds of all points
     void BuildIBO(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* data) override;
     void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
 

@@ -13,20 +13,21 @@ namespace leitstand {
 
 class EglDisplay;
 
-/// The single thread on which VTK draws for all views of the process: VTK and EGL keep state per thread.
+/// The single thread on which VTK draws for all views of the process, since VTK and EGL keep state per
+/// thread.
 class RenderThread {
 public:
     using Task = std::function<void(const Result<std::unique_ptr<EglDisplay>>& display)>;
 
-    /// Returns the running thread, or a new one. It ends with its last owner.
+    /// Returns the running thread, or a new one. It ends when its last owner releases it.
     [[nodiscard]] static std::shared_ptr<RenderThread> shared();
 
     RenderThread();
     /// Waits until all tasks are done.
     ~RenderThread();
 
-    /// Any thread. Tasks run on the render thread, one after another, in the order posted. They receive the
-    /// connection to EGL, or the error when there is none.
+    /// Any thread. Tasks run on the render thread one after another, in the order in which they were posted.
+    /// They receive the connection to EGL, or the error if there is none.
     void post(Task task);
 
 private:

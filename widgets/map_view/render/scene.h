@@ -13,32 +13,32 @@ namespace leitstand {
 
 class EglDisplay;
 
-/// The request for a picture.
+/// A request for a picture.
 struct DrawOrder {
     MapCamera camera;
     QSize size;               ///< logical pixels
-    double pixelRatio = 1.0;  ///< device pixels in a logical one
-    bool full = true;         ///< all points; else as many as the budget allows
+    double pixelRatio = 1.0;  ///< device pixels per logical pixel
+    bool full = true;         ///< draw all points; otherwise as many as the budget allows
 
     bool operator==(const DrawOrder&) const = default;
 };
 
-/// A picture and what it shows.
+/// A picture, and what it shows.
 struct MapPicture {
     QImage image;
     DrawOrder order;
     SceneContentPtr content;
-    bool complete = false;  ///< every point of the content was drawn
+    bool complete = false;  ///< whether every point of the content was drawn
 };
 
-/// Draws one view with VTK, in an OpenGL context of its own. Render thread only.
+/// Draws one view with VTK, in its own OpenGL context. Render thread only.
 class Scene {
 public:
     [[nodiscard]] static Result<std::unique_ptr<Scene>> create(const EglDisplay& display);
     ~Scene();
 
     void setContent(SceneContentPtr content);
-    /// Draws a picture. A full one is refined in steps, and ends early and incomplete when @p interrupted
+    /// Draws a picture. A full picture is refined in steps. It ends early and incomplete when @p interrupted
     /// returns true.
     [[nodiscard]] MapPicture draw(const DrawOrder& order, const std::function<bool()>& interrupted);
 

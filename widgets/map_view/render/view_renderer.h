@@ -10,7 +10,7 @@ namespace leitstand {
 
 class RenderThread;
 
-/// The interface of one view to the render thread. GUI thread; waits for the render thread only in drawNow().
+/// What one view can request from the render thread. GUI thread; only drawNow() waits for the render thread.
 class ViewRenderer {
 public:
     /// Called on the render thread, never after the destructor has returned.
@@ -24,11 +24,11 @@ public:
     ViewRenderer(const ViewRenderer&) = delete;
     ViewRenderer& operator=(const ViewRenderer&) = delete;
 
-    /// Sets the content to draw; the newest wins.
+    /// Sets the content to draw. Only the newest content is drawn.
     void setContent(SceneContentPtr content);
-    /// Requests a picture. The newest order wins; a picture in progress is interrupted.
+    /// Requests a picture. Only the newest request is carried out; a picture in progress is interrupted.
     void draw(const DrawOrder& order);
-    /// Returns a complete picture of the newest content, without a callback; empty when drawing is
+    /// Returns a complete picture of the newest content, without a callback. Empty when drawing is
     /// impossible.
     [[nodiscard]] MapPicture drawNow(DrawOrder order);
 

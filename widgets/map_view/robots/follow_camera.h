@@ -8,20 +8,20 @@
 
 namespace leitstand {
 
-/// A camera that follows a robot smoothly, with the robot's heading up. It rests while the robot stands, so
-/// that a full picture can be drawn.
+/// A camera that follows a robot smoothly, with the robot's heading up. It does not move while the robot
+/// stands, so that a full picture can be drawn.
 class FollowCamera {
 public:
-    /// Starts following. @p parallel: the projection of the top look, which always looks from above.
+    /// Starts following. @p parallel: the projection is that of the top look, which always looks from above.
     void start(MapFollow how, bool parallel);
     /// Whether the robot's pose is known.
     [[nodiscard]] bool aimed() const { return m_aimed; }
-    /// Follows the robot to @p baseInMap, @p seconds after the last call [s]. Jumps there at first and over
-    /// long distances. Returns whether the camera moved.
+    /// Follows the robot to @p baseInMap, @p seconds after the last call. Jumps there the first time, and
+    /// over long distances. Returns whether the camera moved.
     bool aim(const Pose& baseInMap, double seconds);
     [[nodiscard]] const MapCamera& camera() const { return m_camera; }
 
-    /// Takes over direction and distance from @p camera, after the operator moved the camera there.
+    /// Takes direction and distance from @p camera, after the operator moved the camera there.
     void adjust(const MapCamera& camera);
 
     static constexpr double Lag = 0.25;  ///< [s]

@@ -10,11 +10,11 @@
 
 namespace leitstand {
 
-/// The worker that makes maps ready for drawing. Any thread; the newest order wins.
+/// The worker that prepares maps for drawing. Any thread; only the newest order is carried out.
 class SceneBuilder {
 public:
-    /// @p onContent is called on the worker's thread; with parts of the content first when there is much to
-    /// do.
+    /// @p onContent: called on the worker's thread. If there is much to do, it is first called with parts of
+    /// the content.
     explicit SceneBuilder(std::function<void(SceneContentPtr)> onContent);
     ~SceneBuilder();
 
@@ -28,7 +28,7 @@ private:
     std::function<void(SceneContentPtr)> m_onContent;
     std::mutex m_mutex;
     std::condition_variable_any m_changed;
-    std::optional<SceneOrder> m_order;  ///< not yet started
+    std::optional<SceneOrder> m_order;  ///< order that has not been started
     std::uint64_t m_newest = 0;         ///< number of the last order
     SceneContentPtr m_done = std::make_shared<const SceneContent>();
     std::jthread m_thread;  // last member: joined first

@@ -6,22 +6,22 @@
 
 namespace leitstand {
 
-/// A fair sample of the points shown.
+/// A fair sample of the points that are shown.
 struct SceneStatistics {
     std::vector<Eigen::Vector3d> points;  ///< in the map's frame [m]
-    std::vector<double> ranges;           ///< of the points from their scanners [m]
-    std::vector<double> shades;           ///< of points that have an intensity
+    std::vector<double> ranges;           ///< distances of points from their scanners [m]
+    std::vector<double> shades;           ///< shades of points that have an intensity
 };
 [[nodiscard]] SceneStatistics statisticsOf(const SceneContent& content);
 
-/// Returns one point of @p sample per occupied half-metre cube, whatever the density. Stray points, seen
-/// through a window or in a mirror, are left out.
+/// Returns one point of @p sample for each occupied half-metre cube, whatever the density. Isolated points,
+/// seen through a window or in a mirror, are left out.
 [[nodiscard]] std::vector<Eigen::Vector3d> filledPlaces(const SceneStatistics& sample);
 
-/// Returns the rounded values between which the colours run. Empty unless coloured by height, range or
-/// intensity.
+/// Returns the rounded values at the ends of the colours. Empty unless height, range or intensity determines
+/// the colours.
 [[nodiscard]] std::optional<ColourRamp> rampOf(const SceneStatistics& sample, MapColouring colouring);
-/// Returns the ramp of ages, from the first scan to a little beyond the newest, so that a new scan changes
+/// Returns the ramp of ages, from the first scan to slightly beyond the newest, so that a new scan changes
 /// few colours. Empty without scans.
 [[nodiscard]] std::optional<ColourRamp> rampOfAges(const SceneContent& content);
 

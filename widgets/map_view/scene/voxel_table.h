@@ -14,10 +14,10 @@ namespace leitstand {
 /// The data of one occupied voxel.
 struct Voxel {
     std::uint64_t key = 0;
-    std::array<std::uint32_t, LabelCount> labels{};  ///< points per label
-    float valueSum = 0.0F;                           ///< sum of ranges [m] or shades
+    std::array<std::uint32_t, LabelCount> labels{};  ///< number of points per label
+    float valueSum = 0.0F;                           ///< sum of ranges [m] or of shades
     std::uint32_t points = 0;                        ///< 0: a free slot of the table
-    bool certain = false;                            ///< a point of a certain scan lies in it
+    bool certain = false;                            ///< whether a point of a certain scan is in it
     std::uint32_t scan = 0, votes = 0;  ///< source with most points (Boyer and Moore's majority vote)
 
     [[nodiscard]] Label majority() const;
@@ -49,7 +49,7 @@ private:
     void grow();
 
     float m_cellsPerMetre;
-    std::vector<Voxel> m_slots;  ///< size is a power of two, at most half full
+    std::vector<Voxel> m_slots;  ///< the size is a power of two; at most half of it is used
     std::size_t m_used = 0;
 };
 

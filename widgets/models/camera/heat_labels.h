@@ -17,18 +17,18 @@ struct HeatMark {
 
 /// A label on warm things in a picture.
 struct HeatLabel {
-    QRectF box;            ///< around the words [px]
-    QRectF about;          ///< around all frames that the label describes [px]
-    double celsius = 0.0;  ///< of the hottest of these frames
+    QRectF box;            ///< box around the words [px]
+    QRectF about;          ///< box around all frames to which the label belongs [px]
+    double celsius = 0.0;  ///< temperature of the hottest of these frames
     int marks = 0;         ///< number of these frames
-    bool brief = false;    ///< there was only room for the brief words
+    bool brief = false;    ///< whether it has the short text, since there was not enough space
 };
 
-/// Returns labels for @p marks that can all be read. Labels lie within @p area, cover neither each other nor
-/// anything @p taken, and avoid frames as far as there is room. Marks that are close to each other for their
-/// size count as one body and share a label. @p sizeOf: returns the size of a label for a temperature.
-/// @p brief: size of the brief words, used when the label has no room nearby. Without room for these either,
-/// a body gets no label.
+/// Returns labels for @p marks that can all be read. Labels are within @p area, cover neither each other nor
+/// anything @p taken, and avoid frames as far as there is space. Marks whose distance is small for their size
+/// are treated as one body and share a label.
+/// @p sizeOf: returns the size of a label for a temperature. @p brief: size of the short text, used if there
+/// is no space for the label nearby. If there is no space for the short text either, a body gets no label.
 [[nodiscard]] std::vector<HeatLabel> heatLabels(const std::vector<HeatMark>& marks,
                                                 const std::function<QSizeF(double celsius)>& sizeOf,
                                                 const QRectF& area, const std::vector<QRectF>& taken = {},

@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// Something that is new or gone, as a row of a list.
+/// Something that is new or has disappeared, as a row of a list.
 struct ChangedRow {
     int number = 0;                                   ///< from 1; the largest thing has 1
     QString what;                                     ///< "new" or "gone"
@@ -30,8 +30,8 @@ struct ChangedRow {
 /// Returns why the list is empty.
 [[nodiscard]] QString unchangedText(const MapChanges* changes);
 
-/// What is new or gone, as a table. The selection stays at its row number as long as the number of rows does
-/// not change. rowAt() finds a thing again by its place.
+/// What is new or has disappeared, as a table. The selection stays at its row number as long as the number of
+/// rows does not change. rowAt() finds a thing again by its place.
 class ChangedModel final : public TextRowsModel {
     Q_OBJECT
 public:
@@ -40,7 +40,7 @@ public:
     using TextRowsModel::TextRowsModel;
 
     void setRows(const std::vector<ChangedRow>& rows);
-    [[nodiscard]] const ChangedRow* row(int row) const;  ///< null when there is none
+    [[nodiscard]] const ChangedRow* row(int row) const;  ///< null: there is none
     /// Returns the row nearest to @p place within @p reach [m]; -1: there is none.
     [[nodiscard]] int rowAt(const Eigen::Vector3d& place, double reach) const;
 

@@ -40,7 +40,7 @@ public:
     using TextRowsModel::TextRowsModel;
 
     void setRows(const std::vector<MissedRow>& rows);
-    [[nodiscard]] const MissedRow* row(int row) const;  ///< null when there is none
+    [[nodiscard]] const MissedRow* row(int row) const;  ///< null: there is none
     /// Returns the row nearest to @p place within @p reach [m]; -1: there is none.
     [[nodiscard]] int rowAt(const Eigen::Vector3d& place, double reach) const;
 

@@ -6,7 +6,7 @@
 
 namespace leitstand {
 
-/// "Scanner", "Camera", "Infrared".
+/// Text for a sensor: "Scanner", "Camera", "Infrared".
 [[nodiscard]] QString sensorText(SearchSensor sensor);
 
 }  // namespace leitstand

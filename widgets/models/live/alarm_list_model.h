@@ -13,12 +13,12 @@ namespace leitstand {
 class AlarmListModel final : public QAbstractListModel {
     Q_OBJECT
 public:
-    enum Role { LineRole = Qt::UserRole + 10 };  ///< AlarmLine, for painters
+    enum Role { LineRole = Qt::UserRole + 10 };  ///< returns an AlarmLine, for painters
 
     using QAbstractListModel::QAbstractListModel;
 
     void setLines(const std::vector<AlarmLine>& lines);
-    [[nodiscard]] const AlarmLine* line(int row) const;  ///< null when there is none
+    [[nodiscard]] const AlarmLine* line(int row) const;  ///< null: there is none
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;

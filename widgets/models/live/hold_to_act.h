@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// An action that happens only after its control was held for a while without a break. Has no clock of its
-/// own: callers pass the time.
+/// An action that happens only after its control was held for some time without interruption. It has no
+/// clock: callers pass the time.
 class HoldToAct {
 public:
     explicit HoldToAct(std::chrono::nanoseconds length = std::chrono::seconds(1)) : m_length(length) {}
@@ -24,7 +24,7 @@ public:
         const double share = std::chrono::duration<double>(now - m_since) / m_length;
         return share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
     }
-    /// Returns true once, when the control was held long enough. It does so again only after end() and
+    /// Returns true once, when the control has been held long enough. Returns true again only after end() and
     /// begin().
     [[nodiscard]] bool due(SteadyTime now) {
         if (!m_held || m_done || now - m_since < m_length) return false;

@@ -16,20 +16,20 @@ namespace leitstand {
 /// Returns what a check found: "connected, round trip 22 ms", "brake: stands after 310 ms and 2 cm without
 /// commands".
 [[nodiscard]] QString checkText(const PreflightCheck& check);
-/// Returns what the operator can do about what @p check found; empty when nothing has to be done.
+/// Returns what the operator can do about the result of @p check; empty when nothing needs to be done.
 [[nodiscard]] QString remedyText(const PreflightCheck& check);
-/// Returns "✓", "–", "!" or "✗": a shape for each state, so that colour is not the only difference.
+/// Returns "✓", "–", "!" or "✗". Each state has its own shape, so that colour is not the only difference.
 [[nodiscard]] QString stateMark(CheckState state);
 /// "in order", "to know", "needs a look", "must be mended".
 [[nodiscard]] QString stateText(CheckState state);
 [[nodiscard]] Tone toneOf(CheckState state);
-/// Returns the verdict on all @p checks in a line: "All in order", "2 to be mended, 1 to be looked at".
+/// Returns a summary of all @p checks on one line: "All in order", "2 to be mended, 1 to be looked at".
 [[nodiscard]] QString verdictText(const std::vector<PreflightCheck>& checks);
-/// Returns the state of a brake test for the page: "Drives ... keep holding" and so on by @p phase, then
-/// @p result.
+/// Returns the state of a brake test for the page: while it runs, "Drives ... keep holding" and similar texts
+/// for @p phase, then @p result.
 [[nodiscard]] QString brakeText(BrakeTest::Phase phase, const BrakeResult& result);
 
-/// The preflight page's checks, a row each, robot by robot.
+/// The checks of the preflight page, one row each, robot by robot.
 class PreflightList final : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -37,7 +37,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// @p faces: of the robots that checks name, by the robots' names.
+    /// @p faces: faces of the robots in the checks, by the robots' names.
     void setChecks(std::vector<PreflightCheck> checks, std::map<std::string, RobotFace> faces);
     [[nodiscard]] const std::vector<PreflightCheck>& checks() const { return m_checks; }
 

@@ -6,10 +6,10 @@
 
 namespace leitstand {
 
-/// Returns a decision on the map in words that follow "Undo": "scan 12 set aside", "3 scans set aside", "what
-/// belongs into the map".
+/// Returns a decision about the map in words that follow "Undo": "scan 12 set aside", "3 scans set aside",
+/// "what belongs into the map".
 [[nodiscard]] QString decisionText(const MapDecision& decision);
-/// Returns what was taken back or done again in the operator's words: "scan 12 set aside", "V1".
+/// Returns what was undone or redone in words for the operator: "scan 12 set aside", "V1".
 [[nodiscard]] QString undoneText(const UndoneThing& thing);
 
 }  // namespace leitstand

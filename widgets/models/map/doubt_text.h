@@ -9,10 +9,10 @@
 
 namespace leitstand {
 
-/// Returns what speaks against a scan (bits of ScanDoubt), in the operator's words: "little overlap, jump";
-/// empty: nothing.
+/// Returns the doubts about a scan (bits of ScanDoubt) in words for the operator: "little overlap, jump";
+/// empty: none.
 [[nodiscard]] QString doubtText(std::uint8_t doubts);
-/// Returns each doubt with its meaning and what may help, a line each; empty: there is none.
+/// Returns each doubt with its meaning and what may help, one per line; empty: there is none.
 [[nodiscard]] QString doubtDetails(std::uint8_t doubts);
 
 /// "certain", "uncertain ?", "set aside".

@@ -12,7 +12,7 @@
 
 namespace leitstand {
 
-/// The key scans of a live map, newest first: whether each counts, and what speaks against it.
+/// The key scans of a live map, newest first: whether each is certain, and the doubts about it.
 class KeyScanModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -24,13 +24,13 @@ public:
     void setRobots(const std::vector<RobotFace>& robots);
     void setScans(LiveMapPtr scans);
     [[nodiscard]] const LiveMap& scans() const { return *m_scans; }
-    /// Returns the scan in @p row; null when there is none.
+    /// Returns the scan in @p row; null: there is none.
     [[nodiscard]] const LiveKeyScan* scanAt(int row) const;
     [[nodiscard]] int rowOf(std::uint64_t id) const;  ///< -1: there is none
     /// Returns the id of the newest scan that waits for a decision; 0: none.
     [[nodiscard]] std::uint64_t newestUncertain() const;
-    /// Returns the id of the next scan to decide on: the next older waiting one. After the oldest, or when
-    /// scan @p id does not wait itself: the newest waiting one. 0: none waits.
+    /// Returns the id of the next scan to decide about: the next older one that waits for a decision. After
+    /// the oldest, or if the scan @p id does not wait, returns the newest waiting one. 0: none waits.
     [[nodiscard]] std::uint64_t uncertainBefore(std::uint64_t id) const;
     /// Returns how many scans wait for a decision.
     [[nodiscard]] int uncertain() const;
@@ -50,7 +50,7 @@ private:
 /// Returns all details of @p scan, in lines.
 [[nodiscard]] QString keyScanDetails(const LiveKeyScan& scan);
 
-/// Returns the scans in a line: "12 key scans · 2 for you to decide".
+/// Returns a summary of the scans on one line: "12 key scans · 2 for you to decide".
 [[nodiscard]] QString keyScanSummary(const KeyScanModel& model);
 
 }  // namespace leitstand

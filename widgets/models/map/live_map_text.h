@@ -13,17 +13,17 @@ struct LiveMapFacts {
     const LiveMap& map;
     const RobotsInMap& robots;  ///< may be empty
     Time now{};                 ///< station's clock
-    QString followed = {};      ///< letter of the robot that the view follows; may be empty
-    QString kind = {};          ///< which map it is, when there are several; may be empty
+    QString followed = {};      ///< letter of the robot that the camera follows; may be empty
+    QString kind = {};          ///< which of several maps it is; may be empty
     QString maker = {};         ///< another station that makes the map; empty: this station does
 };
 
-/// Returns a growing map in a line: "3D map · 47 key scans · 1.21 M points · follows K" and "certain ·
-/// overlap 83 % · last scan 1.4 s ago". The brief texts leave out points and overlap. The map is stale when
-/// the last scan was matched to it more than MapStaleAfter ago.
+/// Returns a summary of a growing map: "3D map · 47 key scans · 1.21 M points · follows K" and "certain ·
+/// overlap 83 % · last scan 1.4 s ago". The short texts leave out points and overlap. The map is stale if the
+/// last scan was matched with it more than MapStaleAfter ago.
 [[nodiscard]] MapSummary liveSummaryOf(const LiveMapFacts& facts);
 
-/// Time without a matched scan until a map is stale: a few turns of a slow scanner [s].
+/// Time without a matched scan after which a map is stale: a few turns of a slow scanner [s].
 inline constexpr double MapStaleAfter = 10.0;
 
 }  // namespace leitstand

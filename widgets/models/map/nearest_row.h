@@ -7,7 +7,7 @@
 namespace leitstand {
 
 /// Returns the index of the row whose Row::inMap is nearest to @p place, seen from above, within @p reach
-/// [m]; -1: there is none. With this, lists keep the selection on a thing that grows, shrinks or moves.
+/// [m]; -1: there is none. Lists use it to keep the selection on a thing that grows, shrinks or moves.
 template <class Row>
 [[nodiscard]] int nearestRow(const std::vector<Row>& rows, const Eigen::Vector3d& place, double reach) {
     int nearest = -1;

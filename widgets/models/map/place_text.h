@@ -8,12 +8,12 @@
 
 namespace leitstand {
 
-/// Returns @p how (RobotInMap::how), the reason why a robot's place is certain or not, in the window's
-/// language.
+/// Returns @p how (RobotInMap::how) in the window's language: the reason why a robot's place is certain or
+/// not.
 [[nodiscard]] QString howText(const std::string& how);
 
-/// Returns how sure the place of a robot is, and why: "place certain to 83 %: its scan fits the map", "place
-/// uncertain, 12 %: little overlap". Empty: its place is unknown.
+/// Returns how certain the place of a robot is, and why: "place certain to 83 %: its scan fits the map",
+/// "place uncertain, 12 %: little overlap". Empty: its place is unknown.
 [[nodiscard]] QString placeText(const RobotInMap& place);
 
 }  // namespace leitstand

@@ -14,22 +14,23 @@
 
 namespace leitstand {
 
-/// A robot as a map draws it.
+/// A robot as it is drawn on a map.
 struct RobotMark {
     RobotFace face;
-    std::vector<Eigen::Vector2d> footprint;  ///< base_link [m]
+    std::vector<Eigen::Vector2d> footprint;  ///< in base_link [m]
     double height = 0.0;                     ///< [m]
-    bool tracked = false;                    ///< tracks, otherwise wheels
+    bool tracked = false;                    ///< whether it has tracks; otherwise wheels
     Pose baseInMap = Pose::Identity();
-    TrailPtr trail = {};                     ///< in the map's frame; may be null
-    bool afterGap = false;                   ///< the path from the trail's end to baseInMap is unknown
-    std::optional<Pose> goalInMap = {};      ///< where the robot was sent; empty: nowhere
-    std::optional<double> doubtRadius = {};  ///< the robot is within this radius [m]; empty: certain
-    QString note = {};                       ///< shown beside it: "place uncertain"; may be empty
-    QString details = {};      ///< how sure its place is, in full: for tooltips and screen readers
-    Tone tone = Tone::Normal;  ///< of the note
+    TrailPtr trail = {};    ///< in the map's frame; may be null
+    bool afterGap = false;  ///< whether the path from the end of the trail to baseInMap is unknown
+    std::optional<Pose> goalInMap = {};  ///< where it was sent; empty: nowhere
+    /// The robot is within this distance [m]; empty: its place is certain.
+    std::optional<double> doubtRadius = {};
+    QString note = {};         ///< text beside it: "place uncertain"; may be empty
+    QString details = {};      ///< how certain its place is, full text for tooltips and screen readers
+    Tone tone = Tone::Normal;  ///< tone of the note
     bool selected = false;
-    bool stale = false;  ///< nothing was received from it lately: it may be elsewhere
+    bool stale = false;  ///< nothing was received from it recently, so it may be elsewhere
 };
 
 }  // namespace leitstand

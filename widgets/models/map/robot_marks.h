@@ -8,18 +8,18 @@
 
 namespace leitstand {
 
-/// Returns how @p robot is drawn at @p place; empty while that is unknown. @p goalInMap: where it was sent.
+/// Returns how @p robot is drawn at @p place; empty: its place is unknown. @p goalInMap: where it was sent.
 [[nodiscard]] std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescription& robot,
                                                    const RobotInMap& place, const LinkStatus& link,
                                                    bool selected, const std::optional<Pose>& goalInMap = {});
 
-/// Returns how sure the places of all @p marks are, a line each.
+/// Returns how certain the places of all @p marks are, one per line.
 [[nodiscard]] QString detailsOf(const std::vector<RobotMark>& marks);
 
-/// Whether @p a and @p b are drawn alike.
+/// Whether @p a and @p b look the same.
 [[nodiscard]] bool sameMark(const RobotMark& a, const RobotMark& b);
 
-/// Returns the text that the robots @p unplaced are not in the map yet; empty when there are none.
+/// Returns a text that says that the robots @p unplaced are not in the map yet; empty when there are none.
 /// @p placeKeys: keys that place a robot; may be empty.
 [[nodiscard]] QString unplacedText(const std::vector<RobotFace>& unplaced, const QString& placeKeys);
 

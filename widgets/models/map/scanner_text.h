@@ -7,7 +7,7 @@
 namespace leitstand {
 
 /// Returns the question whether to correct the range, clock or mounting of a 3D scanner by @p more. @p robot:
-/// title of the robot that carries it.
+/// title of the robot that has it.
 [[nodiscard]] QString scannerQuestionText(const QString& robot, const ScannerCorrection& more);
 
 }  // namespace leitstand

@@ -8,23 +8,23 @@
 
 namespace leitstand {
 
-/// One physical control of a gamepad: a stick with all its directions, a trigger, or a button.
+/// A physical control of a gamepad: a stick with all its directions, a trigger, or a button.
 struct PadSpot {
     bool isButton = true;
-    int index = 0;  ///< of the button, or of the stick's first axis
+    int index = 0;  ///< index of the button, or of the stick's first axis
     friend bool operator==(const PadSpot&, const PadSpot&) = default;
 };
 
-/// What a spot of a pad does.
+/// What one control of a pad does.
 struct PadCallout {
     PadSpot spot;
     QString control;    ///< "Left trigger", "Left stick"
-    QString does;       ///< "Drive, turn"; empty: nothing
-    bool stop = false;  ///< it stops all robots
-    bool held = false;  ///< right now
+    QString does;       ///< "Drive, turn"; empty: it does nothing
+    bool stop = false;  ///< whether it stops all robots
+    bool held = false;  ///< whether it is held now
 };
 
-/// Callouts left and right of the drawing of a known pad, each from the top.
+/// Callouts to the left and right of the drawing of a known pad, each from top to bottom.
 struct PadCallouts {
     std::vector<PadCallout> left, right;
 };

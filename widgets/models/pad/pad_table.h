@@ -10,8 +10,8 @@
 
 namespace leitstand {
 
-/// What a gamepad can do and by which control, a row each: first driving and STOP, then commands. To bind a
-/// row, call capture(), then setState() until a control is pushed.
+/// What a gamepad can do and with which control, one row each: first driving and STOP, then commands. To bind
+/// a row, call capture(), then setState() until a control is pushed.
 class PadTable final : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -22,19 +22,19 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void setCommands(std::vector<PadCommandFace> commands);
-    /// Sets the bindings in use; discards what was changed here.
+    /// Sets the bindings in use. Discards changes that were made here.
     void setBindings(const PadBindings& bindings);
     [[nodiscard]] const PadBindings& bindings() const { return m_bindings; }
     [[nodiscard]] const PadState& state() const { return m_state; }
     /// Whether the bindings were changed here and are not in use yet.
     [[nodiscard]] bool isChanged() const { return m_bindings != m_used; }
-    /// Returns why the bindings cannot be used; empty when they can.
+    /// Returns why the bindings cannot be used; empty: they can.
     [[nodiscard]] QString fault() const;
 
     void setState(const PadState& state);
     void setShape(double deadZone, double expo, double press);
-    void reset();           ///< to the default bindings of this layout
-    void capture(int row);  ///< binds the next pushed control to the row; -1: stops waiting for one
+    void reset();           ///< sets the default bindings of this layout
+    void capture(int row);  ///< binds the next pushed control to the row; -1: stops waiting for a control
     [[nodiscard]] int captured() const { return m_row; }
     void clear(int row);
     [[nodiscard]] bool canClear(int row) const;
@@ -47,7 +47,7 @@ public:
 
 signals:
     void changed();                    ///< the bindings changed, or the wait for a control began or ended
-    void refused(const QString& why);  ///< the control that was pushed cannot be given to the row
+    void refused(const QString& why);  ///< the control that was pushed cannot be used for the row
 
 private:
     [[nodiscard]] std::optional<PadAction> actionAt(int row) const;

@@ -9,7 +9,7 @@
 
 namespace leitstand {
 
-/// Texts of a table, with the meaning of each row.
+/// The texts of a table, and the meaning of each row.
 struct TextTable {
     struct Row {
         QStringList cells;
@@ -21,15 +21,15 @@ struct TextTable {
 };
 
 /// Returns the figures of both maps of @p comparison, one per row. Columns: figure, as recorded, registered
-/// again. Errors against the truth are included only when the truth is known.
+/// again. Errors are included only if the truth is known.
 [[nodiscard]] TextTable figuresOf(const MapComparison& comparison);
-/// Returns a row for each key scan: residual and overlap with the key scan before it, in both maps, how far
-/// it moved and turned, and whether it is certain.
+/// Returns a row for each key scan: residual and overlap with the previous key scan in both maps, how far it
+/// moved and turned, and whether it is certain.
 [[nodiscard]] TextTable scansOf(const MapComparison& comparison);
 
 /// "moved 12.3 mm at most".
 [[nodiscard]] QString movedText(const MapComparison& comparison);
-/// Returns "13 key scans registered again: moved 12.3 mm at most", to announce that the comparison is done.
+/// Returns "13 key scans registered again: moved 12.3 mm at most", the message after a comparison.
 [[nodiscard]] QString comparedText(const MapComparison& comparison);
 
 }  // namespace leitstand

@@ -5,7 +5,7 @@
 
 namespace leitstand {
 
-/// Texts in rows and columns; every cell has the meaning of its row as a hint.
+/// Texts in rows and columns. The hint of every cell is the meaning of its row.
 class TextTableModel final : public TextRowsModel {
     Q_OBJECT
 public:

@@ -12,9 +12,9 @@ struct MarkDisc {
     double radius = 0.0;  ///< [px]
 };
 
-/// Returns where to paint @p marks, which are sorted with the most important first, so that none hides
-/// another [px]. A mark that would lie on an earlier one moves beside that one, in the direction of their
-/// offset. Marks that only touch stay, and so do marks without free room nearby.
+/// Returns where to paint @p marks so that none hides another [px]. They must be sorted, the most important
+/// first. A mark that would cover an earlier one is moved beside that one, in the direction of their offset.
+/// Marks that only touch are not moved, and neither are marks without free space nearby.
 [[nodiscard]] std::vector<QPointF> markPlaces(const std::vector<MarkDisc>& marks);
 
 }  // namespace leitstand

@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// A word of the log and the text that the operator reads for it.
+/// A word in the log, and the text for it that the operator reads.
 struct VictimChoice {
     std::string word;  ///< empty: nothing is known
     QString text;
@@ -24,8 +24,8 @@ struct VictimChoice {
 struct SignField {
     VictimSign FindSample::*sign;
     QString name;       ///< "Heat"
-    QString unit;       ///< of the value, "°C"; empty: the sign has no value
-    QStringList words;  ///< frequent words for the sign: "waving", "breathing"
+    QString unit;       ///< unit of the value, "°C"; empty: the sign has no value
+    QStringList words;  ///< common words for the sign: "waving", "breathing"
     /// Range of usual values, for setting a value without a keyboard.
     struct Range {
         double usual = 0.0, step = 1.0, least = 0.0, most = 0.0;  ///< in SignField::unit
@@ -33,10 +33,10 @@ struct SignField {
 };
 [[nodiscard]] std::vector<SignField> signFields();
 
-/// Returns a hint of what to write: "waving, breathing"; with @p more "waving, breathing …".
+/// Returns a hint about what to write: "waving, breathing"; with @p more "waving, breathing …".
 [[nodiscard]] QString hintText(const QStringList& words, bool more);
 
-/// Returns frequent remarks on a find.
+/// Returns common remarks about a find.
 [[nodiscard]] QStringList remarkChoices();
 
 /// "unknown", "absent", "present".

@@ -18,9 +18,9 @@ public:
                              QObject* parent = nullptr);
 
     void setRows(const std::vector<VictimRow>& rows);
-    [[nodiscard]] const VictimRow* row(int row) const;  ///< null when there is none
+    [[nodiscard]] const VictimRow* row(int row) const;  ///< null: there is none
     [[nodiscard]] const std::vector<VictimRow>& rows() const { return m_rows; }
-    /// Returns the row of @p find; -1: it is not there.
+    /// Returns the row of @p find; -1: it is not in the list.
     [[nodiscard]] int rowOf(const FindKey& find) const;
     /// Returns the index of @p column; -1: it is not shown.
     [[nodiscard]] int placeOf(Column column) const;

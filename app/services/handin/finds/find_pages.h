@@ -6,7 +6,7 @@ namespace leitstand {
 
 class ReportSource;
 
-/// Returns the evidence of @p find and the way to it; adds to @p warnings what cannot be read.
+/// Returns the evidence of @p find and the way to it. Adds what cannot be read to @p warnings.
 [[nodiscard]] FindPages pagesOf(const ReportFind& find, const ReportModel& model, ReportSource& source,
                                 std::vector<std::string>& warnings);
 

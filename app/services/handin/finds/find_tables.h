@@ -8,10 +8,10 @@
 
 namespace leitstand {
 
-/// Returns the confirmed finds of @p model as the list of @p kind: victims, QR codes, or all points of
+/// Returns the confirmed finds of @p model as a list of @p kind: victims, QR codes, or all points of
 /// interest.
 [[nodiscard]] FindList listOf(const ReportModel& model, FindList::Kind kind);
-/// Returns what was searched with each kind of sensor, and what was missed.
+/// Returns what was searched with each kind of sensor, and what was missed, as a list.
 [[nodiscard]] std::vector<ListedSearch> searchListOf(const ReportModel& model);
 
 }  // namespace leitstand

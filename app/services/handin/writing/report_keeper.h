@@ -10,9 +10,9 @@
 
 namespace leitstand {
 
-/// Keeps the hand-in of a mission up to date while it is recorded. Writes it at an interval, counted from
-/// start to start, and on request. Works on its own thread, which gives way to all others. It must end before
-/// the mission is closed, because it reads the mission's log.
+/// Keeps the hand-in of a mission up to date while it is recorded. Writes it on request, and at an interval
+/// (from start to start). Works on its own thread with the lowest priority. It must end before the mission is
+/// closed, because it reads the mission's log.
 class ReportKeeper {
 public:
     struct Settings {
@@ -20,15 +20,15 @@ public:
         ReportOptions options;
         std::chrono::nanoseconds interval = std::chrono::seconds(60);
     };
-    /// @p onWritten is called on the keeper's thread after each attempt.
+    /// @p onWritten: called on the keeper's thread after each attempt.
     ReportKeeper(Settings settings, std::function<void(const Result<ReportOutcome>&)> onWritten);
-    ~ReportKeeper();  ///< cancels a report that is being written; its files are whole nevertheless
+    ~ReportKeeper();  ///< cancels a report that is being written; its files are complete all the same
     ReportKeeper(const ReportKeeper&) = delete;
     ReportKeeper& operator=(const ReportKeeper&) = delete;
 
-    /// Writes now, or once more if it is writing already. Any thread.
+    /// Writes now; if it is already writing, writes once more after that. Any thread.
     void writeNow();
-    void end();  ///< begins no more reports; does not wait for one that is being written
+    void end();  ///< begins no further reports; does not wait for one that is being written
 
 private:
     struct State;

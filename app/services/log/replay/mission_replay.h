@@ -18,34 +18,34 @@ namespace leitstand {
 struct ReplaySettings {
     std::filesystem::path mission;
     DomainSettings domain = {};
-    double rate = 1.0;           ///< of the mission's time to real time, above 0
-    bool loop = false;           ///< begin again at the end
+    double rate = 1.0;           ///< how many times as fast as the mission it plays, above 0
+    bool loop = false;           ///< whether to start again at the end
     double settleSeconds = 2.0;  ///< time spent listening for live robots before the first sample [s]
 };
 
 /// Result of a replay.
 struct ReplayOutcome {
     std::uint64_t published = 0;
-    std::uint64_t heldBack = 0;  ///< events that a replay must not publish
+    std::uint64_t heldBack = 0;  ///< number of events that a replay must not publish
     std::vector<std::string> heldBackTopics;
-    std::vector<std::string> problems;  ///< what could not be read or sent
+    std::vector<std::string> problems;  ///< texts about what could not be read or sent
 };
 
-/// Publishes on DDS what a mission's robots sent, at the pace at which it was received; stamps stay
-/// unchanged.
+/// Publishes on DDS what a mission's robots sent, at the pace at which it was received. Stamps are not
+/// changed.
 class MissionReplay {
 public:
-    /// Opens the mission and joins the domain. Error when the bag cannot be read. Error also when somebody
-    /// publishes there already: as a robot of the mission, or on a topic of the mission that names no robot
-    /// ("/odom"). Nothing is published then.
+    /// Opens the mission and joins the domain. Error when the bag cannot be read. Also an error when somebody
+    /// already publishes there: as a robot of the mission, or on a topic of the mission that names no robot
+    /// ("/odom"). Then nothing is published.
     [[nodiscard]] static Result<std::unique_ptr<MissionReplay>> open(const ReplaySettings& settings,
                                                                      const Progress& progress = {});
     ~MissionReplay();
     MissionReplay(const MissionReplay&) = delete;
     MissionReplay& operator=(const MissionReplay&) = delete;
 
-    /// Plays to the end, or again and again with ReplaySettings::loop, until @p progress is cancelled. While
-    /// @p paused is set, the replay stands; it then continues where it was.
+    /// Plays to the end, or repeatedly with ReplaySettings::loop, until @p progress is cancelled. While
+    /// @p paused is set, the replay pauses; afterwards it continues from there.
     [[nodiscard]] ReplayOutcome play(const std::atomic<bool>& paused, const Progress& progress = {});
 
 private:

@@ -15,46 +15,46 @@
 
 namespace leitstand {
 
-/// Leaves other robots, and passers-by, out of the scans. On the mapping's thread; jobs of the solver search
-/// for passers-by.
+/// Removes other robots and passers-by from the scans. Used on the mapping's thread; passers-by are searched
+/// in jobs of the solver.
 class LeftOutBodies {
 public:
-    /// @p wake: makes the mapping's thread go round once more; any thread.
+    /// @p wake: makes the mapping's thread run once more; any thread.
     LeftOutBodies(MappingContext& context, MappedRobots& robots, std::function<void()> wake)
         : m_context(context), m_robots(robots), m_wake(std::move(wake)) {}
 
     /// Returns the bodies of other robots whose points may be in @p scan. @p only: the only robot to look
-    /// for; empty: all.
+    /// for; empty: all robots.
     [[nodiscard]] std::vector<PlacedBody> in(const Scan& scan, const std::string& only = {});
-    /// Leaves each robot whose place has become certain out of earlier scans, as far back as odometry shows
+    /// Removes each robot whose place has become certain from earlier scans, as long ago as odometry shows
     /// where it was. Returns whether the map has changed.
     bool leaveOutPlaced(Time now);
-    void entered(std::uint64_t scan);  ///< adds a key scan to be searched for passers-by
-    void lookForPassing();             ///< begins to search the next of these scans
+    void entered(std::uint64_t scan);  ///< adds a key scan in which passers-by shall be searched
+    void lookForPassing();             ///< begins to search the next scan of entered() for passers-by
 
 private:
     void leaveOutPassing(std::map<std::uint64_t, std::vector<BodyInScan>> found);
-    /// Leaves robot @p name out of scans that entered at @p since or later (station's clock; empty: all
-    /// scans). Adds to @p found all that is now left out of those scans.
+    /// Removes the robot @p name from scans that entered at @p since or later (station's clock; empty: all
+    /// scans). Adds to @p found everything that is now removed from those scans.
     void leaveOut(const std::string& name, const std::optional<Time>& since,
                   std::map<std::uint64_t, std::vector<BodyInScan>>& found);
-    /// Reports @p found: all that is now left out of the scans in it.
+    /// Reports @p found: everything that is now removed from the scans in it.
     void publish(std::map<std::uint64_t, std::vector<BodyInScan>> found, Time now) const;
 
-    /// When a robot's place was certain.
+    /// When a robot's place was last certain.
     struct Sure {
         bool now = false;
-        std::optional<Time> last;     ///< station's clock; empty: never
-        std::optional<Pose> inFrame;  ///< where its odometry frame lay in the map then
+        std::optional<Time> last;     ///< when, station's clock; empty: never
+        std::optional<Pose> inFrame;  ///< pose of its odometry frame in the map at that time
     };
 
     MappingContext& m_context;
     MappedRobots& m_robots;
     const std::function<void()> m_wake;
     std::map<std::string, Sure> m_sure;    ///< by name
-    std::vector<std::uint64_t> m_entered;  ///< key scans not searched for passers-by yet
-    std::atomic<bool> m_looks = false;     ///< a key scan is being searched
-    PassingBodies m_passing;               ///< of the solver's thread
+    std::vector<std::uint64_t> m_entered;  ///< key scans that were not searched for passers-by yet
+    std::atomic<bool> m_looks = false;     ///< whether a key scan is being searched
+    PassingBodies m_passing;               ///< used on the solver's thread
 };
 
 }  // namespace leitstand

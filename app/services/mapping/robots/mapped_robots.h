@@ -34,25 +34,25 @@ struct SeenScan {
 struct MappedRobot {
     MappedRobot(const RobotDescription& description, const std::string& station);
     SensorPoses poses;
-    std::map<std::string, ScanCutter> cutters;  ///< by topic of its scanner
+    std::map<std::string, ScanCutter> cutters;  ///< cutters by topic of the scanner
     RobotTracker tracker;
-    LaserRobot laser;                        ///< corrects the tracker while no 3D scan of the robot does
+    LaserRobot laser;                        ///< corrects the tracker as long as no 3D scan of the robot does
     std::chrono::nanoseconds ahead{};        ///< how far its clock is ahead of the station's
     std::optional<Time> matched;             ///< RobotInMap::matched
-    std::optional<RobotFix> followed;        ///< the fix that corrected the tracker last
+    std::optional<RobotFix> followed;        ///< fix that last corrected the tracker
     std::shared_ptr<const SeenScan> newest;  ///< its newest scan that has enough points
     MappingScanner mapping;                  ///< which of its scanners makes the map
-    std::string scanner;                     ///< sensor of that one; empty: not known yet, or none
+    std::string scanner;                     ///< sensor of that scanner; empty: not known yet, or none
     std::string planeLaser;                  ///< planeScanner() of this robot alone
-    std::optional<Time> planeSince;          ///< when the first turn of that one was received
-    std::optional<bool> mapsByPlane;         ///< whether that one makes the map; empty: not decided
+    std::optional<Time> planeSince;          ///< when the first turn of that laser was received
+    std::optional<bool> mapsByPlane;         ///< whether that laser makes the map; empty: not decided
 };
 
-/// The robots of LiveMapping: what moves them, and where they are. On the mapping's thread, unless a function
+/// The robots of LiveMapping: how they move, and where they are. On the mapping's thread, unless a function
 /// says otherwise.
 class MappedRobots {
 public:
-    /// Takes a turn of the plane laser of robot @p name.
+    /// Called with a turn of the plane laser of the robot @p name.
     using SeesByLaser = std::function<void(const std::string& name, MappedRobot&, LaserView, Time now)>;
     MappedRobots(MappingContext& context, const std::vector<RobotDescription>& robots,
                  const std::string& station, SeesByLaser sees);
@@ -60,29 +60,31 @@ public:
     /// Takes odometry, inertial unit, fixed frames, 3D scans, turns of a plane laser, and clock offsets. Only
     /// for events for which isOfOurs() is true.
     void add(const Event& event);
-    /// Makes the map with the scanner of @p robot, the name of one of ours, whose clouds are on @p topic.
+    /// Makes the map with the scanner of @p robot whose clouds are on @p topic. The robot must be one of this
+    /// station's.
     void mapWith(const std::string& robot, const std::string& topic);
-    /// Whether @p event is of a robot of ours, and add() takes it; any thread.
+    /// Whether @p event is from one of this station's robots, and add() takes it; any thread.
     [[nodiscard]] bool isOfOurs(const Event& event) const;
-    /// Returns when slices of a scanner need work at the latest, even if no event comes; station's clock.
-    /// Empty: none waits.
+    /// Returns when slices of a scanner must be processed at the latest, even if no event arrives; station's
+    /// clock. Empty: none waits.
     [[nodiscard]] std::optional<Time> due() const;
 
     [[nodiscard]] const std::vector<RobotDescription>& descriptions() const { return m_descriptions; }
-    [[nodiscard]] std::map<std::string, MappedRobot>& byName() { return m_robots; }  ///< the set is fixed
+    /// Robots are never added or removed.
+    [[nodiscard]] std::map<std::string, MappedRobot>& byName() { return m_robots; }
     [[nodiscard]] MappedRobot& at(const std::string& name) { return m_robots.at(name); }
     [[nodiscard]] bool contains(const std::string& name) const { return m_robots.contains(name); }
-    /// Returns where robots other than @p robot stand; @p certain: only those whose places are certain.
+    /// Returns where robots other than @p robot stand. @p certain: only those whose places are certain.
     [[nodiscard]] std::vector<Disc> othersThan(const MappedRobot& robot, bool certain) const;
 
-    void followFixes();  ///< moves robots to where the mapper has them
-    void layTrails();    ///< moves trails to where decisions moved the scans
-    void carryAlong();   ///< moves robots without scans in the map along with the scans around them
-    /// Records that a 3D scan of @p name was received, which another station registers; any thread.
+    void followFixes();  ///< moves robots to where the mapper says they are
+    void layTrails();    ///< moves trails after decisions moved the scans
+    void carryAlong();   ///< moves robots without scans in the map together with the scans around them
+    /// Notes that a 3D scan of @p name was received, which another station registers; any thread.
     void scanReceived(const std::string& name, Time received);
-    void matched(const std::string& name, Time now);  ///< a scan of the robot was registered here
-    void matchedElsewhere();                          ///< another station registers the robots' scans now
-    void publish();                                   ///< updates inMap()
+    void matched(const std::string& name, Time now);  ///< call when a scan of the robot was registered here
+    void matchedElsewhere();  ///< call when another station begins to register the robots' scans
+    void publish();           ///< updates inMap()
     /// Where the robots are; never null after publish(). Any thread.
     [[nodiscard]] RobotsInMapPtr inMap() const;
 
@@ -99,12 +101,13 @@ private:
     std::map<std::string, MappedRobot> m_robots;
     std::set<std::string> m_scanners;  ///< robots with a 3D scanner from which anything was received
     mutable std::mutex m_mutex;
-    RobotsInMapPtr m_places;                 ///< under the mutex
-    std::map<std::string, Time> m_received;  ///< under the mutex: newest scans that other stations register
+    RobotsInMapPtr m_places;  ///< under the mutex
+    /// Under the mutex: times of the newest scans that other stations register.
+    std::map<std::string, Time> m_received;
 };
 
-/// Whether scans of @p before have other poses in @p after, or were set aside or brought back since. False if
-/// @p before is null.
+/// Whether scans of @p before have other poses in @p after, or have since been set aside or accepted again.
+/// False if @p before is null.
 [[nodiscard]] bool scansMoved(const LiveMapPtr& before, const LiveMap& after);
 
 }  // namespace leitstand

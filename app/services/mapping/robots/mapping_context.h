@@ -10,7 +10,7 @@
 
 namespace leitstand {
 
-/// What LiveMapping and its parts share; on the mapping's thread, unless a member says otherwise.
+/// What LiveMapping and its parts share. On the mapping's thread, unless a member says otherwise.
 struct MappingContext {
     using Post = std::function<void(std::function<void(LiveMapper&)>)>;
     MappingContext(const std::string& station, LiveSettings how, LiveMappingListener listening, Post posting)
@@ -22,12 +22,12 @@ struct MappingContext {
 
     const LiveMappingListener listener;
     const LiveSettings settings;  ///< any thread
-    /// Runs a task with the mapper on the mapping's thread, after waiting work. The map is then published as
+    /// Runs a task with the mapper on the mapping's thread, after waiting work. Then the map is published as
     /// changed. Any thread.
     const Post post;
     LiveMapper mapper;
-    LiveMapPtr map;    ///< newest; null before there is one
-    MapCrop crop;      ///< what of the world belongs into the map
+    LiveMapPtr map;    ///< newest map; null before there is one
+    MapCrop crop;      ///< the area that belongs to the map
     JobQueue solving;  ///< jobs of the solver's thread; any thread
 
     /// Whether this station makes the map, so that its poses of scans are valid.

@@ -19,21 +19,22 @@ namespace leitstand {
 
 struct Event;
 
-/// A camera that can be turned, in its present state.
+/// The present state of a camera that can be turned.
 struct CameraTurn {
     PanTiltMount mount;
-    std::optional<PanTiltAngles> now, requested;  ///< now: by the robot's joints; requested: until reached
-    bool waiting = false;                         ///< for the grant to turn cameras
-    std::string heldBy;  ///< another station that has the grant, for people; empty: none
+    /// Now: from the robot's joints; requested: kept until reached.
+    std::optional<PanTiltAngles> now, requested;
+    bool waiting = false;  ///< whether the station waits for the grant to turn cameras
+    std::string heldBy;    ///< title of another station that has the grant; empty: none has it
 };
 
-/// Turns cameras of robots; those on one pan-tilt unit turn together. Requests the grant to turn cameras at
-/// the first use. Gives it to a station that requests it, once the cameras were left alone for 10 s. While
-/// nobody has this grant, the holder of the grant to drive may turn cameras, too (RobotAgent). Any thread; no
-/// call waits for the network.
+/// Turns cameras of robots; cameras on the same pan-tilt unit turn together. Requests the grant to turn
+/// cameras when it is first used. Gives it to a station that requests it, if the cameras have not been used
+/// for 10 s. While nobody has this grant, the holder of the grant to drive may turn cameras, too
+/// (RobotAgent). Any thread; no call waits for the network.
 class CameraTurning : public EventSink {
 public:
-    /// Functions of its station.
+    /// Functions of the station that it uses.
     struct Wire {
         std::function<GrantView(const GrantId&)> grant;
         std::function<bool(const GrantId&)> mayAct;
@@ -43,7 +44,7 @@ public:
     };
     CameraTurning(const std::vector<RobotDescription>& robots, Wire wire);
 
-    void onEvent(const Event& event) override;  ///< takes joint states; ignores others
+    void onEvent(const Event& event) override;  ///< takes joint states; ignores other events
     /// Returns the state of a camera; empty when @p sensor of @p robot cannot be turned.
     [[nodiscard]] std::optional<CameraTurn> view(const std::string& robot, const std::string& sensor) const;
 
@@ -52,9 +53,9 @@ public:
     void turnBy(const std::string& robot, const std::string& sensor, const PanTiltAngles& step);
     /// Turns by @p perSecond [rad/s] until another rate is set.
     void setRate(const std::string& robot, const std::string& sensor, const PanTiltAngles& perSecond);
-    void recentre(const std::string& robot);  ///< all of its cameras
+    void recentre(const std::string& robot);  ///< recentres all cameras of the robot
 
-    /// Sends what is due; call it about 30 times a second. Returns an error once for each request of the
+    /// Sends what is due. Call about 30 times a second. Returns an error once for each request of the
     /// operator.
     [[nodiscard]] Result<void> pulse();
 
@@ -71,7 +72,7 @@ private:
     std::map<std::pair<std::string, std::string>, std::string> m_unitOf;  ///< by robot and sensor
     struct Use {
         SteadyTime last = {};
-        bool failed = false;  ///< reported already
+        bool failed = false;  ///< whether the error was reported already
     };
     std::map<std::string, Use> m_uses;  ///< by robot
 };

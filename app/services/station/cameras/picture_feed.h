@@ -25,38 +25,39 @@ namespace leitstand {
 
 struct CameraInfoSample;
 
-/// How the operator wants to see pictures of a camera. The log and snapshots keep them as they came.
+/// How the operator wants to see pictures of a camera. Log and snapshots store the pictures as received.
 struct PictureLook {
-    ContrastHelp contrast = ContrastHelp::Off;  ///< not for infrared cameras
-    bool unwrapped = false;                     ///< panorama of an omnidirectional camera
+    ContrastHelp contrast = ContrastHelp::Off;  ///< not used for infrared cameras
+    bool unwrapped = false;                     ///< whether to show a panorama, for an omnidirectional camera
     friend bool operator==(const PictureLook&, const PictureLook&) = default;
 };
 
-/// A picture ready to be shown.
+/// A picture that is ready to be shown.
 struct ShownPicture {
-    std::string robot, sensor;                      ///< sensor: StreamDescription::sensor
-    std::uint64_t sequence = 0;                     ///< of its event; unchanged when only the look changed
-    PictureSample sample;                           ///< as it came
-    std::variant<Picture, ThermalPicture> content;  ///< with the look applied; thermal if the camera measures
-    Time stamp{}, received{};                       ///< robot's and station's clock
-    std::uint64_t fingerprint = 0;                  ///< contentHash() of the sample's bytes
-    ContrastHelp contrast = ContrastHelp::Off;      ///< applied to the content
-    std::optional<PanoramaShape> panorama;          ///< shape of the content, if it is one
-    std::shared_ptr<const CameraInfoSample> camera;  ///< its calibration; null: none came yet
-    int width = 0, height = 0;                       ///< of the picture as it came [px]
-    std::vector<HeatBlob> heat;                      ///< of a thermal one
+    std::string robot, sensor;   ///< sensor: StreamDescription::sensor
+    std::uint64_t sequence = 0;  ///< sequence of its event; not changed when only the look changed
+    PictureSample sample;        ///< as received
+    /// With the look applied; thermal if the camera measures temperatures.
+    std::variant<Picture, ThermalPicture> content;
+    Time stamp{}, received{};                        ///< on the robot's clock, and on the station's
+    std::uint64_t fingerprint = 0;                   ///< contentHash() of the sample's bytes
+    ContrastHelp contrast = ContrastHelp::Off;       ///< contrast that was applied to the content
+    std::optional<PanoramaShape> panorama;           ///< shape of the content if it is a panorama
+    std::shared_ptr<const CameraInfoSample> camera;  ///< calibration; null: none was received yet
+    int width = 0, height = 0;                       ///< size of the picture as received [px]
+    std::vector<HeatBlob> heat;                      ///< warm things in a thermal picture
 };
 using ShownPicturePtr = std::shared_ptr<const ShownPicture>;
 
-/// Decodes pictures on its own thread, always the newest of each camera. A picture that comes while it is at
-/// work replaces the waiting one (the log keeps all). Any thread.
+/// Decodes pictures on its own thread, always the newest of each camera. A picture that is received while it
+/// is busy replaces the waiting one (the log has all). Any thread.
 class PictureFeed {
 public:
     /// Called on the feed's thread.
     struct Listener {
         std::function<void(const ShownPicturePtr&)> onPicture;
         std::function<void(const std::string&)>
-            onProblem;  ///< the first broken picture of a camera, in words
+            onProblem;  ///< called with a text about the first damaged picture of a camera
     };
 
     PictureFeed(std::vector<RobotDescription> robots, Listener listener);
@@ -64,8 +65,8 @@ public:
     PictureFeed(const PictureFeed&) = delete;
     PictureFeed& operator=(const PictureFeed&) = delete;
 
-    void onEvent(const Event& event);  ///< takes pictures and camera infos; ignores others
-    /// Sets how pictures of a camera are shown from now on; its newest one is shown again.
+    void onEvent(const Event& event);  ///< takes pictures and camera infos; ignores other events
+    /// Sets how pictures of a camera are shown from now on. Its newest picture is shown again.
     void setLook(const std::string& robot, const std::string& sensor, const PictureLook& look);
 
 private:
@@ -92,7 +93,7 @@ private:
     // of the feed's thread
     std::map<Camera, std::string> m_problems;
     std::map<Camera, Panorama> m_panoramas;
-    std::jthread m_thread;  ///< last: joined first
+    std::jthread m_thread;  ///< the last member, so that it is joined first
 };
 
 }  // namespace leitstand

@@ -13,20 +13,20 @@
 
 namespace leitstand {
 
-/// A picture to be kept, and what is known about it.
+/// A picture that shall be stored, and what is known about it.
 struct SnapshotRequest {
     ShownPicturePtr picture;
-    std::string camera;                   ///< its name for the operator, "Left camera"
-    std::optional<Pose> baseInOdom;       ///< of the robot, by its newest odometry
-    std::optional<PanTiltAngles> turned;  ///< of the camera
+    std::string camera;                   ///< name of the camera for the operator, "Left camera"
+    std::optional<Pose> baseInOdom;       ///< the robot's pose in its newest odometry
+    std::optional<PanTiltAngles> turned;  ///< how the camera is turned
 };
 
-/// Writes snapshots into the folder `snapshots` of a mission, on its own thread. Each is a PNG of the picture
-/// as it came (infrared: the raw numbers in 16 bits), with robot, camera, stamps and pose as text in the
+/// Writes snapshots to the folder `snapshots` of a mission, on its own thread. Each is a PNG of the picture
+/// as received (infrared: the raw numbers in 16 bits), with robot, camera, stamps and pose as text in the
 /// file.
 class Snapshots {
 public:
-    /// Called on the thread of the snapshots.
+    /// Called on the snapshots' own thread.
     struct Listener {
         /// @p file is relative to the mission's folder.
         std::function<void(const std::string& robot, const std::filesystem::path& file)> onWritten;
@@ -46,7 +46,7 @@ private:
     const std::filesystem::path m_mission;
     const Listener m_listener;
     JobQueue m_queue;
-    std::jthread m_thread;  ///< last: joined first
+    std::jthread m_thread;  ///< the last member, so that it is joined first
 };
 
 }  // namespace leitstand

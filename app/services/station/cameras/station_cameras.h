@@ -13,7 +13,7 @@ namespace leitstand {
 
 struct NoteSample;
 
-/// What a station does with cameras: turns them, and keeps snapshots, each with a note in the log.
+/// What a station does with cameras: turns them, and stores snapshots, each with a note in the log.
 class StationCameras {
 public:
     using Send = std::function<Result<void>(const std::string& robot, const PanTiltCommand& command)>;

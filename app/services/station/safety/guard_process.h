@@ -13,23 +13,25 @@
 
 namespace leitstand {
 
-/// A leitstand-guard that runs beside this process, and the pipe to it. The guard ends by itself when the
-/// pipe closes, whatever happens to this process. For one thread, except for pulse().
+/// A leitstand-guard process beside this process, and the pipe to it. The guard ends by itself when the pipe
+/// closes, whatever happens to this process. For one thread, except for pulse().
 class GuardProcess {
 public:
     /// Starts the program file @p program with the arguments @p words. Error when it cannot be started.
     [[nodiscard]] static Result<std::unique_ptr<GuardProcess>> start(const std::filesystem::path& program,
                                                                      const std::vector<std::string>& words);
-    ~GuardProcess();  ///< closes the pipe and waits until the guard ends: at once if nobody drives, else 5 s
+    /// Closes the pipe and waits until the guard ends: at once if nobody drives, otherwise 5 s.
+    ~GuardProcess();
     GuardProcess(const GuardProcess&) = delete;
     GuardProcess& operator=(const GuardProcess&) = delete;
 
-    /// Sends @p pulse to the guard; false when the guard does not take it. Never waits. Any thread.
+    /// Sends @p pulse to the guard. Returns false when the guard does not take it. Never waits. Any thread.
     bool pulse(const GuardPulse& pulse) const;
-    [[nodiscard]] int pipe() const { return m_pipe; }  ///< readable when read() has something new
-    /// Takes the messages of the guard since the last call; false when the guard has ended.
+    /// Can be polled: readable when read() has something new.
+    [[nodiscard]] int pipe() const { return m_pipe; }
+    /// Takes the guard's messages since the last call. Returns false when the guard has ended.
     [[nodiscard]] bool read();
-    /// Whether the guard reports that the robot receives it, and has done so recently: it does not hang.
+    /// Whether the guard has recently reported that the robot receives its commands; so it does not hang.
     [[nodiscard]] bool isReady(SteadyTime now) const;
     void kill() const;
     [[nodiscard]] pid_t id() const { return m_id; }
@@ -43,7 +45,8 @@ private:
     SteadyTime m_received = {};
 };
 
-/// Returns the path of the guard, in the folder of the running program, where it is both built and installed.
+/// Returns the path of the guard program: it is built and installed in the same folder as the running
+/// program.
 [[nodiscard]] std::filesystem::path guardProgram();
 
 }  // namespace leitstand

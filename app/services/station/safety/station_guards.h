@@ -19,16 +19,17 @@
 
 namespace leitstand {
 
-/// Guards of the station's robots: a separate process for each robot that has no watchdog and is driven
-/// nevertheless. Such a robot is driven only while its guard runs and the robot receives it. Any thread.
+/// Guards of the station's robots: a separate process for each robot that has no watchdog but is driven all
+/// the same. Such a robot is driven only while its guard runs and the robot receives the guard's commands.
+/// Any thread.
 class StationGuards {
 public:
     struct Setup {
-        std::filesystem::path program;                          ///< the guard's
-        std::map<std::string, std::vector<std::string>> words;  ///< arguments of its guard, by robot
-        /// Whether a robot may be driven has changed. Called on the guards' own thread.
+        std::filesystem::path program;                          ///< path of the guard program
+        std::map<std::string, std::vector<std::string>> words;  ///< arguments of each robot's guard
+        /// Called when it has changed whether a robot may be driven. On the guards' own thread.
         std::function<void(const std::string& robot)> onChange;
-        /// A robot lacks the guard that it should have, and why. On the same thread.
+        /// Called with the reason when a robot lacks the guard that it should have. On the same thread.
         std::function<void(const std::string& robot, const std::string& problem)> onTrouble;
     };
     explicit StationGuards(Setup setup);
@@ -38,7 +39,7 @@ public:
 
     void want(const std::string& robot,
               bool wanted);  ///< sets whether the robot should have a guard; never waits
-    /// Whether the robot needs no guard, or receives the one that it has. Never waits.
+    /// Whether the robot needs no guard, or receives the commands of its guard. Never waits.
     [[nodiscard]] bool allows(const std::string& robot) const;
     /// Sends @p pulse to the guard of @p robot, if there is one. Never waits for the guard.
     void pulse(const std::string& robot, const GuardPulse& pulse);
@@ -49,11 +50,11 @@ private:
     struct Entry {
         std::atomic<bool> wanted = false, ready = false;
         mutable std::mutex mutex;               ///< guards the rest
-        std::unique_ptr<GuardProcess> process;  ///< created and ended by our thread only
-        bool deaf = false;                      ///< it did not take a pulse
-        std::string problem;                    ///< why there is none
+        std::unique_ptr<GuardProcess> process;  ///< made and ended only by the guards' own thread
+        bool deaf = false;                      ///< whether it did not take a pulse
+        std::string problem;                    ///< why there is no guard
         SteadyTime failed = {};
-        std::string notified;  ///< the problem that was reported last; of our thread
+        std::string notified;  ///< problem that was reported last; used by the guards' own thread
     };
     void run(const std::stop_token& stop);
     void wake() const;
@@ -62,9 +63,9 @@ private:
     void begin(const std::string& robot, Entry& entry);
 
     const Setup m_setup;
-    std::map<std::string, Entry> m_entries;  ///< the set is fixed
+    std::map<std::string, Entry> m_entries;  ///< robots are never added or removed
     int m_wake = -1;                         ///< an eventfd
-    std::jthread m_thread;                   ///< last: joined first
+    std::jthread m_thread;                   ///< the last member, so that it is joined first
 };
 
 }  // namespace leitstand

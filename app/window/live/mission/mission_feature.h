@@ -16,7 +16,7 @@ class ClockFace;
 class RecordLight;
 struct LiveMoment;
 
-/// The mission itself: its clock, and whether it is recorded.
+/// Shows the mission's clock, and whether the mission is recorded.
 class MissionFeature final : public QObject {
     Q_OBJECT
 public:
@@ -27,12 +27,12 @@ public:
     [[nodiscard]] QWidget* bar() const { return m_bar; }
 
     /// Offers to continue the mission @p name, which was recorded until a moment ago, instead of this one.
-    /// The operator has to confirm it. The offer ends after 30 minutes.
+    /// The operator must confirm it. The offer ends after 30 minutes.
     void offerEarlier(const QString& name);
 
 signals:
-    void earlierWanted();  ///< the mission of offerEarlier() is to be continued
-    /// This mission is to end, and a new one to begin in the map of mission @p folder.
+    void earlierWanted();  ///< the mission of offerEarlier() shall be continued
+    /// This mission shall end, and a new one shall begin in the map of the mission @p folder.
     void mapWanted(const QString& folder);
 
 private:
@@ -40,7 +40,7 @@ private:
     void askForLength();
     void askForEarlier();
     void askForMap();
-    /// Asks whether this mission is to end, without blocking. Calls @p ends when the answer is yes.
+    /// Asks whether this mission shall end, without blocking. Calls @p ends if the answer is yes.
     void askToEnd(const QString& name, const QString& title, const QString& text, const QString& yes,
                   const std::function<void()>& ends);
     void show(const LiveMoment& moment);
@@ -53,7 +53,7 @@ private:
     ClockFace* m_face;
     QAction *m_run = nullptr, *m_length = nullptr, *m_reset = nullptr, *m_earlier = nullptr,
             *m_inMap = nullptr;
-    int m_sinceLog = 0;  ///< ticks
+    int m_sinceLog = 0;  ///< number of ticks
 };
 
 }  // namespace leitstand

@@ -21,7 +21,7 @@ class PadMappingDialog;
 struct LiveMoment;
 
 /// Gamepads in the live window. They drive through DriveInput, turn cameras, trigger commands and stop
-/// robots. Includes the legend of the controls, and the dialog that binds them.
+/// robots. Also has the legend of the controls, and the dialog that binds them.
 class PadFeature final : public QObject {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ public:
     ~PadFeature() override;
 
     [[nodiscard]] PadInput& input() { return m_input; }
-    /// Sets the commands of the layout in use, by button of the pad.
+    /// Sets the commands of the present layout, by button of the pad.
     void useLayout(const std::map<std::string, std::string>& byButton);
 
 protected:
@@ -45,13 +45,13 @@ private:
     void showLegend(bool on);
     void openDialog();
     void fillDialog();
-    void refresh();  ///< updates legend and dialog where they are shown
+    void refresh();  ///< updates legend and dialog if they are shown
     [[nodiscard]] std::vector<PadCommandFace> faces() const;
 
     LiveContext m_context;
     PadInput m_input;
     PadLegend* m_legend;
-    PadMappingDialog* m_dialog = nullptr;  ///< null until it is first opened
+    PadMappingDialog* m_dialog = nullptr;  ///< null: not opened yet
     QAction* m_legendAction = nullptr;
 };
 

@@ -23,17 +23,18 @@ class PreflightFeature final : public QObject {
 public:
     explicit PreflightFeature(const LiveContext& context);
 
-    /// Returns the badge for the corner, which names robots that are driven despite a failed brake test.
+    /// Returns the badge for the corner. It names robots that are driven although they failed their brake
+    /// test.
     [[nodiscard]] QLabel& badge() const { return *m_badge; }
 
-    /// Opens the page after 8 s, if a check fails then and nobody drives.
+    /// Opens the page after 8 s if a check fails then and nobody drives.
     void openWhenSomethingFails();
     void setGamepad(const QString& name);      ///< empty: there is none
-    void setSoundTrouble(const QString& why);  ///< empty: the tones of alarms are heard
+    void setSoundTrouble(const QString& why);  ///< empty: tones of alarms can be heard
 
 signals:
-    void robotWanted(const QString& file);  ///< the station is to add the robot of this file
-    void tonesWanted();                     ///< the tones of alarms are to be tried
+    void robotWanted(const QString& file);  ///< the station shall add the robot in this file
+    void tonesWanted();                     ///< the tones of alarms shall be played as a test
 
 private:
     void buildPage();

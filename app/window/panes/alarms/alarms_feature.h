@@ -22,12 +22,13 @@ public:
 
     [[nodiscard]] QWidget& pane() const;
     void tryTones();  ///< plays both tones, one after the other
-    /// Returns why tones are not heard. Empty when all is well.
+    /// Returns why tones cannot be heard; empty: they can.
     [[nodiscard]] const QString& soundTrouble() const { return m_player.trouble(); }
 
 signals:
     void soundTroubleChanged(const QString& why);
-    void sounded(leitstand::AlarmTone tone);  ///< an alarm has sounded; emitted also without a sound device
+    /// An alarm has sounded; also emitted if there is no sound device.
+    void sounded(leitstand::AlarmTone tone);
 
 private:
     void addCommands();
@@ -36,11 +37,11 @@ private:
 
     LiveContext m_context;
     AlarmPanel* m_panel;
-    QAction* m_acknowledge = nullptr;  ///< enabled while an alarm waits for it
+    QAction* m_acknowledge = nullptr;  ///< enabled while an alarm waits to be acknowledged
     TonePlayer m_player;
     QTimer m_second;  ///< starts the second tone of tryTones(); an alarm's tone cancels it
     AlarmVoice m_voice;
-    int m_sinceShown = 0;  ///< ticks
+    int m_sinceShown = 0;  ///< number of ticks
 };
 
 }  // namespace leitstand

@@ -11,7 +11,7 @@ namespace leitstand {
 class AlarmPanel;
 struct LiveMoment;
 
-/// Shows the alarms that stood at the moment that a review shows. They cannot be acknowledged.
+/// Shows the alarms that were active at the moment that a review shows. They cannot be acknowledged.
 class LoggedAlarms final : public QObject {
     Q_OBJECT
 public:

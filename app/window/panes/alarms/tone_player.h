@@ -14,16 +14,16 @@ class QMediaDevices;
 
 namespace leitstand {
 
-/// Plays the tones of alarms on the computer's default sound device. Silent when there is none.
+/// Plays the tones of alarms on the computer's default sound device. Silent if there is none.
 class TonePlayer final : public QObject {
     Q_OBJECT
 public:
     explicit TonePlayer(QObject* parent = nullptr);
     ~TonePlayer() override;
 
-    /// Starts @p tone, and cuts off one that still sounds.
+    /// Plays @p tone; a tone that is still playing is cut off.
     void play(AlarmTone tone);
-    /// Returns why nothing is heard, for the operator. Empty when all is well.
+    /// Returns why nothing can be heard, for the operator; empty: there is no problem.
     [[nodiscard]] const QString& trouble() const { return m_trouble; }
 
 signals:
@@ -36,7 +36,7 @@ private:
     std::unique_ptr<QMediaDevices> m_devices;
     QByteArray m_samples;
     std::unique_ptr<QBuffer> m_buffer;
-    std::unique_ptr<QAudioSink> m_sink;  ///< reads the buffer: destroyed first
+    std::unique_ptr<QAudioSink> m_sink;  ///< reads the buffer, so it must be destroyed first
     QByteArray m_failed;                 ///< id of the device that did not play
     QString m_trouble;
 };

@@ -20,20 +20,20 @@ class CameraPane;
 class CameraTurning;
 struct LiveMoment;
 
-/// The selected robot's cameras: a large picture ("camera") with what the driver has to know, and a second
-/// one beside it ("right"). Also commands for looks, turning and snapshots.
+/// The selected robot's cameras: a large picture ("camera") with what the driver must know, and a second
+/// picture beside it ("right"). Also has commands for looks, turning and snapshots.
 class CameraFeature final : public QObject {
     Q_OBJECT
 public:
-    /// Without a live station in @p context, cameras cannot be turned and give no snapshots.
+    /// Without a live station in @p context, cameras cannot be turned or take snapshots.
     explicit CameraFeature(const ViewContext& context);
 
-    [[nodiscard]] QWidget& large() const;  ///< pane of the camera that the operator drives by
+    [[nodiscard]] QWidget& large() const;  ///< pane of the camera with which the operator drives
     [[nodiscard]] QWidget& small() const;  ///< pane of the second camera
     /// Returns a text for each camera in a pane that has sent no picture yet.
     [[nodiscard]] QStringList missing() const;
     [[nodiscard]] const CameraViews& views() const { return m_views; }
-    void setPointing(bool pointing);  ///< whether the next click into a picture emits pointed()
+    void setPointing(bool pointing);  ///< sets whether the next click into a picture emits pointed()
 
 public slots:
     // These turn the large camera and what else is on its pan-tilt unit. Positive pan turns to the left,
@@ -41,10 +41,10 @@ public slots:
     void turnTo(double pan, double tilt);   ///< [rad]
     void turnBy(double pan, double tilt);   ///< [rad]
     void setRate(double pan, double tilt);  ///< continuously, until the next call [rad/s]
-    void recentre();                        ///< all cameras of the robot
+    void recentre();                        ///< recentres all cameras of the robot
 
 signals:
-    void pointed(const PicturePoint& at);  ///< into a picture of the selected robot
+    void pointed(const PicturePoint& at);  ///< the operator pointed into a picture of the selected robot
     void pointingEnded();
     void driveWanted();  ///< the large picture was clicked
 
@@ -54,9 +54,9 @@ private:
     void addInfrared();
     QAction& add(const char* id, const QString& text, const QString& hint, const QKeySequence& keys = {},
                  bool checkable = false);
-    void choose();     ///< chooses cameras for the panes when a robot is selected
-    void showPanes();  ///< shows in both panes what is known of their cameras
-    void enable();     ///< enables what the selected robot's cameras can do
+    void choose();     ///< selects cameras for the panes when a robot is selected
+    void showPanes();  ///< shows what is known about the cameras in both panes
+    void enable();     ///< enables commands that the selected robot's cameras support
     void applyLooks();
     void showPicture(const ShownPicturePtr& picture);
     void forget(const std::string& robot, const std::string& sensor);
@@ -73,8 +73,8 @@ private:
     CameraViews m_views;
     PictureLooks m_looks;
     CameraPane *m_large, *m_small;
-    PanTiltAngles m_grabbedAt;                             ///< angles when dragging began
-    Eigen::Vector3d m_grabbed = Eigen::Vector3d::UnitZ();  ///< direction under the pointer then
+    PanTiltAngles m_grabbedAt;                             ///< the camera's angles when dragging began
+    Eigen::Vector3d m_grabbed = Eigen::Vector3d::UnitZ();  ///< direction under the pointer at that time
 };
 
 }  // namespace leitstand

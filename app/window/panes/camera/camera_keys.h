@@ -15,21 +15,21 @@ namespace leitstand {
 
 /// Requests turns of the cameras while keys that do not drive are held: Q and E pan, Page Up and Page Down
 /// tilt. On the number pad, 4 6 8 2 turn and 5 re-centres. With Shift, cameras turn slowly. In text fields
-/// these keys only write.
+/// these keys only type.
 class CameraKeys final : public QObject {
     Q_OBJECT
 public:
-    /// Watches the keys of @p window and of the widgets in it. @p driving returns whether the operator drives
-    /// a robot. Ctrl may then be held with these keys, since it drives fast; otherwise they do nothing with
-    /// Ctrl.
+    /// Observes the keys of @p window and of the widgets in it. @p driving returns whether the operator
+    /// drives a robot. If so, Ctrl may be held with these keys, since it drives fast. Otherwise they do
+    /// nothing with Ctrl.
     CameraKeys(QWidget& window, std::function<bool()> driving);
 
-    /// Returns the keys in short, for the pane: "Q E PgUp PgDn".
+    /// Returns the keys as a short text for the pane: "Q E PgUp PgDn".
     [[nodiscard]] static QString names();
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// The rate that the held keys request, on every change [rad/s].
+    /// The rate that the held keys request [rad/s], emitted at every change.
     void rateWanted(const leitstand::PanTiltAngles& perSecond);
     void recentreWanted();
 

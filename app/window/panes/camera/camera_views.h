@@ -14,27 +14,28 @@ namespace leitstand {
 /// The panes that show cameras of the selected robot.
 enum class CameraPlace { Large, Small };
 
-/// Holds which camera of the selected robot is in which pane, the newest picture of each camera, and its age.
+/// Holds which camera of the selected robot is in which pane, the newest picture of each camera, and the
+/// picture's age.
 class CameraViews {
 public:
-    /// Shows the cameras of @p robot as they were when it was selected last. The first time, its first camera
-    /// is large and its last one small: an infrared camera, if it has one. Null: no robot.
+    /// Shows the cameras of @p robot as they were when it was last selected. The first time, its first camera
+    /// is large and its last one small (an infrared camera, if it has one). Null: no robot.
     void select(const RobotDescription* robot);
     void took(const ShownPicturePtr& picture, SteadyTime now);
-    void forget(const std::string& robot, const std::string& sensor);  ///< drops the camera's picture
-    /// Puts the next camera into the small pane, in a cycle that skips the large one.
+    void forget(const std::string& robot, const std::string& sensor);  ///< discards the camera's picture
+    /// Puts the next camera into the small pane, in a cycle that leaves out the camera in the large pane.
     void next();
-    /// Exchanges the cameras of the two panes.
+    /// Swaps the cameras of the two panes.
     void swap();
     [[nodiscard]] bool hasNext() const { return m_streams.size() > 2; }  ///< whether a camera is in no pane
 
     [[nodiscard]] const RobotDescription* robot() const { return m_robot; }
-    /// Returns the stream in the pane. Null when the pane is empty.
+    /// Returns the stream of the camera in the pane; null: the pane is empty.
     [[nodiscard]] const StreamDescription* stream(CameraPlace place) const;
     [[nodiscard]] std::string sensor(CameraPlace place) const;
-    [[nodiscard]] ShownPicturePtr newest(CameraPlace place) const;  ///< null: none came
+    [[nodiscard]] ShownPicturePtr newest(CameraPlace place) const;  ///< null: none was received
     [[nodiscard]] DataAge age(CameraPlace place, SteadyTime now) const;
-    /// Returns the age of the newest picture of camera @p sensor of @p robot.
+    /// Returns the age of the newest picture from the camera @p sensor of @p robot.
     [[nodiscard]] DataAge age(const std::string& robot, const std::string& sensor, SteadyTime now) const;
 
 private:
@@ -49,7 +50,7 @@ private:
     [[nodiscard]] const Choice* choice() const;
 
     const RobotDescription* m_robot = nullptr;
-    std::vector<const StreamDescription*> m_streams;  ///< of the robot's cameras, thermal ones last
+    std::vector<const StreamDescription*> m_streams;  ///< streams of the robot's cameras, thermal ones last
     std::map<std::string, Choice> m_choices;          ///< by robot
     std::map<std::pair<std::string, std::string>, Camera> m_cameras;  ///< by robot and sensor
 };

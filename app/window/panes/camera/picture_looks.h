@@ -9,7 +9,8 @@
 
 namespace leitstand {
 
-/// Holds how pictures are shown: contrast, unwrapping and infrared colours. The same for all cameras.
+/// Holds how pictures are shown: contrast, unwrapping and infrared colours. They are the same for all
+/// cameras.
 class PictureLooks {
 public:
     [[nodiscard]] const PictureLook& look() const { return m_look; }
@@ -20,8 +21,8 @@ public:
     void setPalette(ThermalPalette palette) { m_palette = palette; }
     [[nodiscard]] bool autoRange() const { return m_autoRange; }
     void setAutoRange(bool on);
-    /// Returns the temperatures that the colours span in a new @p picture of camera @p sensor of @p robot.
-    /// They are fixed or, with autoRange(), follow what the pictures show.
+    /// Returns the range of temperatures of the colours for a new @p picture from the camera @p sensor of
+    /// @p robot. It is fixed, or with autoRange() follows what the pictures show.
     [[nodiscard]] ThermalRange rangeFor(const std::string& robot, const std::string& sensor,
                                         const ThermalPicture& picture);
 
@@ -29,7 +30,7 @@ private:
     PictureLook m_look{ContrastHelp::Off, true};
     ThermalPalette m_palette = ThermalPalette::Iron;
     bool m_autoRange = false;
-    std::map<std::pair<std::string, std::string>, ThermalRange> m_ranges;  ///< of the last pictures
+    std::map<std::pair<std::string, std::string>, ThermalRange> m_ranges;  ///< ranges of the last pictures
 };
 
 }  // namespace leitstand

@@ -14,8 +14,8 @@ namespace leitstand {
 class ChangesPanel;
 class MapFeature;
 
-/// Shows what came and went since the earlier missions, in the map and as a list ("changes"), when the map is
-/// put together from several missions.
+/// Shows what has appeared and disappeared since the earlier missions, if the map is made from several
+/// missions. It is shown in the map and as a list ("changes").
 class ChangesFeature final : public QObject {
     Q_OBJECT
 public:
@@ -30,13 +30,13 @@ private:
     void show(bool shown);
     void showChosen();
     void follow();
-    void list();  ///< lists the changes, as seen from the selected robot
+    void list();  ///< lists the changes, with distances from the selected robot
 
     ViewContext m_context;
     MapFeature& m_map;
     ChangesPanel* m_panel;
     QAction* m_shown = nullptr;  ///< whether the map shows the changes
-    MapPtr m_newest;             ///< null: none came
+    MapPtr m_newest;             ///< null: none was received
     MapChangesPtr m_changes;
     QTimer m_look;
     ChangeFinder m_finder;

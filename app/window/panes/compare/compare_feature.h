@@ -12,22 +12,22 @@ class MapFeature;
 class ReviewBridge;
 class ReviewComparison;
 
-/// Registers the mission's scans again with other settings, and shows that map, the recorded one or both
-/// ("compare"). Changes nothing that is recorded.
+/// Registers the mission's scans again with other settings, and shows the new map, the recorded map, or both
+/// ("compare"). What is recorded is not changed.
 class CompareFeature final : public QObject {
     Q_OBJECT
 public:
-    /// @p map: its title names the map that is shown.
+    /// @p map: its title says which map is shown.
     CompareFeature(const ReviewContext& context, MapFeature& map);
 
     [[nodiscard]] QWidget& pane() const;
 
 signals:
-    void wanted();  ///< the pane is to be shown, with room for it
+    void wanted();  ///< the pane shall be shown, with enough space
 
 private:
     void begin(const RegistrationSettings& settings);
-    void show();  ///< shows what is known of the comparison
+    void show();  ///< shows what is known about the comparison
     void choose(ComparedMap which);
     void showMap();
     [[nodiscard]] ReviewComparison& comparison() const;

@@ -19,15 +19,15 @@ class MapFeature;
 class MissedPanel;
 struct LiveMoment;
 
-/// Shows, over the map, what was searched with each kind of sensor, and what was missed ("missed").
+/// Shows what was searched with each kind of sensor, and what was missed ("missed"), over the map.
 class CoverageFeature final : public QObject {
     Q_OBJECT
 public:
-    /// Returns what was searched by the given moment, as far as it is computed; null: nothing yet. Called
+    /// Returns what was searched until the given moment, as far as it is computed; null: nothing yet. Called
     /// twice a second while the map or the pane shows it.
     using Source = std::function<SearchedFloorPtr(const LiveMoment&)>;
 
-    /// @p actions: sends robots; null: there are none to send.
+    /// @p actions: sends robots; null: there are no live robots.
     CoverageFeature(const ViewContext& context, MapFeature& map, Source searched,
                     MapActions* actions = nullptr);
 
@@ -51,7 +51,7 @@ private:
     Source m_source;
     MissedPanel* m_panel;
     QActionGroup* m_overlays;
-    QAction* m_goTo = nullptr;  ///< null: there are no robots to send
+    QAction* m_goTo = nullptr;  ///< null: there are no live robots
     std::optional<SearchSensor> m_shown;
     SearchedFloorPtr m_searched;
     QTimer m_look;

@@ -11,8 +11,9 @@ namespace leitstand {
 
 class DriveStrip;
 
-/// Lets the operator drive the selected robot with keys or gamepad. Requests its grant when driving begins.
-/// In the strip, the operator can also request it, give it up, or answer another station that requests it.
+/// Lets the operator drive the selected robot with keys or gamepad. Requests the grant to drive it when
+/// driving begins. In the strip, the operator can also request the grant, give it up, or answer another
+/// station that requests it.
 class DriveFeature final : public QObject {
     Q_OBJECT
 public:

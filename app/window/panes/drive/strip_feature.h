@@ -9,8 +9,8 @@ namespace leitstand {
 class DriveStrip;
 struct LiveMoment;
 
-/// Shows the instruments of the selected robot. Without a live station, the robot's grant cannot be
-/// requested.
+/// Shows the instruments of the selected robot. Without a live station, the grant to drive the robot cannot
+/// be requested.
 class StripFeature final : public QObject {
     Q_OBJECT
 public:

@@ -19,7 +19,7 @@ class CameraFeature;
 class MapFeature;
 class ScanFeature;
 
-/// Files finds that the operator points at. A click with Shift into a picture or the virtual scan files a
+/// Files finds at which the operator points. A click with Shift into a picture or the virtual scan files a
 /// victim. After the command "victim.point", the next click there or on the map does so, too.
 /// "victim.pointHazard", "victim.pointCode" and "victim.pointObject" do the same for other finds.
 class FindPointing final : public QObject {

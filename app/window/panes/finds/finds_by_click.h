@@ -20,10 +20,10 @@ class MapFeature;
 class ReviewBridge;
 class ScanFeature;
 
-/// Edits the finds of a review by clicks. "review.move" moves the chosen find to where the map is clicked.
+/// Edits the finds of a review by clicks. "review.move" moves the selected find to where the map is clicked.
 /// "review.file", "review.fileHazard", "review.fileCode" and "review.fileObject" file a new find where the
-/// map, a picture or the virtual scan is clicked. The pictures of the moment become its evidence. In pictures
-/// and the virtual scan, a click with Shift files a victim at any time.
+/// map, a picture or the virtual scan is clicked. The pictures of that moment become its evidence. In
+/// pictures and the virtual scan, a click with Shift always files a victim.
 class FindsByClick final : public QObject {
     Q_OBJECT
 public:
@@ -39,8 +39,8 @@ private:
     void fileAt(FindSample::Kind kind, const Eigen::Vector3d& placeInMap);
     void fileIn(const PicturePoint& at);
     void fileBeside(const Eigen::Vector2d& placeInBase);
-    void end();                                   ///< disarms what was armed
-    [[nodiscard]] FindSample::Kind kind() const;  ///< kind that a click beside the map files
+    void end();                                   ///< ends the present command
+    [[nodiscard]] FindSample::Kind kind() const;  ///< kind of find that a click outside the map files
     [[nodiscard]] bool armed() const;
 
     ViewContext m_context;

@@ -34,15 +34,16 @@ public:
     [[nodiscard]] std::optional<FindKey> chosen() const;
     /// What a command applies to.
     enum class Of : std::uint8_t { Chosen, Mission };
-    /// Shows @p action beside the list. An action of Of::Chosen is enabled only while a find is chosen.
+    /// Shows @p action beside the list. An action with Of::Chosen is enabled only while a find is selected.
     void offer(QAction& action, Of of);
 
 public slots:
-    void askForNote();  ///< about the moment that is shown; does not hold up the review
+    void askForNote();  ///< asks for a note about the moment that is shown; does not block the review
 
 signals:
-    void findsChanged();                                                   ///< the list or the choice changed
-    void marksChanged(const std::vector<leitstand::TimelineMark>& marks);  ///< marks of what the pen wrote
+    void findsChanged();  ///< the list or the selection changed
+    /// Marks for what was written with the pen.
+    void marksChanged(const std::vector<leitstand::TimelineMark>& marks);
 
 private:
     QAction& add(const char* id, const QString& text, const QString& brief, const QString& hint,
@@ -54,13 +55,13 @@ private:
     void discard();
     void judge(const FindKey& find, FindSample::Status status);
     void merge(const FindKey& find);
-    [[nodiscard]] const MissionState& finished() const;  ///< the finished mission with what was written
+    [[nodiscard]] const MissionState& finished() const;  ///< the finished mission, including what was written
     void openForm(const FindKey& find);
-    /// Returns the state of @p find for the form: that of the moment that is shown. Once the form was opened
-    /// by its command or edited: the newest one. Empty: it is not known.
+    /// Returns the state of @p find for the form: at the moment that is shown. After the form was opened by
+    /// its command or edited, returns the newest state. Empty: it is not known.
     [[nodiscard]] std::optional<FindSample> inForm(const std::optional<FindKey>& find) const;
     void showForm(const std::optional<FindSample>& find);
-    void correct(const FindSample& corrected);  ///< writes what the form contains
+    void correct(const FindSample& corrected);  ///< writes the content of the form
     void note(Time at, const QString& text);
     void notifyWritten(const QString& done, const QString& problem);
     void undo();
@@ -72,12 +73,13 @@ private:
     VictimForm* m_form;
     FormPictures* m_pictures;
     std::optional<FindSample> m_shown;  ///< what the form showed before it was edited
-    std::optional<FindKey> m_asked,
-        m_corrected;  ///< m_asked: its correction is being written; m_corrected: its newest state is shown
+    /// The correction of m_asked is being written; the newest state of m_corrected is shown.
+    std::optional<FindKey> m_asked, m_corrected;
     FindMoves m_moves;
-    std::vector<QAction*> m_ofChosen;  ///< commands about the chosen find
+    std::vector<QAction*> m_ofChosen;  ///< commands for the selected find
     QAction *m_confirm = nullptr, *m_discard = nullptr, *m_undo = nullptr;
-    mutable MissionStatePtr m_written;  ///< mission that state() refers to: a newer one may come at any time
+    /// Keeps alive what state() refers to, since a newer mission may arrive at any time.
+    mutable MissionStatePtr m_written;
 };
 
 }  // namespace leitstand

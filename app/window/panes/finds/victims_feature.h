@@ -26,8 +26,8 @@ class VictimForm;
 class VictimsPanel;
 struct LiveMoment;
 
-/// The finds of the operator (docs/design.md, "The window"): one key freezes the evidence of a find, another
-/// one confirms the find. List and form can wait until later. All of it is in the mission's log.
+/// The operator's finds (docs/design.md, "The window"): one key freezes the evidence of a find, another one
+/// confirms the find. List and form can wait until later. Everything is in the mission's log.
 class VictimsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -47,13 +47,13 @@ private:
     void confirm();
     void merge();
     void move(bool on);
-    void answer(const Result<void>& done);  ///< shows what went wrong
-    /// Returns the find that a command is about: the chosen one, else the one filed last if it is not
-    /// confirmed yet. Empty: there is none, or a candidate is chosen.
+    void answer(const Result<void>& done);  ///< shows an error
+    /// Returns the find to which a command applies: the selected one; if none is, the one filed last if it is
+    /// not confirmed yet. Empty: there is none, or a candidate is selected.
     [[nodiscard]] std::optional<FindKey> meant() const;
     void show(const LiveMoment& moment);
     void showForm();
-    void fillIn(int step);  ///< opens the chosen find's form at its next or previous field
+    void fillIn(int step);  ///< opens the form of the selected find at its next or previous field
     void changeField();
     [[nodiscard]] bool isFillingIn() const;
     [[nodiscard]] FindDesk& desk() const;
@@ -65,11 +65,11 @@ private:
     VictimForm* m_form;
     FormPictures* m_pictures;
     std::map<QString, QAction*> m_actions;
-    std::uint64_t m_shown = 0;  ///< FindDesk::filings() when its newest find was chosen in the list
-    std::uint32_t m_asked = 0;  ///< candidate that was last requested to be filed; 0: none
-    int m_sinceRows = 0;        ///< ticks
+    std::uint64_t m_shown = 0;  ///< FindDesk::filings() when its newest find was selected in the list
+    std::uint32_t m_asked = 0;  ///< candidate whose filing was requested last; 0: none
+    int m_sinceRows = 0;        ///< number of ticks
     FindMoves m_moves;
-    bool m_following = false;  ///< false until m_moves has taken the moves of earlier sessions
+    bool m_following = false;  ///< whether m_moves has taken the moves of earlier sessions
 };
 
 }  // namespace leitstand

@@ -15,14 +15,14 @@ namespace leitstand {
 struct LiveMoment;
 class LinkPane;
 
-/// Shows how much of the link every stream takes, with rates and qualities, and switches the thin link (T).
+/// Shows how much of the link every stream uses, with rates and qualities, and switches the thin link (T).
 class LinkFeature final : public QObject {
     Q_OBJECT
 public:
     explicit LinkFeature(const LiveContext& context);
 
     [[nodiscard]] QWidget& pane() const;
-    [[nodiscard]] QLabel& badge() const { return *m_badge; }  ///< for the corner: the link is thin
+    [[nodiscard]] QLabel& badge() const { return *m_badge; }  ///< badge for the corner: the link is thin
 
 private:
     void show(const LiveMoment& moment);

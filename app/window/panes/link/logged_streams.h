@@ -11,7 +11,7 @@ namespace leitstand {
 struct LiveMoment;
 class StreamList;
 
-/// Shows what arrived of every stream at the moment that a review shows.
+/// Shows what was received on every stream at the moment that a review shows.
 class LoggedStreams final : public QObject {
     Q_OBJECT
 public:

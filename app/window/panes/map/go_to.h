@@ -23,18 +23,19 @@ class MapView;
 class RobotsOnMap;
 struct LiveMoment;
 
-/// Sends robots to places on the map: a pose that the operator draws onto the floor, or a double click. Works
-/// for robots that take goals. Requests the grant first, since robots obey only its holder.
+/// Sends robots to places on the map: a pose that the operator draws on the floor, or a double click. For
+/// robots that take goals. Requests the grant first, since robots obey only its holder.
 class GoTo final : public QObject {
     Q_OBJECT
 public:
     GoTo(const LiveContext& context, MapView& map, MapGestures& gestures, RobotsOnMap& robots,
          QObject* parent);
 
-    /// Sends the selected robot to @p pose. A pose without a heading gets the direction from the robot to it.
+    /// Sends the selected robot to @p pose. If the pose has no heading, it gets the direction from the robot
+    /// to it.
     void go(const GroundPose& pose);
-    /// Drops the selected robot's goal if it still waits until the robot may be driven. Also ends a question
-    /// about the goal.
+    /// Discards the selected robot's goal if it still waits until the robot may be driven. Also ends a
+    /// question about the goal.
     void takeBack();
 
 private:
@@ -43,24 +44,24 @@ private:
         Pose goalInMap;
         Time asked{};
         bool sent = false, began = false;
-        Time moved{};  ///< when its odometry last showed motion
+        Time moved{};  ///< stamp of the last odometry that showed motion
     };
     void arm(bool on);
     void begin(const std::string& robot, const Pose& goalInMap);
     void follow(const LiveMoment& moment);
-    /// Handles moved scans: goals move with the scans around them, or are withdrawn.
+    /// Call after scans moved: goals move with the scans around them, or are withdrawn.
     void followMap(const LiveMapPtr& map);
     [[nodiscard]] bool underWay(const std::string& robot, const Way& way) const;
-    void stay(const std::string& robot);  ///< stops it: its present place becomes its goal
-    /// Withdraws the goal of @p way. @p correction: how the map moved at the goal; new pose = @p correction *
-    /// old pose, both in the map.
+    void stay(const std::string& robot);  ///< stops the robot: its present place becomes its goal
+    /// Withdraws the goal of @p way. @p correction: how the map moved at the goal (new pose = @p correction *
+    /// old pose, both in the map).
     void withdraw(const std::string& robot, const Way& way, const Pose& correction);
-    /// Returns the robot in the map, with the pose of its odometry frame at the same moment. Empty: either is
+    /// Returns the robot in the map, with the pose of its odometry frame at the same time. Empty: either is
     /// unknown.
     [[nodiscard]] std::optional<RobotInMap> placeOf(const std::string& robot) const;
-    [[nodiscard]] QString titleOf(const std::string& robot) const;  ///< as operators know it
+    [[nodiscard]] QString titleOf(const std::string& robot) const;  ///< name for the operator
     [[nodiscard]] bool send(const std::string& robot, const Way& way, const LiveMoment& moment);
-    /// Sends the goal once the station holds the grant. Returns whether @p way has ended: reached, given up,
+    /// Sends the goal when the station holds the grant. Returns whether @p way has ended: reached, given up,
     /// stopped, or never sent.
     [[nodiscard]] bool over(const std::string& robot, Way& way, const LiveMoment& moment);
     void showSelected();
@@ -71,7 +72,7 @@ private:
     QAction* m_action;
     GoalQuestion* m_question;
     std::map<std::string, Way> m_ways;
-    LiveMapPtr m_map;  ///< newest
+    LiveMapPtr m_map;  ///< newest map
 };
 
 }  // namespace leitstand

@@ -18,21 +18,21 @@ class CommandTable;
 class MapQuestion;
 class MovedPlaces;
 
-/// Asks over the map whether a robot shall still go to its goal, after the map moved there. The goal was
-/// withdrawn while the robot was on its way or about to go.
+/// Asks whether a robot shall still drive to its goal after the map moved there. The goal was withdrawn while
+/// the robot was driving or about to drive. The question is shown over the map.
 class GoalQuestion final : public QObject {
     Q_OBJECT
 public:
     GoalQuestion(CommandTable& commands, QWidget& map, QObject* parent);
 
-    /// Asks about @p robot, shown as @p title, whose goal @p wasInMap is withdrawn. The same place is at
-    /// @p goalInMap now.
+    /// Asks about @p robot, called @p title, whose goal @p wasInMap was withdrawn. The same place is now at
+    /// @p goalInMap.
     void ask(const std::string& robot, const QString& title, const Pose& wasInMap, const Pose& goalInMap);
-    /// Ends the question about @p robot: it was sent elsewhere, or stopped.
+    /// Ends the question about @p robot, because it was sent elsewhere or stopped.
     void forget(const std::string& robot);
-    /// Moves the goals in question along with the map.
+    /// Moves the goals in question together with the map.
     void follow(const MovedPlaces& places);
-    [[nodiscard]] std::vector<std::string> robots() const;  ///< those with an open question
+    [[nodiscard]] std::vector<std::string> robots() const;  ///< robots with an open question
 
 signals:
     void confirmed(const std::string& robot, const leitstand::Pose& goalInMap);
@@ -43,7 +43,7 @@ private:
         Pose wasInMap, goalInMap;
     };
     void answer(bool again);
-    void show();  ///< shows the question of the first robot, or hides it without any
+    void show();  ///< shows the question about the first robot; hides it if there is none
 
     CommandTable& m_commands;
     QAction *m_again, *m_leave;

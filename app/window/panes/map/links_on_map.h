@@ -11,7 +11,7 @@ namespace leitstand {
 class MapView;
 struct LiveMoment;
 
-/// A command that shows where the map meets itself: as lines over the map, between scans that see the same
+/// A command that shows where the map has loops: as lines over the map, between scans that see the same
 /// place.
 class LinksOnMap final : public QObject {
     Q_OBJECT

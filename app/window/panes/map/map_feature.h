@@ -23,7 +23,7 @@ struct LiveMoment;
 /// Returns the title of the other station that holds @p grant. Empty: this station holds it, or nobody does.
 [[nodiscard]] QString othersTitle(const GrantView& grant);
 
-/// The 3D map as it grows ("map"), and how it is looked at.
+/// The 3D map ("map") as it grows, and how it is viewed.
 class MapFeature final : public QObject {
     Q_OBJECT
 public:
@@ -38,10 +38,10 @@ public:
     /// Shows the map as @p sight describes. A camera that stops following a robot returns to where the
     /// operator left it.
     void show(const MapSight& sight);
-    /// Sets @p how, which makes the title while another map is shown in place of the source's own. Empty: the
+    /// Sets @p how, which makes the title while another map is shown instead of the source's own. Empty: the
     /// title describes the source's map again.
     void describe(std::function<MapSummary(const LiveMoment&)> how);
-    /// Returns, in words, what of the map is not visible yet. Empty once a scan is drawn.
+    /// Returns texts about what of the map is not visible yet. Empty when a scan is drawn.
     [[nodiscard]] QStringList missing() const;
 
 private:
@@ -57,9 +57,9 @@ private:
     MapGestures* m_gestures;
     RobotsOnMap* m_robots = nullptr;
     std::function<MapSummary(const LiveMoment&)> m_describe;
-    MapPtr m_map;       ///< map that is shown; null: none came
-    QString m_pointed;  ///< the point under the pointer, in words; empty: none
-    QTimer m_resting;   ///< restarts when the pointer moves; at its end, m_pointed is no longer shown
+    MapPtr m_map;       ///< map that is shown; null: none was received
+    QString m_pointed;  ///< text about the point under the pointer; empty: none
+    QTimer m_resting;   ///< restarted when the pointer moves; when it ends, m_pointed is no longer shown
 };
 
 }  // namespace leitstand

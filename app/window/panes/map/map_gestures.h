@@ -17,8 +17,8 @@ namespace leitstand {
 class MapView;
 struct RobotMark;
 
-/// Handles what the operator draws onto the map, one gesture at a time. Each gesture belongs to a command,
-/// which is checked while the gesture lasts.
+/// Handles what the operator draws on the map, one gesture at a time. Each gesture belongs to a command,
+/// which is checked while the gesture is active.
 class MapGestures final : public QObject {
     Q_OBJECT
 public:
@@ -36,7 +36,7 @@ public:
     void disarm();
     [[nodiscard]] bool armed() const { return m_by != nullptr; }
 
-    /// Sets the text over the map while nothing is drawn.
+    /// Sets the text over the map that is shown while there is no gesture.
     void setCalmHint(const QString& text);
 
 private:

@@ -9,7 +9,7 @@ class QAction;
 
 namespace leitstand {
 
-/// Shows which station makes the map, and hands it over to another one that requests it.
+/// Shows which station makes the map, and hands it over to another station that requests it.
 class MapGrantFeature final : public QObject {
     Q_OBJECT
 public:
@@ -21,7 +21,7 @@ private:
 
     LiveContext m_context;
     QAction* m_give;
-    QString m_maker;  ///< other station that made the map last; empty: this one did
+    QString m_maker;  ///< other station that last made the map; empty: this station did
 };
 
 }  // namespace leitstand

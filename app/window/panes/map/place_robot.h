@@ -14,7 +14,7 @@ namespace leitstand {
 class MapGestures;
 class RobotsOnMap;
 
-/// Places a robot where the operator draws it on the map: a robot that is not in the map yet, else the
+/// Places a robot where the operator draws it on the map: a robot that is not in the map yet, otherwise the
 /// selected one. A second command looks for the selected robot in the whole map.
 class PlaceRobot final : public QObject {
     Q_OBJECT

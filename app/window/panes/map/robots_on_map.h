@@ -20,23 +20,23 @@ class MapView;
 class ViewState;
 struct LiveMoment;
 
-/// The robots on the live map, at 30 Hz, and the camera that follows the selected one.
+/// The robots on the live map, drawn at 30 Hz, and the camera that follows the selected robot.
 class RobotsOnMap final : public QObject {
     Q_OBJECT
 public:
     RobotsOnMap(const ViewContext& context, ViewState& state, MapView& view, MapGestures& gestures,
                 QObject* parent);
 
-    /// Returns the mark of @p robot that was drawn last. A robot whose place is unknown gets a mark at the
+    /// Returns the mark that was last drawn for @p robot. If the robot's place is unknown, the mark is at the
     /// place of another robot, or at the origin.
     [[nodiscard]] RobotMark mark(const std::string& robot) const;
-    /// Returns a small square in the colours of @p robot, for what is placed by hand.
+    /// Returns a small square in the colours of @p robot, for something that is placed by hand.
     [[nodiscard]] RobotMark placeMark(const std::string& robot) const;
     [[nodiscard]] bool placed(const std::string& robot) const { return m_marks.contains(robot); }
-    /// Returns how certain the robots' places in the map are, a line for each robot.
+    /// Returns a text that says how certain the robots' places in the map are, one line per robot.
     [[nodiscard]] const QString& details() const { return m_details; }
-    /// Returns the robot that most needs to be placed: one that is not in the map yet, the selected one
-    /// first; else the selected one.
+    /// Returns the robot that most needs to be placed: one that is not in the map yet, if possible the
+    /// selected one. If all are in the map, returns the selected robot.
     [[nodiscard]] std::string toPlace() const;
     /// Sets the goal that is shown for @p robot. Empty: none.
     void setGoal(const std::string& robot, const std::optional<Pose>& goalInMap);
@@ -51,7 +51,7 @@ private:
     MapView& m_view;
     MapGestures& m_gestures;
     std::map<MapFollow, QAction*> m_follow;
-    std::map<std::string, RobotMark> m_marks;  ///< of the robots that are in the map
+    std::map<std::string, RobotMark> m_marks;  ///< marks of robots that are in the map
     std::map<std::string, Pose> m_goals;
     QString m_details;
 };

@@ -8,7 +8,7 @@ namespace leitstand {
 
 class MessagesPanel;
 
-/// The pane of messages to the operator (F4): all since the station or review was opened, each with its time.
+/// The pane of messages to the operator (F4): all since the station or review was opened, with their times.
 class MessagesFeature final : public QObject {
     Q_OBJECT
 public:

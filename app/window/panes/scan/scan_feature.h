@@ -12,14 +12,14 @@ namespace leitstand {
 struct LiveMoment;
 class VirtualScanPane;
 
-/// The virtual 2D scan of the selected robot, in a pane of its own.
+/// The virtual 2D scan of the selected robot, in its own pane.
 class ScanFeature final : public QObject {
     Q_OBJECT
 public:
     explicit ScanFeature(const ViewContext& context);
 
     [[nodiscard]] QWidget& pane() const;
-    void setPointing(bool pointing);  ///< whether the next click into the pane emits pointed()
+    void setPointing(bool pointing);  ///< sets whether the next click into the pane emits pointed()
 
 signals:
     void pointed(const Eigen::Vector2d& place);  ///< in the selected robot's base_link [m]

@@ -6,8 +6,8 @@ class QString;
 
 namespace leitstand {
 
-/// Opens a dialog that asks for the folder of a report. It is not modal and not the desktop's own, so that
-/// STOP, by Esc and by its button, works meanwhile. The dialog deletes itself when it is closed.
+/// Opens a dialog that asks for the folder of a report. It is neither modal nor the desktop's own dialog, so
+/// that STOP (by Esc or its button) works while it is open. The dialog deletes itself when it is closed.
 QFileDialog& openFolderDialog(QMainWindow& window, const QString& title);
 
 }  // namespace leitstand

@@ -15,8 +15,8 @@ class FindsFeature;
 class ReviewBridge;
 class ScorePane;
 
-/// The hand-in of a reviewed mission: the estimate of its score at the moment that is shown ("score"), and
-/// the judges' folder, with the corrections of the review.
+/// The hand-in of a reviewed mission: the estimated score at the moment that is shown ("score"), and the
+/// folder for the judges, with the corrections of the review.
 class HandInFeature final : public QObject {
     Q_OBJECT
 public:

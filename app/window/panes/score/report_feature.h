@@ -18,9 +18,9 @@ class ReportKeeper;
 class ScorePane;
 struct LiveMoment;
 
-/// The hand-in (docs/design.md, "The window"): what is known of the mission, the estimate of its score
-/// ("score"), and the judges' folder. The folder is written at once and every minute while the mission runs,
-/// also after it is resumed.
+/// The hand-in (docs/design.md, "The window"): facts about the mission, the estimated score ("score"), and
+/// the folder for the judges. The folder is written at once and every minute while the mission runs, also
+/// after it was resumed.
 class ReportFeature final : public QObject {
     Q_OBJECT
 public:
@@ -28,9 +28,9 @@ public:
     ~ReportFeature() override;
 
     [[nodiscard]] QWidget& pane() const;
-    /// Returns the time from one report to the next.
+    /// Returns the time between the starts of two reports.
     [[nodiscard]] std::chrono::nanoseconds interval() const { return m_interval; }
-    void setInterval(std::chrono::nanoseconds interval);  ///< also for the present report
+    void setInterval(std::chrono::nanoseconds interval);  ///< also used for the present report
 
 private:
     void addCommands();
@@ -52,7 +52,7 @@ private:
     std::chrono::nanoseconds m_interval = std::chrono::seconds(60);
     std::unique_ptr<ReportKeeper> m_keeper;
     std::vector<std::unique_ptr<ReportKeeper>> m_ended;  ///< keepers that may still be writing
-    int m_sinceScore = 0;                                ///< ticks
+    int m_sinceScore = 0;                                ///< number of ticks
 };
 
 }  // namespace leitstand

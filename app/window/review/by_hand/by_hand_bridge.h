@@ -12,15 +12,15 @@
 
 namespace leitstand {
 
-/// The map of a mission that has ended, as the GUI thread sees it while somebody decides on it.
+/// The map of a mission that has ended, for the GUI thread, while somebody makes decisions about it.
 class ByHandBridge final : public MomentSource {
     Q_OBJECT
 public:
-    /// Reads the map, which takes a while. Errors as of MapByHand::open().
+    /// Reads the map, which takes a while. Errors are those of MapByHand::open().
     [[nodiscard]] static Result<std::unique_ptr<ByHandBridge>> open(const std::filesystem::path& mission);
     ~ByHandBridge() override;
 
-    /// Starts to notify a window of the map and of its changes. GUI thread.
+    /// Begins to notify a window about the map and its changes. GUI thread.
     void begin();
     [[nodiscard]] MapByHand& hand() { return *m_hand; }
     [[nodiscard]] const std::vector<RobotDescription>& robots() const override { return m_hand->robots(); }
@@ -35,7 +35,7 @@ private:
 
     QTimer m_tick;                            ///< child of the bridge: moves with it to another thread
     std::unique_ptr<PictureFeed> m_pictures;  ///< without cameras
-    std::unique_ptr<MapByHand> m_hand;        ///< last: its threads end first
+    std::unique_ptr<MapByHand> m_hand;        ///< the last member, so that its threads end first
 };
 
 }  // namespace leitstand

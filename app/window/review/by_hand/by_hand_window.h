@@ -16,8 +16,8 @@ class PaneDocks;
 class Selection;
 class WindowFrame;
 
-/// The window for decisions on the map of a mission that has ended: the map and its scans, and the live
-/// window's commands on them. It only puts features together.
+/// The window for decisions about the map of a mission that has ended: the map and its scans, and the live
+/// window's commands for them. It only combines features.
 class ByHandWindow final : public QMainWindow {
     Q_OBJECT
 public:
@@ -28,15 +28,15 @@ public:
     [[nodiscard]] const MapViewSettings& view() const;
     [[nodiscard]] CommandTable& commands() const { return *m_commands; }
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
-    [[nodiscard]] QString newest() const;  ///< message
-    /// Returns, in words, what of the map is not visible yet. Empty once a scan is drawn.
+    [[nodiscard]] QString newest() const;  ///< newest message
+    /// Returns texts about what of the map is not visible yet. Empty when a scan is drawn.
     [[nodiscard]] QStringList missing() const;
 
 signals:
     void closing();
 
 public slots:
-    void showMessage(const QString& text);  ///< as the newest; keeps it in the list of messages
+    void showMessage(const QString& text);  ///< as the newest message; also adds it to the list of messages
 
 protected:
     void closeEvent(QCloseEvent* event) override;

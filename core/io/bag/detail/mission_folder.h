@@ -11,12 +11,13 @@
 
 namespace leitstand::detail {
 
-/// Lock of one writer on a mission's folder, held while this lives (flock: released when the process ends).
+/// A writer's lock on a mission's folder, held while this object exists (flock: released when the process
+/// ends).
 class FolderLock {
 public:
-    /// Locks @p folder. Error when another writer has it.
+    /// Locks @p folder. Error when another writer has locked it.
     [[nodiscard]] static Result<FolderLock> take(const std::filesystem::path& folder);
-    /// Whether a writer has @p folder now.
+    /// Whether a writer has locked @p folder now.
     [[nodiscard]] static bool isTaken(const std::filesystem::path& folder);
     FolderLock(FolderLock&& other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1)) {}
     FolderLock& operator=(FolderLock&&) = delete;

@@ -22,14 +22,14 @@ public:
 
     [[nodiscard]] explicit operator bool() const { return m_statement != nullptr; }
     void bind(int index, std::int64_t value);
-    void bind(int index, std::string_view text);             ///< copied
-    void bind(int index, std::span<const std::byte> bytes);  ///< must live until the step is done
+    void bind(int index, std::string_view text);             ///< copies the text
+    void bind(int index, std::span<const std::byte> bytes);  ///< the bytes must exist until the step is done
     [[nodiscard]] int step();                                ///< SQLite's code: SQLITE_ROW, SQLITE_DONE ...
     /// Steps to the end and resets. Returns SQLITE_OK or the code of the error.
     [[nodiscard]] int run();
     void reset();
 
-    [[nodiscard]] int type(int column) const;  ///< SQLITE_INTEGER ...
+    [[nodiscard]] int type(int column) const;  ///< type of the value: SQLITE_INTEGER ...
     [[nodiscard]] std::int64_t integer(int column) const;
     [[nodiscard]] std::string text(int column) const;
     [[nodiscard]] std::span<const std::byte> bytes(int column) const;
@@ -45,7 +45,7 @@ private:
 class Database {
 public:
     Database() = default;
-    /// Opens @p file with SQLite's @p flags through the named @p vfs (empty: the default one).
+    /// Opens @p file with SQLite's @p flags, through the @p vfs with this name (empty: the default one).
     [[nodiscard]] static Result<Database> open(const std::string& file, int flags,
                                                const std::string& vfs = {});
 
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] Statement prepare(std::string_view sql) const { return {m_database.get(), sql}; }
     /// Runs statements without results. Returns SQLITE_OK or the code of the error.
     [[nodiscard]] int run(const char* sql) const;
-    /// Returns the first column of the first row of @p sql; @p otherwise when there is none.
+    /// Returns the first column of the first row of @p sql, or @p otherwise when there is no row.
     [[nodiscard]] std::int64_t number(std::string_view sql, std::int64_t otherwise) const;
     [[nodiscard]] std::string problem() const;  ///< SQLite's text for the last error
     /// Closes the connection; false when SQLite refuses.

@@ -31,16 +31,17 @@ struct BagRow {
 
 /// Facts about one file of a bag.
 struct BagFileFacts {
-    std::map<std::int64_t, FileTopic> topics;  ///< by id
-    std::uint64_t firstId = 0, lastId = 0;     ///< of messages; 0: none
+    std::map<std::int64_t, FileTopic> topics;  ///< topics by id
+    std::uint64_t firstId = 0, lastId = 0;     ///< ids of messages; 0: there are none
     Time first{}, last{};                      ///< receive times
-    bool ours = false;       ///< a bag of ours, with rows ordered by id; in others, rows are ordered by time
-    bool idsByTime = false;  ///< ids rise with the receive times
-    bool closed = true;      ///< its writer finished it
-    std::uint64_t expected = 0;  ///< message count in its own metadata; 0: none
+    /// Whether it is a bag of Leitstand, whose rows are ordered by id; in others, rows are ordered by time.
+    bool ours = false;
+    bool idsByTime = false;      ///< whether ids rise with the receive times
+    bool closed = true;          ///< whether its writer finished it
+    std::uint64_t expected = 0;  ///< number of messages in its own metadata; 0: not known
     std::vector<std::string> problems;
 
-    /// Returns the number of all messages; empty when some topic has no count.
+    /// Returns the number of all messages; empty when any topic has no count.
     [[nodiscard]] std::optional<std::uint64_t> messages() const {
         std::uint64_t sum = 0;
         for (const auto& [id, topic] : topics) {
@@ -53,14 +54,14 @@ struct BagFileFacts {
 
 /// Which rows to read.
 struct RowQuery {
-    Time afterTime = Time::min();  ///< time of the last row read, when ordered by time
-    std::uint64_t afterId = 0;     ///< id of the last row read
+    Time afterTime = Time::min();  ///< time of the last row that was read, if rows are ordered by time
+    std::uint64_t afterId = 0;     ///< id of the last row that was read
     std::uint64_t lastId = std::numeric_limits<std::int64_t>::max();
     Time lastTime = Time::max();
-    std::optional<std::set<std::int64_t>> topics;  ///< empty: all
+    std::optional<std::set<std::int64_t>> topics;  ///< empty: all topics
 };
 
-/// One file of a bag: an SQLite database, read by SQLite or page by page, or an MCAP file.
+/// One file of a bag: an SQLite database, read by SQLite or by our own code, or an MCAP file.
 class BagFile {
 public:
     virtual ~BagFile() = default;
@@ -69,7 +70,7 @@ public:
     enum class Outcome { More, End, Broken };
     /// Appends the next rows to @p rows, a few dozen at most. Returns Broken when the file is damaged there.
     [[nodiscard]] virtual Outcome fetch(const RowQuery& query, std::vector<BagRow>& rows) = 0;
-    /// Returns the row of @p id; empty when there is none. Sets @p broken when the file is damaged.
+    /// Returns the row with the id @p id; empty when there is none. Sets @p broken when the file is damaged.
     [[nodiscard]] virtual std::optional<BagRow> row(std::uint64_t id, bool& broken) = 0;
     /// Returns the newest row of @p topics up to @p id (inclusive). Sets @p broken when the file is damaged.
     [[nodiscard]] virtual std::optional<BagRow> lastUpTo(const std::set<std::int64_t>& topics,
@@ -85,10 +86,11 @@ protected:
     BagFileFacts m_facts;
 };
 
-/// Largest valid id of a row. It leaves room for the sequences of a bag, which continue from file to file.
+/// Largest valid id of a row. Larger sequences are kept free, since those of a bag continue from file to
+/// file.
 inline constexpr std::uint64_t MaxId = 1'000'000'000'000'000;
 
-/// No message is longer [B]. Larger sizes in a damaged file are rejected.
+/// Largest size of a message [B]. Larger sizes in a damaged file are refused.
 inline constexpr std::uint64_t MaxMessageBytes = 256U << 20U;
 
 /// The limits of one fetch().

@@ -13,18 +13,18 @@
 
 namespace leitstand::detail {
 
-/// Returns the kind of a file, such as "a bag of ROS 1", by its first bytes @p begin. Empty: it is none of
-/// the other kinds that we know but do not read.
+/// Returns the kind of a file, such as "a bag of ROS 1", from its first bytes @p begin. Empty: it is none of
+/// the other kinds that are known but not supported.
 [[nodiscard]] std::string otherKind(std::string_view begin);
 /// Returns otherKind() of the file at @p path.
 [[nodiscard]] std::string otherKindOf(const std::filesystem::path& path);
 /// Whether the file at @p path is to be read as MCAP: by its first bytes, or by its ending.
 [[nodiscard]] bool isMcap(const std::filesystem::path& path);
-/// Whether @p cdr is compressed by zstd, as by rosbag2 in its mode "message", and not plain CDR.
+/// Whether @p cdr is not plain CDR but compressed by zstd, as by rosbag2 in its mode "message".
 [[nodiscard]] bool isCompressed(const Payload& cdr);
 
-/// Checks that the bag in @p folder, with @p files to read, is of a kind that we read; error otherwise. Adds
-/// files that are not read or are missing to @p problems.
+/// Checks that the bag in @p folder, with the database files @p files, is of a supported kind; otherwise
+/// error. Adds files that are not read or are missing to @p problems.
 [[nodiscard]] Result<void> checkKind(const std::filesystem::path& folder,
                                      const std::optional<BagMetadata>& metadata,
                                      const std::vector<NumberedFile>& files,

@@ -12,8 +12,8 @@
 
 namespace leitstand::detail {
 
-/// The files of an open bag as one sequence of events. A file that proves damaged is read page by page from
-/// then on (SalvagedFile).
+/// The files of an open bag as one sequence of events. If a file turns out to be damaged, it is read page by
+/// page from then on (SalvagedFile).
 class ReaderCore {
 public:
     explicit ReaderCore(OpenBag bag);
@@ -25,12 +25,12 @@ public:
     [[nodiscard]] std::uint64_t lastSequence() const;
 
     [[nodiscard]] const std::vector<BagPart>& parts() const { return m_bag.parts; }
-    /// Fetches the next rows of part @p index; after damage, the rows that salvage finds.
+    /// Fetches the next rows of part @p index. After damage, these are the rows that the salvage finds.
     [[nodiscard]] BagFile::Outcome fetch(std::size_t index, const RowQuery& query, std::vector<BagRow>& rows);
-    /// Returns @p row of part @p index as an event. Empty when its topic is unknown or it is not CDR;
-    /// problems() then reports that.
+    /// Returns @p row of part @p index as an event. Empty when its topic is unknown or it is not CDR; this is
+    /// added to problems().
     [[nodiscard]] std::optional<RawEvent> eventOf(std::size_t index, BagRow row);
-    /// Returns the ids in part @p index of the topics with these names.
+    /// Returns the ids of the topics @p topics in part @p index.
     [[nodiscard]] std::set<std::int64_t> idsOf(std::size_t index,
                                                const std::vector<std::string>& topics) const;
 

@@ -9,10 +9,10 @@
 
 namespace leitstand::detail {
 
-/// The content of a file on the disk, with all later writes kept in memory on top.
+/// The content of a file on the disk, with later writes kept only in memory.
 class OverlayFile {
 public:
-    OverlayFile() = default;  ///< absent
+    OverlayFile() = default;  ///< a file that does not exist
     explicit OverlayFile(const std::filesystem::path& file);
     ~OverlayFile();
     OverlayFile(const OverlayFile&) = delete;
@@ -20,7 +20,7 @@ public:
 
     [[nodiscard]] bool exists() const { return m_exists; }
     [[nodiscard]] std::int64_t size() const { return m_size; }
-    /// Reads from @p offset; false when the disk fails. Bytes behind the end are zero.
+    /// Reads from @p offset; false when the disk fails. Bytes after the end are zero.
     [[nodiscard]] bool read(std::int64_t offset, std::span<std::byte> into) const;
     void write(std::int64_t offset, std::span<const std::byte> bytes);
     void resize(std::int64_t size);

@@ -6,16 +6,16 @@
 namespace leitstand::detail {
 
 /// A file system for SQLite that never changes the disk. What SQLite writes (the rollback of a transaction
-/// that a killed program left) stays in memory and is lost with this object. It takes no locks, so the files
-/// must have no writer. Connections need `PRAGMA locking_mode = EXCLUSIVE` to see a write-ahead log.
+/// that a killed program left) stays in memory and is lost with this object. It takes no locks, so nobody may
+/// be writing to the files. Connections need `PRAGMA locking_mode = EXCLUSIVE` to see a write-ahead log.
 class OverlayVfs {
 public:
     OverlayVfs();
-    ~OverlayVfs();  ///< all connections through it must be closed
+    ~OverlayVfs();  ///< all connections that use it must be closed
     OverlayVfs(const OverlayVfs&) = delete;
     OverlayVfs& operator=(const OverlayVfs&) = delete;
 
-    /// The name by which SQLite knows it.
+    /// Its name for SQLite.
     [[nodiscard]] const std::string& name() const;
 
     struct Impl;

@@ -12,15 +12,15 @@
 
 namespace leitstand::detail {
 
-/// A row of a table as its leaf page holds it.
+/// A row of an SQLite table, as it is stored in a leaf page.
 struct PageCell {
     std::uint64_t row = 0;             ///< id of the row
-    std::uint64_t size = 0;            ///< of the record [B]
+    std::uint64_t size = 0;            ///< size of the record [B]
     std::uint32_t page = 0;            ///< page that holds the cell
-    std::size_t offset = 0;            ///< of the record's local part, in the page
-    std::size_t local = 0;             ///< bytes of the record in the page
+    std::size_t offset = 0;            ///< where the local part of the record begins in the page [B]
+    std::size_t local = 0;             ///< size of the local part [B]
     std::uint32_t overflow = 0;        ///< page with the rest of the record; 0: there is none
-    std::span<const std::byte> begin;  ///< the local part; valid during the call
+    std::span<const std::byte> begin;  ///< local part of the record; valid during the call
 };
 
 /// Calls @p take with every cell of the leaf pages of @p file. Cells that reach beyond their page or the file
@@ -30,7 +30,7 @@ void eachCell(const PageFile& file, const std::function<void(const PageCell&)>& 
 /// A column of a record: SQLite's serial type and the place of its content.
 struct PageColumn {
     std::uint64_t type = 0;
-    std::uint64_t offset = 0, size = 0;  ///< in the record [B]
+    std::uint64_t offset = 0, size = 0;  ///< place of the content in the record [B]
     [[nodiscard]] bool isNull() const { return type == 0; }
     [[nodiscard]] bool isInteger() const { return (type >= 1 && type <= 6) || type == 8 || type == 9; }
     [[nodiscard]] bool isBlob() const { return type >= 12 && type % 2 == 0; }

@@ -20,8 +20,8 @@ namespace leitstand::detail {
 /// a row of messages. Opening reads the whole file.
 class SalvagedFile final : public BagFile {
 public:
-    /// Searches @p file. @p why: the reason why SQLite cannot read it, for the problems. Error when nothing
-    /// is found.
+    /// Searches @p file for messages. @p why: why SQLite cannot read the file; it is reported with the
+    /// problems. Error when nothing is found.
     [[nodiscard]] static Result<std::unique_ptr<BagFile>> open(const std::filesystem::path& file,
                                                                const std::string& why);
 
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::vector<std::string> newProblems() override;
 
 private:
-    /// Place of a row of messages.
+    /// Where in the file a message was found.
     struct Found {
         std::uint64_t id = 0;
         std::int64_t topic = 0;

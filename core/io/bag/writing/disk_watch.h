@@ -23,7 +23,8 @@ struct DiskReading {
     std::string where;           ///< the file that is written
 };
 
-/// Computes the rate, the minutes left, and when alarms begin and end. Not thread-safe.
+/// Computes how fast the disk fills, how many minutes are left, and when alarms begin and end. Not
+/// thread-safe.
 class DiskWatch {
 public:
     explicit DiskWatch(double alarmMinutes) : m_alarmMinutes(alarmMinutes) {}
@@ -38,7 +39,8 @@ private:
         std::uint64_t bytes = 0;
     };
     void measure(const DiskReading& reading);
-    /// Adds an alarm to @p changed when it begins (@p text) or ends (@p over).
+    /// Adds an alarm to @p changed if it begins or ends. @p raised: whether its condition is true. @p text:
+    /// used when it begins. @p over: used when it ends.
     void judge(BagAlarm::Kind kind, bool raised, const std::string& text, const std::string& over,
                std::vector<BagAlarm>& changed);
 

@@ -8,14 +8,14 @@
 
 namespace leitstand::detail {
 
-/// What a mission's folder holds before a session begins.
+/// What a mission's folder holds from earlier sessions.
 struct EarlierSessions {
-    BagMetadata metadata;            ///< files, topics and counts so far, as far as readable
-    std::uint64_t lastSequence = 0;  ///< 0: no events
-    std::filesystem::path nextFile;  ///< file of the session that begins
+    BagMetadata metadata;            ///< files, topics and counts of those sessions that could be read
+    std::uint64_t lastSequence = 0;  ///< 0: the sessions have no events
+    std::filesystem::path nextFile;  ///< file for the session that begins
 };
 
-/// Reads @p folder and changes nothing. Sessions that cannot be read are no error. A bag of another program
+/// Reads @p folder without changing it. Sessions that cannot be read are no error. A bag of another program
 /// is an error, since the next session would overwrite its metadata.
 [[nodiscard]] Result<EarlierSessions> earlierSessions(const std::filesystem::path& folder);
 

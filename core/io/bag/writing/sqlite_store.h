@@ -20,7 +20,7 @@ namespace leitstand::detail {
 /// One session as a new rosbag2 file (schema version 4) in a mission's folder.
 class SqliteStore final : public BagStore {
 public:
-    /// Makes the folder if absent, and the next numbered file in it.
+    /// Makes @p folder if it is missing, and the next numbered file in it.
     [[nodiscard]] static Result<std::unique_ptr<BagStore>> create(const std::filesystem::path& folder);
     ~SqliteStore() override = default;
 
@@ -32,7 +32,8 @@ public:
 
 private:
     using TopicKey = std::pair<std::string, std::string>;  // name, type
-    /// Our counts and ids as a transaction changes them; taken over when it is on the disk.
+    /// Counts and ids while a transaction changes them. They become valid when the transaction is on the
+    /// disk.
     struct Books {
         std::map<TopicKey, std::int64_t> ids;
         std::set<std::string> definitions;  // types

@@ -25,17 +25,18 @@ public:
     /// @p layout must have points.
     CloudDecoder(const CloudLayout& layout, Scan& into);
 
-    /// Reads @p points records in chunks, from byte @p offset of @p file on. Error when there are fewer.
+    /// Reads @p points records in chunks, from byte @p offset of @p file on. Error when the file has fewer
+    /// records.
     [[nodiscard]] Result<void> readRecords(InputFile& file, std::uint64_t offset, std::size_t points,
                                            ByteOrder order);
-    /// Takes @p points from @p columns, one array per field in the layout's order (compressed PCD).
+    /// Takes @p points points from @p columns: one array per field, in the order of the layout (compressed
+    /// PCD).
     [[nodiscard]] Result<void> takeColumns(const std::vector<char>& columns, std::size_t points,
                                            const std::string& file);
-    /// Reads one point per line until there are @p points. Error when there are fewer.
+    /// Reads @p points lines with one point each. Error when there are fewer lines.
     [[nodiscard]] Result<void> readLines(LineReader& reader, std::size_t points);
 
-    /// If some labels are not numbers of Label, drops all labels and adds a warning about @p file to
-    /// @p warnings.
+    /// Drops all labels if some are not numbers of Label, and adds a warning about @p file to @p warnings.
     void finish(const std::string& file, std::vector<std::string>& warnings);
 
 private:

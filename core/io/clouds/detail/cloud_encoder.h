@@ -11,7 +11,8 @@ namespace leitstand::detail {
 /// bytes.
 void appendRecord(std::string& bytes, const Scan& scan, std::size_t i, std::size_t labelBytes);
 
-/// Appends point @p i with its intensity and label as a line of text that reads back exactly.
+/// Appends point @p i with its intensity and label as a line of text. Reading the text gives exactly the same
+/// values.
 void appendLine(std::string& text, const Scan& scan, std::size_t i);
 
 }  // namespace leitstand::detail

@@ -23,29 +23,30 @@ enum class Scalar : std::uint8_t {
     Float64
 };
 
-[[nodiscard]] std::size_t sizeOf(Scalar scalar);  ///< [bytes]
+[[nodiscard]] std::size_t sizeOf(Scalar scalar);  ///< size of a number of this kind [B]
 
-/// A field of a point: one number, or several in a row.
+/// A field of a point: one number, or several consecutive numbers.
 struct CloudField {
     std::string name;
     Scalar type = Scalar::Float32;
     std::size_t count = 1;
-    std::size_t offset = 0;  ///< from the first byte of the point [bytes]
-    std::size_t column = 0;  ///< place of its first number in a line of text
+    std::size_t offset = 0;  ///< from the first byte of the point [B]
+    std::size_t column = 0;  ///< column of its first number in a line of text
 };
 
 /// The fields of a point in a PCD or PLY file.
 class CloudLayout {
 public:
-    static constexpr std::size_t MaxRecordSize = 1 << 18;  ///< of a point [bytes]
+    static constexpr std::size_t MaxRecordSize = 1 << 18;  ///< largest size of a point [B]
 
-    /// Appends a field; false when points would grow beyond MaxRecordSize.
+    /// Appends a field. Returns false when a point would exceed MaxRecordSize.
     [[nodiscard]] bool add(std::string name, Scalar type, std::size_t count = 1);
 
-    [[nodiscard]] std::size_t recordSize() const { return m_recordSize; }  ///< of a point [bytes]
-    [[nodiscard]] std::size_t columns() const { return m_columns; }        ///< numbers of a point
-    [[nodiscard]] bool hasPoints() const;                                  ///< whether there are x, y and z
-    /// Returns the field that holds a single number and has one of @p names, in lower case; null: none.
+    [[nodiscard]] std::size_t recordSize() const { return m_recordSize; }  ///< size of a point [B]
+    [[nodiscard]] std::size_t columns() const { return m_columns; }        ///< how many numbers a point has
+    [[nodiscard]] bool hasPoints() const;  ///< whether there are fields x, y and z
+    /// Returns the field that holds a single number and is called by one of @p names (lower case); null when
+    /// there is none.
     [[nodiscard]] const CloudField* find(std::initializer_list<std::string_view> names) const;
     [[nodiscard]] const CloudField* intensity() const;
     [[nodiscard]] const CloudField* label() const;

@@ -16,10 +16,10 @@ struct PcdHeader {
     int width = 0, height = 0;
     std::size_t points = 0;
     PcdEncoding encoding = PcdEncoding::Ascii;
-    std::uint64_t bodyOffset = 0;  ///< [bytes]
+    std::uint64_t bodyOffset = 0;  ///< where the points begin [B]
 };
 
-/// Reads the header from the first line on; leaves the reader at the first point.
+/// Reads the header, beginning at the first line of the file. Afterwards the reader is at the first point.
 [[nodiscard]] Result<PcdHeader> readPcdHeader(LineReader& reader);
 
 }  // namespace leitstand::detail

@@ -10,9 +10,9 @@
 
 namespace leitstand::detail {
 
-/// The header of a PLY file as far as it concerns vertices, checked against the file's size.
+/// The part of a PLY file's header that describes vertices, checked against the file's size.
 struct PlyHeader {
-    CloudLayout layout;  ///< of a vertex
+    CloudLayout layout;  ///< layout of a vertex
     std::size_t points = 0;
     int rows = 0, columns = 0;  ///< 0 x 0 when unorganised
     bool text = false;
@@ -21,7 +21,8 @@ struct PlyHeader {
     std::uint64_t verticesAt = 0;  ///< binary only: first byte of the vertices
 };
 
-/// Reads the header from the first line on; leaves the reader right after the header.
+/// Reads the header, beginning at the first line of the file. Afterwards the reader is right after the
+/// header.
 [[nodiscard]] Result<PlyHeader> readPlyHeader(LineReader& reader);
 
 }  // namespace leitstand::detail

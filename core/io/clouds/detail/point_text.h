@@ -17,12 +17,12 @@ struct PointTextFormat {
     bool gridHeader = false;    ///< "ROWS x COLUMNS" may stand before the first point
     bool columnNames = false;   ///< a comment such as "# x y z intensity label" may name the columns
     bool zeroIsNoEcho = false;  ///< a point exactly at the origin is no echo
-    /// Converts the file's numbers to our axes [m].
+    /// converts coordinates of the file to our axes [m]
     Eigen::Vector3d (*toMetres)(const Eigen::Vector3d& inFile) = [](const Eigen::Vector3d& p) { return p; };
 };
 
-/// Reads points, intensities, labels and grid of @p path, into memory that is reserved once. Skips blank
-/// lines and comments ("#" or "//" first).
+/// Reads points, intensities, labels and grid of @p path. Reserves the memory once. Skips blank lines and
+/// comments (lines that begin with "#" or "//").
 [[nodiscard]] Result<ScanReading> readPointText(const std::filesystem::path& path,
                                                 const PointTextFormat& format);
 

@@ -9,20 +9,20 @@
 
 namespace leitstand::detail {
 
-/// Rows (raw scans) and columns (points in each) of an organised scan.
+/// Size of an organised scan: rows are raw scans, columns are the points of each.
 struct ScanGrid {
     int rows = 0, columns = 0;
 };
 
-/// Finds the grid in which a scanner took @p points: every raw scan covers the same angles in even steps, and
-/// the next one starts over. Empty for incomplete grids and other clouds.
+/// Finds the grid in which a scanner took @p points. In a grid each raw scan covers the same angles in even
+/// steps, and the next raw scan begins again at the first angle. Empty for incomplete grids and other clouds.
 [[nodiscard]] std::optional<ScanGrid> detectGrid(const std::vector<Eigen::Vector3f>& points);
 
-/// Whether the rows are tilted (about y) or turned (about z) against each other.
+/// Returns whether the scanner was tilted (about y) or turned (about z) from row to row.
 [[nodiscard]] Sweep sweepOf(const std::vector<Eigen::Vector3f>& points, ScanGrid grid);
 
-/// Sets the grid of @p scan, unless it has one already, and the meaning of its rows. Leaves clouds without a
-/// grid as they are.
+/// Sets the grid of @p scan and the meaning of its rows, unless the scan has a grid already. Leaves clouds
+/// without a grid as they are.
 void organise(Scan& scan);
 
 }  // namespace leitstand::detail

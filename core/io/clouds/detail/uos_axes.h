@@ -14,13 +14,13 @@ namespace leitstand::detail {
     return Eigen::Vector3d(-p.y(), p.z(), p.x()) * 100.0;
 }
 
-/// Converts rotation @p inUos of 3DTK to our axes as M R M^-1.
+/// Converts the rotation @p inUos of 3DTK to our axes: M R M^-1.
 [[nodiscard]] inline Eigen::Matrix3d rotationFromUos(const Eigen::Matrix3d& inUos) {
     const Eigen::Matrix3d m = (Eigen::Matrix3d() << 0, 0, 1, -1, 0, 0, 0, 1, 0).finished();
     return m * inUos * m.transpose();
 }
 
-/// Converts rotation @p ours to 3DTK's axes as M^-1 R M.
+/// Converts the rotation @p ours to 3DTK's axes: M^-1 R M.
 [[nodiscard]] inline Eigen::Matrix3d rotationToUos(const Eigen::Matrix3d& ours) {
     const Eigen::Matrix3d m = (Eigen::Matrix3d() << 0, 0, 1, -1, 0, 0, 0, 1, 0).finished();
     return m.transpose() * ours * m;

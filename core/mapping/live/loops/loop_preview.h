@@ -12,15 +12,17 @@
 
 namespace leitstand {
 
-/// How a map changes by an answer to a question about a loop.
+/// How an answer to a question about a loop changes the map.
 struct LoopPreview {
-    std::map<std::uint64_t, Pose> moved;  ///< new poses in the map of key scans that visibly move, by id
-    double largest = 0.0;                 ///< the farthest of these moves [m]
-    std::size_t parted = 0;  ///< number of other loop links that contradict the answer, and do not count then
+    /// New poses in the map, by scan id; only key scans that move visibly.
+    std::map<std::uint64_t, Pose> moved;
+    double largest = 0.0;  ///< largest of these moves [m]
+    /// Number of other loop links that contradict the answer, and would be ignored after it.
+    std::size_t parted = 0;
 };
 using LoopPreviewPtr = std::shared_ptr<const LoopPreview>;
 
-/// Returns the preview for @p map. @p solution: that of its LiveMapper::problemWith().
+/// Returns the preview for @p map. @p solution: solution of LiveMapper::problemWith() with the answer.
 [[nodiscard]] LoopPreview previewOf(const LiveMap& map, const MapSolution& solution,
                                     const LoopSettings& settings);
 

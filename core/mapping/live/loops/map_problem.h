@@ -10,20 +10,20 @@
 
 namespace leitstand {
 
-/// The key scans of a map and their links: a copy of all that solving needs, for any thread.
+/// The key scans of a map and their links: a copy of all that is needed to solve it, on any thread.
 struct MapProblem {
-    PoseGraph graph;             ///< of scans that are not set aside
-    std::uint64_t revision = 0;  ///< of the map
+    PoseGraph graph;             ///< graph of the scans that are not set aside
+    std::uint64_t revision = 0;  ///< revision of the map
 };
 
 /// The solution of a MapProblem.
 struct MapSolution {
     std::vector<GraphNode> nodes;             ///< by rising id
-    std::vector<std::uint64_t> contradicted;  ///< ids of loop links that the others contradict
+    std::vector<std::uint64_t> contradicted;  ///< ids of loop links that the other links contradict
     std::uint64_t revision = 0;
 };
 
-/// Solves @p problem. The poses depend on its links alone, bit for bit, and not on where the scans are now.
+/// Solves @p problem. The poses depend only on its links, bit for bit, and not on the scans' present poses.
 [[nodiscard]] MapSolution solve(const MapProblem& problem, const Progress& progress = {});
 
 /// Returns whether the move of a scan from @p before to @p after is large enough to be reported.

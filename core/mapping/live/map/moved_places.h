@@ -9,15 +9,17 @@
 
 namespace leitstand {
 
-/// How places of a map move when its scans do: each moves with the scan that was nearest to it before, since
-/// that one saw it best.
+/// How places of a map move when its scans move. Each place moves with the scan that was nearest to it
+/// before, since that scan saw it best.
 class MovedPlaces {
 public:
-    /// Compares the poses of scans in @p before and @p after. Only scans that count in both move places.
+    /// Compares the poses of scans in @p before and @p after. Scans that are uncertain or set aside in either
+    /// map move no places.
     MovedPlaces(const LiveMap& before, const LiveMap& after);
 
     [[nodiscard]] bool any() const { return m_any; }
-    /// Returns the correction at @p place (map's frame before the move [m]). It is put before poses there.
+    /// Returns the correction at @p place (map's frame before the move [m]): new pose = correction * old
+    /// pose.
     [[nodiscard]] Pose at(const Eigen::Vector3d& place) const;
 
 private:

@@ -20,24 +20,24 @@ namespace leitstand {
 class ScannerTrack {
 public:
     /// Forgets everything: the scanner was replaced or corrected. Key scans up to the id @p lastLeftOut are
-    /// not used any more.
+    /// no longer used.
     void restart(std::uint64_t lastLeftOut);
 
-    /// Returns the direction against gravity by @p live, in the scan's frame, without the lean as far as that
-    /// is known.
+    /// Returns the upward direction that @p live measured, in the scan's frame, corrected by the lean that is
+    /// known so far.
     [[nodiscard]] Eigen::Vector3d upOf(const LiveScan& live) const;
-    /// Adds @p live, which fits as in @p match, to the estimate of the lean. @p before: pose in the map of
-    /// the robot's scan before, from which it came @p way [m]; null: it did not come from there.
+    /// Adds @p live, which was matched as in @p match, to the estimate of the lean. @p before: pose in the
+    /// map of the robot's previous scan, from which it drove @p way [m]. Null: it did not drive from there.
     void addLean(const LiveScan& live, const Match& match, const Pose* before, double way);
-    /// Notes that @p live entered the map as in @p match.
+    /// Notes that @p live entered the map at the pose of @p match.
     void enteredMap(const LiveScan& live, const Match& match);
 
-    /// Adds @p live, registered to @p scanInMap, to the estimate of the mount. @p fits: surfaces and odometry
-    /// both show the motion from the robot's newest scan, at @p before in the map.
+    /// Adds @p live, registered to @p scanInMap, to the estimate of the mount. @p before: pose of the robot's
+    /// previous scan in the map. @p fits: whether surfaces and odometry both show the motion from there.
     void addMount(const LiveScan& live, const Pose& scanInMap, const Pose& before, bool fits);
 
-    /// Compares the ranges of @p entered, whose points for matching are @p cloud, with an earlier scan of @p
-    /// map.
+    /// Compares the ranges of @p entered with those of an earlier scan of @p map. @p cloud: points of
+    /// @p entered for matching.
     void compare(const LiveKeyScan& entered, const PointCloud& cloud, const LiveMap& map);
 
     [[nodiscard]] ScannerCalibration calibration() const;
@@ -46,12 +46,15 @@ private:
     RangeBias m_rangeBias;
     ScannerLean m_lean;
     ScannerMount m_mount;
-    Pose m_mountAt = Pose::Identity();  ///< the last scan of the mount's estimate, as it was then in the map
-    Pose m_leanAt = Pose::Identity();   ///< the last scan of the lean's estimate, as it was then in the map
-    std::uint64_t m_since = 0;          ///< id of a scan; only later ones are of the scanner as it is now
-    std::size_t m_comparisons = 0;      ///< of key scans since, for RangeBias, whether they counted or not
-    std::uint64_t m_compared = 0;       ///< id of the scan that key scans were compared with last ...
-    int m_comparedAgain = 0;            ///< ... and how often in a row
+    /// Pose in the map of the last scan used for the mount, when it was added.
+    Pose m_mountAt = Pose::Identity();
+    /// Pose in the map of the last scan used for the lean, when it was added.
+    Pose m_leanAt = Pose::Identity();
+    std::uint64_t m_since = 0;  ///< id of a scan; only later scans show the present scanner
+    /// How many key scans since then were compared for RangeBias, successfully or not.
+    std::size_t m_comparisons = 0;
+    std::uint64_t m_compared = 0;  ///< id of the earlier scan that was last used for comparison ...
+    int m_comparedAgain = 0;       ///< ... and how many times in a row
 };
 
 }  // namespace leitstand

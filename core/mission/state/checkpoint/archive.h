@@ -27,9 +27,9 @@ void append(std::vector<std::byte>& to, const void* bytes, std::size_t size);
 /// Moves the first @p size bytes of @p from to @p into; false when there are fewer.
 [[nodiscard]] bool extract(std::span<const std::byte>& from, void* into, std::size_t size);
 
-/// Turns values into bytes, or bytes into values. For both, a type lists its fields once, in a free function
-/// `describe(archive, value)`: `archive(value.a, value.b)`. Reading trusts nothing: after the first bytes
-/// that make no sense, ok() is false and values stay as they are.
+/// Writes values as bytes, or reads values from bytes. A type lists its fields once for both directions, in a
+/// free function `describe(archive, value)`: `archive(value.a, value.b)`. Reading is safe for any input: at
+/// the first bytes that make no sense, ok() becomes false and further values keep their old content.
 template <bool Writing>
 class Archive {
 public:
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] std::span<const std::byte> rest() const { return m_rest; }
     [[nodiscard]] std::vector<std::byte> take() { return std::move(m_bytes); }
     void fail() { m_ok = false; }
-    /// The version of the bytes. Bytes of an older version lack newer fields; see since() in
+    /// The format version of the bytes. Bytes of an older version lack newer fields; see since() in
     /// checkpoint_fields.h.
     [[nodiscard]] std::uint32_t version() const { return m_version; }
     void setVersion(std::uint32_t version) { m_version = version; }
@@ -65,7 +65,7 @@ private:
         }
     }
 
-    /// Reads or writes the number of elements of a container; each takes at least one byte.
+    /// Reads or writes the number of elements of a container; each element takes at least one byte.
     std::size_t count(std::size_t size) {
         auto number = static_cast<std::uint32_t>(size);
         raw(&number, sizeof number);
@@ -84,7 +84,7 @@ private:
         if constexpr (!Writing) value = byte == 1;
     }
 
-    /// Refuses numbers above the last value of the enumeration, which lastOf() returns.
+    /// Reads or writes an enumeration. Refuses numbers above its last value, which lastOf() returns.
     template <class T>
     requires std::is_enum_v<T>
     void one(T& value) {

@@ -13,19 +13,19 @@ namespace leitstand {
 
 struct CheckpointSample;
 
-/// CheckpointSample::version of the bytes that this program writes.
+/// CheckpointSample::version of what this program writes.
 inline constexpr std::uint32_t CheckpointVersion = 8;
-/// Oldest version that this program reads. Fields that were added since then come after the older ones.
+/// Oldest version that this program reads. Fields that were added later follow the older ones.
 inline constexpr std::uint32_t OldestCheckpointVersion = 6;
 
 /// Returns @p state as bytes; equal states make equal bytes.
 [[nodiscard]] std::vector<std::byte> serialised(const MissionState& state);
-/// Returns the state that @p bytes hold. Any input is safe: bytes that make no sense give an error.
+/// Reads a state from @p bytes. Any input is safe: bytes that make no sense give an error.
 [[nodiscard]] Result<MissionState> deserialised(std::span<const std::byte> bytes);
 
 /// Returns a checkpoint of @p state for the log.
 [[nodiscard]] CheckpointSample checkpointOf(const MissionState& state, Time stamp);
-/// Returns the state of @p checkpoint. Error when it has another version or is broken.
+/// Returns the state in @p checkpoint. Error when its version is not supported or it is damaged.
 [[nodiscard]] Result<MissionState> stateOf(const CheckpointSample& checkpoint);
 
 }  // namespace leitstand

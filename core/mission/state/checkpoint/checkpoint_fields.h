@@ -15,7 +15,7 @@
 
 namespace leitstand {
 
-/// Reads or writes @p fields, which only checkpoints of version @p Version and later hold.
+/// Reads or writes @p fields, which exist only in checkpoints of version @p Version and later.
 template <std::uint32_t Version, class A, class... T>
 void since(A& a, T&... fields) {
     static_assert(Version <= CheckpointVersion, "a new field raises CheckpointVersion (checkpoint.h)");

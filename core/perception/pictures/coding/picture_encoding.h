@@ -23,12 +23,12 @@ struct PictureEncoding {
         Float,
     };
     std::string_view name;         ///< "bgr8"
-    Layout layout = Layout::Grey;  ///< order of the channels
-    std::size_t pixelSize = 1;     ///< bytes a pixel
-    std::size_t valueSize = 1;     ///< bytes of one value, which the byte order applies to
+    Layout layout = Layout::Grey;  ///< order of the colour channels
+    std::size_t pixelSize = 1;     ///< bytes per pixel
+    std::size_t valueSize = 1;     ///< bytes of one value; the byte order applies to these
 };
 
-/// Returns the encoding with @p name; null when Leitstand cannot show it.
+/// Returns the encoding called @p name; null when Leitstand cannot show it.
 [[nodiscard]] const PictureEncoding* findPictureEncoding(std::string_view name);
 
 }  // namespace leitstand

@@ -10,15 +10,15 @@ namespace leitstand {
 
 enum class PictureFileKind : std::uint8_t { Unknown, Jpeg, Png };
 
-/// Returns the kind of the file that begins with @p bytes.
+/// Returns the kind of a picture file, which begins with @p bytes.
 [[nodiscard]] PictureFileKind pictureFileKind(std::span<const std::byte> bytes);
 
-/// Size in the header of a picture file [px].
+/// Size of a picture, from the header of its file [px].
 struct PictureFileSize {
     std::int64_t width = 0, height = 0;
 };
 
-/// Reads the size from the header of a JPEG or PNG file. Error when it is neither or has no size.
+/// Reads the size from the header of a JPEG or PNG file. Error when it is neither, or its header has no size.
 [[nodiscard]] Result<PictureFileSize> pictureFileSize(std::span<const std::byte> bytes);
 
 }  // namespace leitstand

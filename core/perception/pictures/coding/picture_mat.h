@@ -7,8 +7,8 @@
 
 namespace leitstand {
 
-/// Returns the pixels of @p picture without a copy; @p picture must outlive the result. Empty for Grey16 and
-/// Float32, and where the number of bytes does not fit the size. Colours are red, green, blue.
+/// Returns the pixels of @p picture without copying them; @p picture must outlive the result. Colours are
+/// red, green, blue. Empty for Grey16 and Float32, and when the number of bytes does not fit the size.
 [[nodiscard]] inline cv::Mat matOf(const Picture& picture) {
     const bool colours = picture.pixel == Picture::Pixel::Rgb8;
     if (!colours && picture.pixel != Picture::Pixel::Grey8) return {};
@@ -21,7 +21,7 @@ namespace leitstand {
     return {picture.height, picture.width, colours ? CV_8UC3 : CV_8UC1, data};
 }
 
-/// Returns @p picture in grey; a grey picture is not copied. Empty as for matOf().
+/// Returns @p picture in grey. A grey picture is not copied. Empty in the same cases as matOf().
 [[nodiscard]] inline cv::Mat greyOf(const Picture& picture) {
     const cv::Mat mat = matOf(picture);
     if (mat.empty() || mat.channels() == 1) return mat;

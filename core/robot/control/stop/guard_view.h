@@ -5,16 +5,16 @@
 
 namespace leitstand {
 
-/// State of a robot's guard: the process that sends it zeros when its station hangs or dies.
+/// State of a robot's guard: the process that sends zeros to the robot when its station hangs or dies.
 struct GuardView {
     enum class State : std::uint8_t {
         None,      ///< the robot needs no guard, or is not driven
-        Starting,  ///< the robot does not hear it yet, and must not be driven until then
+        Starting,  ///< the robot does not hear it yet; do not drive the robot
         Ready,     ///< the robot hears the guard's commands
-        Failed,    ///< it does not work: the robot must not be driven
+        Failed,    ///< it does not work; do not drive the robot
     };
     State state = State::None;
-    std::string problem = {};  ///< for Failed, in words
+    std::string problem = {};  ///< what is wrong (Failed), English text
     friend bool operator==(const GuardView&, const GuardView&) = default;
 };
 

@@ -5,18 +5,19 @@
 
 namespace leitstand {
 
-/// State of one robot's stop as its operator sees it.
+/// State of one robot's stop, as its operator sees it.
 struct StopStatus {
-    bool supported = true;  ///< the robot obeys stop commands; false: it is held by drive commands of zero
-    bool sent = false;      ///< a stop of this station is in force
+    bool supported = true;  ///< whether the robot obeys stop commands; if not, drive commands of zero hold it
+    bool sent = false;      ///< whether a stop of this station is in force ...
     bool acknowledged = false;   ///< ... and the robot has acknowledged it
-    bool stopped = false;        ///< by any station, as the robot reports
+    bool stopped = false;        ///< whether any station stopped it, as the robot reports
     bool standing = false;       ///< the robot does not move
     bool standingKnown = false;  ///< whether standing is known
-    bool releasing = false;      ///< a release is on its way
-    std::string stoppedBy;  ///< sender of the command that the robot answered last; empty: its own button
-    std::string refused;    ///< why the last release had no effect; until the next command
-    std::chrono::nanoseconds unanswered{};  ///< how long the robot has not answered; 0 when it has
+    bool releasing = false;      ///< whether a release was sent and is not answered yet
+    /// Sender of the command that the robot answered last; empty: its own stop button.
+    std::string stoppedBy;
+    std::string refused;  ///< why the last release had no effect; kept until the next command
+    std::chrono::nanoseconds unanswered{};  ///< how long the robot has not answered; 0 after an answer
     friend bool operator==(const StopStatus&, const StopStatus&) = default;
 };
 

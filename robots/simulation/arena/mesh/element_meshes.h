@@ -14,9 +14,9 @@ struct ElementPlace {
     int index = 0;  ///< index of the element in the arena
 };
 
-/// Returns the look of an element's main part: its material's colour and texture, its temperature.
+/// Returns the look of an element's main part: colour and texture of its material, its temperature.
 [[nodiscard]] Look lookOf(const ElementPlace& place, MeshBuilder& builder);
-/// Returns the look of an element's part of another @p material, at the arena's temperature.
+/// Returns the look of another part of an element, which has @p material and the arena's temperature.
 [[nodiscard]] Look lookOf(const ElementPlace& place, Material material, MeshBuilder& builder);
 
 // Each adds its shapes in the builder's frame, which is the element's, and with the builder's look.
@@ -36,9 +36,9 @@ void addFoil(MeshBuilder& builder, const Element& element);
 void addRubble(MeshBuilder& builder, const ElementPlace& place);
 void addSign(MeshBuilder& builder, const ElementPlace& place);
 
-/// Adds a manikin and what hides it; a waving arm becomes one of @p moving.
+/// Adds a manikin and what hides it. A waving arm is added to @p moving.
 void addVictim(MeshBuilder& builder, const ElementPlace& place, std::vector<MovingPart>& moving);
-/// Adds a person, who becomes one of @p moving.
+/// Adds a person to @p moving.
 void addSpectator(const ElementPlace& place, std::vector<MovingPart>& moving);
 
 }  // namespace leitstand::simulation

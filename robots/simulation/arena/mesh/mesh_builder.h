@@ -13,12 +13,12 @@ namespace leitstand::simulation {
 /// Look of the shapes that are built next.
 struct Look {
     Surface surface;
-    bool structural = false;    ///< labelled by its slope: floor, wall, ceiling
-    double textureSize = 0.0;   ///< edge of what the texture shows [m]; 0: the texture fills each face
-    double textureShift = 0.0;  ///< where a face's part of the texture begins, 0 to 1
+    bool structural = false;    ///< whether labels depend on the slope: floor, wall, ceiling
+    double textureSize = 0.0;   ///< length that the texture covers [m]; 0: the texture fills each face
+    double textureShift = 0.0;  ///< where on the texture a face begins, 0 to 1
 };
 
-/// Builds closed shapes, each face counter-clockwise from outside.
+/// Builds closed shapes. All faces are counter-clockwise seen from outside.
 class MeshBuilder {
 public:
     explicit MeshBuilder(Mesh& mesh) : m_mesh(&mesh) {}
@@ -38,9 +38,10 @@ public:
     }
     /// Adds a box from corner @p from to corner @p to [m].
     void box(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
-    /// Adds the same box, placed in the frame by @p boxInFrame.
+    /// Adds a box from corner @p from to corner @p to [m], in a frame at @p boxInFrame.
     void box(const Pose& boxInFrame, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
-    /// Extrudes the convex polygon @p profile (x and z, counter-clockwise seen from -y) along y [m].
+    /// Extrudes the convex polygon @p profile along y, from @p fromY to @p toY [m]. Its points are x and z,
+    /// counter-clockwise seen from -y.
     void prism(std::span<const Eigen::Vector2d> profile, double fromY, double toY);
     void ellipsoid(const Eigen::Vector3d& centre, const Eigen::Vector3d& radii, int sectors = 14);
     /// Adds a limb: two balls and the cone between them [m].
@@ -48,20 +49,21 @@ public:
               int sectors = 10);
     /// Adds a cylinder with flat ends [m].
     void cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, int sectors = 14);
-    /// Adds a curved sheet through point(u, v), u and v from 0 to 1. The texture fills the sheet.
+    /// Adds a curved sheet through point(u, v), with u and v from 0 to 1. The texture fills the sheet.
     void sheet(int columns, int rows, const std::function<Eigen::Vector3d(double u, double v)>& point);
 
 private:
     std::uint32_t corner(const Eigen::Vector3d& inFrame, const Eigen::Vector2f& uv);
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-    /// Joins rings of corners; the first and the last ring are points.
+    /// Connects rings of corners to a surface. The first and the last ring are single points.
     void lathe(int rings, int sectors, const std::function<Eigen::Vector3d(int ring, double angle)>& point);
     std::uint16_t surfaceFor(const Eigen::Vector3f& normal);
 
     Mesh* m_mesh;
     Pose m_frame = Pose::Identity();
     Look m_look;
-    std::array<int, LabelCount> m_surfaces = {-1, -1, -1, -1};  ///< of the look, by label; -1: not made yet
+    /// Surface of the present look for each label; -1: not made yet.
+    std::array<int, LabelCount> m_surfaces = {-1, -1, -1, -1};
     std::map<std::string, int> m_textures;
 };
 

@@ -9,15 +9,15 @@ namespace leitstand::simulation {
 
 /// The modules of a QR code, without the quiet zone around it.
 struct QrCode {
-    int edge = 0;             ///< modules on each side
-    std::vector<char> black;  ///< row-major, edge * edge
+    int edge = 0;             ///< number of modules on each side
+    std::vector<char> black;  ///< row by row, edge * edge values
 
     [[nodiscard]] bool at(int row, int column) const {
         return black[static_cast<std::size_t>(row * edge + column)] != 0;
     }
 };
 
-inline constexpr std::size_t LongestQrText = 62;  ///< [B]
+inline constexpr std::size_t LongestQrText = 62;  ///< longest text [B]
 
 /// Encodes @p text as a QR code by libqrencode (ISO/IEC 18004: model 2, versions 1 to 4, byte mode, error
 /// correction M). An empty text is encoded as one space. Error when the text is longer than LongestQrText.

@@ -6,7 +6,7 @@ namespace leitstand::simulation {
 
 // Procedural textures of materials; each is always the same.
 [[nodiscard]] const Texture& plywoodTexture();    ///< grain along u, knots, joints of the veneer
-[[nodiscard]] const Texture& concreteTexture();   ///< blotches, pores, fine cracks
+[[nodiscard]] const Texture& concreteTexture();   ///< spots, pores and fine cracks
 [[nodiscard]] const Texture& plasterTexture();    ///< smudges and scratches
 [[nodiscard]] const Texture& newspaperTexture();  ///< headlines, columns and a photograph
 [[nodiscard]] const Texture& clothTexture();      ///< stripes; for curtains

@@ -11,10 +11,10 @@
 
 namespace leitstand::simulation {
 
-/// Returns the pose in base_link of a sensor that can be turned, at a time of the recent past.
+/// Returns the pose in base_link of a sensor that can be turned, at a recent time.
 using MountAt = std::function<Pose(Time)>;
 
-/// Light of a world, computed when the first camera needs it.
+/// Light of a world, which is computed when a camera first needs it.
 class SharedLight {
 public:
     [[nodiscard]] const LightField& of(const Scene& scene) {
@@ -30,12 +30,13 @@ private:
 struct CameraSettings {
     CameraModel model;
     ExposureSettings exposure;
-    double rate = 10.0, mostRate = 15.0;  ///< default, and the highest that can be requested [Hz]
-    int quality = 70;                     ///< of JPEG
-    bool seesRobot = false;               ///< whether its own robot is in the picture
+    double rate = 10.0, mostRate = 15.0;  ///< default rate, and the highest that can be requested [Hz]
+    int quality = 70;                     ///< quality of JPEG
+    bool seesRobot = false;               ///< whether the robot itself is in the picture
     std::string sensor, frame;
-    MountAt cameraInBase;                                       ///< optical frame
-    std::function<bool(std::string_view sensor)> mayDraw = {};  ///< asked before each picture; empty: always
+    MountAt cameraInBase;  ///< pose of the optical frame
+    /// Called before each picture; empty: pictures are always drawn.
+    std::function<bool(std::string_view sensor)> mayDraw = {};
 };
 
 /// A camera that sends JPEG pictures and its calibration.

@@ -10,22 +10,22 @@
 
 namespace leitstand::simulation {
 
-/// Brightness everywhere in an arena: light of the hall, as far as walls and ceilings let it in, and of the
-/// lamps, with their shadows. A grid holds it for six directions per cell (ambient cubes after McTaggart,
-/// Half-Life 2, 2004). The grid is computed once, from the scene as it is then, so that a pixel costs no more
-/// rays.
+/// Brightness everywhere in an arena: light of the hall, as far as walls and ceilings let it in, and light of
+/// the lamps, with their shadows. A grid stores it for six directions per cell (ambient cubes after
+/// McTaggart, Half-Life 2, 2004). The grid is computed once from the scene, so that pixels need no more rays.
 class LightField {
 public:
     explicit LightField(const Scene& scene);
 
-    /// Returns the direction to the part of the hall's light that casts shadows; unit length.
+    /// Returns the direction towards the part of the hall's light that casts shadows; unit length.
     [[nodiscard]] static const Eigen::Vector3f& towardsHall();
-    /// Returns how much of the light from towardsHall() falls on a surface that nothing shades.
+    /// Returns how much of the light from towardsHall() reaches a surface that is not in shadow. @p normal:
+    /// normal of the surface.
     [[nodiscard]] float direct(const Eigen::Vector3f& normal) const;
-    /// Returns all other light that falls on a surface at @p point. Together with direct() this is about 1 on
+    /// Returns all other light that reaches a surface at @p point. Together with direct() this is about 1 for
     /// a white wall in a bright hall.
     [[nodiscard]] float at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const;
-    /// Returns what is seen along a ray that leaves the arena: red, green, blue.
+    /// Returns the colour seen along a ray that leaves the arena: red, green, blue.
     [[nodiscard]] Eigen::Vector3f outside(const Eigen::Vector3f& direction) const;
 
 private:

@@ -14,8 +14,8 @@ namespace leitstand::simulation {
 struct PlaneLaserSettings {
     LaserSettings laser;
     int points = 667;
-    double first = degrees(-119.88);  ///< angle of the first shot, about z [rad]
-    double step = degrees(0.36);      ///< [rad]
+    double first = degrees(-119.88);  ///< angle of the first shot about z [rad]
+    double step = degrees(0.36);      ///< angle between shots [rad]
     double rate = 10.0;               ///< turns of the mirror [Hz]
     std::string sensor, frame;
     Pose laserInBase = Pose::Identity();
@@ -24,8 +24,8 @@ struct PlaneLaserSettings {
 /// Hokuyo URG: 240 degrees, 4 m, 10 Hz, 0.36 degrees, deviation 5 mm + 1 %.
 [[nodiscard]] PlaneLaserSettings hokuyoUrg();
 
-/// Slamtec RPLIDAR A1M8: all around, 0.15 to 12 m, 8,000 shots a second, 7.5 turns a second; deviation 1 % of
-/// the range (data sheet, rev. 2.3).
+/// Slamtec RPLIDAR A1M8: all directions, 0.15 to 12 m, 8,000 shots and 7.5 turns per second. The standard
+/// deviation is 1 % of the range (data sheet, rev. 2.3).
 [[nodiscard]] PlaneLaserSettings rplidarA1();
 
 /// A laser that scans its own xy plane.
@@ -42,7 +42,7 @@ private:
 
     PlaneLaserSettings m_settings;
     LaserHead m_head;
-    Schedule m_schedule, m_sent;  ///< turns of the mirror, and those that are sent
+    Schedule m_schedule, m_sent;  ///< turns of the mirror, and turns that are sent
     bool m_enabled = true;
     std::vector<Ray> m_rays;
 };

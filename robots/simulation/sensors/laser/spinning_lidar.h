@@ -16,18 +16,19 @@ namespace leitstand::simulation {
 struct SpinningLidarSettings {
     LaserSettings laser;
     int rings = 16, columns = 900;
-    double lowest = degrees(-15.0), ringStep = degrees(2.0);  ///< elevation of the rings [rad]
-    double rate = 10.0;                                       ///< revolutions [Hz]
+    /// Elevation of the lowest ring, and angle between rings [rad].
+    double lowest = degrees(-15.0), ringStep = degrees(2.0);
+    double rate = 10.0;  ///< revolutions [Hz]
     std::string sensor, frame;
     Pose lidarInBase = Pose::Identity();
 };
 
 /// Velodyne VLP-16: 16 rings over 30 degrees at 10 Hz, 0.5 to 100 m, standard deviation 1 cm (user manual
-/// 63-9243). Thinned: every other shot, 0.4 degrees apart.
+/// 63-9243). Thinned to every other shot: 0.4 degrees apart.
 [[nodiscard]] SpinningLidarSettings vlp16();
 
 /// A lidar that sends a cloud for each revolution, as velodyne_pointcloud does: unorganised, without points
-/// that have no echo. The stamp is that of the last shot; times of points are relative to it.
+/// that have no echo. The stamp is that of the last shot; the times of points are relative to it.
 class SpinningLidar final : public Sensor {
 public:
     SpinningLidar(const SpinningLidarSettings& settings, const Noise& noise, Time start);
@@ -37,14 +38,14 @@ public:
 
 private:
     [[nodiscard]] std::chrono::nanoseconds shotAfter(int column) const;
-    [[nodiscard]] std::size_t indexOf(int ring, int column) const;  ///< in m_rays
+    [[nodiscard]] std::size_t indexOf(int ring, int column) const;  ///< index in m_rays
     [[nodiscard]] CloudSample revolution(const World& world, int robot, Time start);
 
     SpinningLidarSettings m_settings;
     LaserHead m_head;
     Schedule m_schedule;
     bool m_enabled = true;
-    std::vector<Ray> m_rays;  ///< ring by ring, so that neighbours see the same
+    std::vector<Ray> m_rays;  ///< ring by ring, so that neighbouring rays see similar surfaces
 };
 
 }  // namespace leitstand::simulation

@@ -13,19 +13,22 @@ namespace leitstand::simulation {
 /// Settings and mounting of the tilting scanner of 2004 (paper, figure 3, left).
 struct TiltingScannerSettings {
     LaserSettings laser;
-    int rows = 241;                ///< raw scans, half a degree from one to the next
-    int columns = 181;             ///< points in each, one degree apart, from left to right
+    int rows = 241;                ///< number of raw scans, half a degree apart
+    int columns = 181;             ///< number of points in each, one degree apart, from left to right
     double highest = degrees(60);  ///< elevation of the first row [rad]
-    double across = degrees(180), down = degrees(120);                     ///< [rad]
-    std::chrono::nanoseconds rawScan = std::chrono::microseconds(13'333);  ///< a turn of the mirror
-    std::chrono::nanoseconds settle = std::chrono::milliseconds(300);  ///< standstill before a sweep begins
-    std::chrono::nanoseconds back = std::chrono::milliseconds(800);    ///< until the next sweep can begin
+    /// Angles of a sweep to the sides and downwards [rad].
+    double across = degrees(180), down = degrees(120);
+    /// Time for one turn of the mirror.
+    std::chrono::nanoseconds rawScan = std::chrono::microseconds(13'333);
+    /// Time for which the robot must stand before a sweep begins.
+    std::chrono::nanoseconds settle = std::chrono::milliseconds(300);
+    std::chrono::nanoseconds back = std::chrono::milliseconds(800);  ///< time until the next sweep can begin
     std::string sensor, frame;
     Pose mountInBase = Pose::Identity();
 };
 
-/// A plane laser that a servo tilts: stop, scan, go. It sweeps again and again while the robot stands, and
-/// sends each sweep when it is complete. A sweep in which the robot moves is discarded.
+/// A plane laser that is tilted by a servo: stop, scan, go. It sweeps again and again while the robot stands,
+/// and sends each sweep when it is complete. If the robot moves during a sweep, it is discarded.
 class TiltingScanner final : public Sensor {
 public:
     TiltingScanner(const TiltingScannerSettings& settings, const Noise& noise, Time start);
@@ -42,9 +45,9 @@ private:
 
     TiltingScannerSettings m_settings;
     LaserHead m_head;
-    Time m_standingSince, m_start;  ///< m_start: start of the next or running sweep
+    Time m_standingSince, m_start;  ///< m_start: when the next or present sweep begins
     bool m_enabled = true;
-    CloudSample m_sweep;  ///< rows so far
+    CloudSample m_sweep;  ///< rows measured so far
     std::vector<Ray> m_rays;
 };
 

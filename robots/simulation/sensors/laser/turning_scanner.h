@@ -14,11 +14,11 @@ namespace leitstand::simulation {
 struct TurningScannerSettings {
     TurningPattern pattern;
     LaserSettings laser;
-    std::string sensor;  ///< key of its points in the description
-    std::string frame;   ///< of the mount, which does not turn
+    std::string sensor;  ///< key of the sensor of its points, in the robot's description
+    std::string frame;   ///< frame of the mount, which does not turn
     Pose mountInBase = Pose::Identity();
-    std::string rangesSensor;  ///< key of its raw scans as RangesSample
-    std::string fanFrame;      ///< turning frame of raw scans; empty: they are not sent
+    std::string rangesSensor;  ///< key of the sensor of its raw scans as RangesSample
+    std::string fanFrame;      ///< turning frame of its raw scans; empty: they are not sent
 };
 
 /// RTS/ScanDrive of Kurt3D: raw scans of 161 points from -70 to 90 degrees in steps of 1 degree. A turn takes
@@ -28,9 +28,9 @@ struct TurningScannerSettings {
 /// 6 degrees per raw scan.
 [[nodiscard]] TurningScannerSettings turningUrg();
 
-/// A plane laser that turns about the vertical axis without end. It sends slices of its turn in the frame of
-/// its mount; each shot is measured from where the robot is at that moment. The raw scan that begins a turn
-/// also closes the turn before: one measurement, sent in both.
+/// A plane laser that turns continuously about the vertical axis. It sends slices of its turn in the frame of
+/// its mount; each shot is measured from the robot's pose at that moment. The raw scan that begins a turn
+/// also completes the previous turn: it is measured once and sent in both.
 class TurningScanner final : public Sensor {
 public:
     TurningScanner(const TurningScannerSettings& settings, const Noise& noise, Time start);
@@ -51,11 +51,12 @@ private:
     TurningScannerSettings m_settings;
     LaserHead m_head;
     Time m_start;
-    std::int64_t m_rawScan = 0;  ///< next one
+    std::int64_t m_rawScan = 0;  ///< number of the next one
     bool m_enabled = true, m_rangesEnabled = true;
-    int m_every = 1;      ///< sends one of so many raw scans, and so many slices as one
-    CloudSample m_slice;  ///< slice being filled, with all raw scans
-    CloudSample m_sent;   ///< slice being filled, with those raw scans that are sent when thinned
+    int m_every = 1;      ///< sends one of this many raw scans, and joins this many slices to one
+    CloudSample m_slice;  ///< slice that is being filled, with all raw scans
+    /// Slice that is being filled, only with raw scans that are sent in a thinned stream.
+    CloudSample m_sent;
     std::vector<Ray> m_rays;
 };
 

@@ -9,12 +9,12 @@
 namespace leitstand::simulation {
 
 struct BatterySettings {
-    double rate = 1.0;                 ///< default and highest [Hz]
+    double rate = 1.0;                 ///< default and highest rate [Hz]
     double full = 26.0, empty = 21.5;  ///< voltage without load [V]
     double capacity = 9.0;             ///< [Ah]
     double resistance = 0.12;          ///< [ohm]
     double electronics = 3.0;          ///< current of computers and sensors [A]
-    double charge = 0.95;              ///< at the beginning, as a share of the capacity
+    double charge = 0.95;              ///< charge at the beginning, as a share of the capacity
     std::string frame;
 };
 
@@ -22,7 +22,7 @@ struct BatterySettings {
 [[nodiscard]] BatterySettings kurt3dBattery();
 [[nodiscard]] BatterySettings crawlerBattery();
 
-/// A battery that motors and electronics drain; it reports current, voltage and charge.
+/// A battery that is drained by motors and electronics. It reports current, voltage and charge.
 class Battery final : public Sensor {
 public:
     Battery(const BatterySettings& settings, const Noise& noise, Time start);

@@ -9,7 +9,7 @@
 
 namespace leitstand::simulation {
 
-/// Bumpers around a robot: front, left, rear, right. Published at the beginning and on every change.
+/// Bumpers around a robot: front, left, rear, right. They are published at the beginning and at every change.
 class Bumpers final : public Sensor {
 public:
     explicit Bumpers(std::string frame);
@@ -25,7 +25,7 @@ private:
     };
     std::string m_frame;
     bool m_enabled = true, m_reported = false;
-    std::size_t m_seen = 0;  ///< number of the world's bumps seen so far
+    std::size_t m_seen = 0;  ///< number of the world's bumps that were read so far
     std::array<Side, 4> m_sides;
 };
 

@@ -20,7 +20,7 @@ private:
     std::string m_hardware;
     Schedule m_schedule;
     bool m_enabled = true;
-    Time m_notStalled;  ///< when the motors last did not stall
+    Time m_notStalled;  ///< when the motors were last not stalled
 };
 
 }  // namespace leitstand::simulation

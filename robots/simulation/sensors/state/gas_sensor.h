@@ -9,15 +9,15 @@
 
 namespace leitstand::simulation {
 
-/// Settings of the air and of its sensor.
+/// Settings for the CO2 in the air and for its sensor.
 struct GasSettings {
-    double rate = 1.0;            ///< default and highest [Hz]
+    double rate = 1.0;            ///< default and highest rate [Hz]
     double base = 400.0;          ///< CO2 in the air [ppm]
-    double plumeRadius = 0.4;     ///< distance at which a breath is thinned to half [m]
-    double plumeReach = 4.0;      ///< a breath reaches no farther [m]
-    double aroundCorners = 0.15;  ///< share that arrives when the mouth is not in sight
+    double plumeRadius = 0.4;     ///< distance at which the concentration of a breath is halved [m]
+    double plumeReach = 4.0;      ///< a breath is not measured farther away than this [m]
+    double aroundCorners = 0.15;  ///< share that arrives if there is no line of sight to the mouth
     double lag = 10.0;            ///< time constant of the sensor [s]
-    double noise = 8.0;           ///< [ppm]
+    double noise = 8.0;           ///< noise, standard deviation [ppm]
     double noiseOfValue = 0.01;   ///< additional noise, as a share of the value
     std::string sensor, frame;
     Pose sensorInBase = Pose::Identity();
@@ -27,8 +27,7 @@ struct GasSettings {
 class GasLag {
 public:
     explicit GasLag(double timeConstant, double value) : m_timeConstant(timeConstant), m_value(value) {}
-    /// Returns the value after @p seconds in which the air around the sensor had @p ppm [ppm]. The next step
-    /// starts from there.
+    /// Returns the measured value after @p seconds in air with @p ppm. The next step continues from there.
     double step(double ppm, double seconds);
     [[nodiscard]] double value() const { return m_value; }
 
@@ -36,10 +35,10 @@ private:
     double m_timeConstant, m_value;
 };
 
-/// Returns the share of a breath's concentration at @p distance from the mouth [m].
+/// Returns the share of a breath's concentration that remains at @p distance from the mouth [m].
 [[nodiscard]] double plumeShare(const GasSettings& settings, double distance, bool inSight);
 
-/// Measures CO2 around a robot: the breath of victims on top of the CO2 in the air.
+/// Measures CO2 around a robot: the CO2 in the air plus the breath of victims.
 class GasSensor final : public Sensor {
 public:
     GasSensor(const GasSettings& settings, const Noise& noise, Time start);

@@ -12,11 +12,11 @@
 
 namespace leitstand::simulation {
 
-/// A pan-tilt unit on a robot, with its frames: NAME_pan stands in base_link, NAME_tilt in NAME_pan.
+/// A pan-tilt unit on a robot, with its frames: NAME_pan is in base_link, NAME_tilt is in NAME_pan.
 struct MountedPanTilt {
     std::string name;  ///< "left"
     std::string panFrame, tiltFrame;
-    Pose unitInBase = Pose::Identity();  ///< where its axes meet, unturned
+    Pose unitInBase = Pose::Identity();  ///< where its axes meet when it is not turned
     PanTilt unit;
 };
 using PanTiltUnits = std::map<std::string, std::shared_ptr<MountedPanTilt>>;

@@ -14,18 +14,18 @@ namespace leitstand::simulation {
 /// Something solid that reaches into a robot's outline.
 struct Obstacle {
     Push push;
-    Eigen::Vector2d normalInArena = Eigen::Vector2d::Zero();  ///< out of the obstacle
-    int element = -1;                                         ///< of the arena; -1: none
-    int body = -1;                                            ///< a robot; -1: none
-    bool victim = false;                                      ///< skin or clothes of a victim, not its box
+    Eigen::Vector2d normalInArena = Eigen::Vector2d::Zero();  ///< direction out of the obstacle
+    int element = -1;                                         ///< element of the arena; -1: none
+    int body = -1;                                            ///< number of the robot; -1: none
+    bool victim = false;  ///< whether it is skin or clothes of a victim; the box around a victim is not
 };
 
 /// Returns whether @p surface is a victim's skin or clothes. Boards on a victim and the box around it are
 /// not.
 [[nodiscard]] bool isOfVictim(const Arena& arena, const Surface& surface);
 
-/// Rays that find what a robot runs against: from its middle to its outline at some heights, and upwards
-/// along the outline.
+/// Rays that find what a robot runs into: from its middle to its outline at some heights, and upwards along
+/// the outline.
 class Feelers {
 public:
     /// How far the rays look beyond the outline [m].
@@ -33,18 +33,19 @@ public:
 
     explicit Feelers(const BodySpec& spec);
 
-    /// Returns the obstacles inside the outline now, deepest first, at most 8. @p self: body that rays pass
-    /// through.
+    /// Returns the obstacles that are now inside the outline, the deepest first, at most 8. @p self: body
+    /// that rays pass through.
     [[nodiscard]] const std::vector<Obstacle>& feel(const Scene& scene, int self, const Pose& pose);
     /// Returns the distance from the outline to the nearest thing outside it, at most Beyond [m].
     [[nodiscard]] double clearance() const { return m_clearance; }
 
 private:
     struct Feeler {
-        Eigen::Vector3d from, to;  ///< base_link [m]
+        Eigen::Vector3d from, to;  ///< in base_link [m]
         Eigen::Vector2d inward;
-        std::size_t sample = 0;    ///< on the outline
-        bool victimsOnly = false;  ///< where the robot climbs over all else
+        std::size_t sample = 0;  ///< index of its sample on the outline
+        /// Whether only victims count, because the robot climbs over everything else.
+        bool victimsOnly = false;
     };
 
     void cast(const Scene& scene, int self, const Pose& pose, const std::vector<Feeler>& feelers,
@@ -55,7 +56,7 @@ private:
     void keepDeepest();
 
     std::vector<Feeler> m_around, m_upwards;
-    std::vector<bool> m_inside;  ///< samples of the outline that something solid covers
+    std::vector<bool> m_inside;  ///< for each sample of the outline: whether something solid covers it
     std::vector<Ray> m_rays;
     std::vector<Hit> m_hits;
     std::vector<Obstacle> m_found;

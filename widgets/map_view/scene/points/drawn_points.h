@@ -22,7 +22,7 @@ using DrawnPointsPtr = std::shared_ptr<const DrawnPoints>;
 /// Iterates over the drawn points of a scan, in their random order.
 class ShownPoints {
 public:
-    /// @p scan must be made ready (isShown()) and outlive this object.
+    /// @p scan must be prepared (isShown()) and outlive this object.
     explicit ShownPoints(const SceneScan& scan) : m_scan(&scan) {}
 
     /// Skips the next @p count points.
@@ -35,13 +35,13 @@ private:
     void next(std::size_t count, Take take);
 
     const SceneScan* m_scan;
-    std::size_t m_at = 0;  ///< position in ScanPoints::order
+    std::size_t m_at = 0;  ///< index in ScanPoints::order
 };
 
-/// Whether @p scan is visible, made ready, and has points to draw.
+/// Whether @p scan is visible, prepared, and has points to draw.
 [[nodiscard]] bool isShown(const SceneScan& scan);
 
-/// Returns all drawn points of @p scan, in its frame. The scan must be made ready.
+/// Returns all drawn points of @p scan, in its frame. The scan must be prepared.
 [[nodiscard]] DrawnPointsPtr drawnPoints(const SceneScan& scan);
 
 }  // namespace leitstand

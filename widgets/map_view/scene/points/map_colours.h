@@ -26,37 +26,38 @@ struct Rgba {
 
 /// Background and overlay colours of a map in one theme.
 struct MapColours {
-    Rgba background, text, muted, panel;  ///< panel: behind the legend and the measurement's text
+    Rgba background, text, muted, panel;  ///< panel: background of the legend and of the measurement's text
     Rgba grid;                            ///< includes its transparency
     Rgba ground;                          ///< floor points in the top view: the paper's light grey
     Rgba trail, scanPosition, markerEdge, measurement;
-    Rgba uncertain;                    ///< robots with an uncertain position
-    Rgba uncertainScan;                ///< points and outline of an uncertain scan; no label has that hue
-    Rgba scanInQuestion;               ///< the same for the scan to be decided on, while all else is dimmed()
+    Rgba uncertain;      ///< robots with an uncertain position
+    Rgba uncertainScan;  ///< points and outline of an uncertain scan; no label has this hue
+    /// The same for a scan that the operator is asked about, while everything else is dimmed().
+    Rgba scanInQuestion;
     Rgba link, openLink, refusedLink;  ///< lines between scans that see the same place
-    Rgba newThing, goneThing;          ///< changes since the missions before, while all else is dimmed()
+    Rgba newThing, goneThing;  ///< changes since the earlier missions, while everything else is dimmed()
 };
 [[nodiscard]] const MapColours& mapColours(Theme theme);
 
 /// Returns the paper's blue, yellow or red; grey for points without a label.
 [[nodiscard]] Rgba labelColour(Label label);
 
-/// Returns the colour for the scan with index @p scan. It is from Okabe and Ito's cycle, which colour-blind
-/// people can distinguish.
+/// Returns the colour for the scan with index @p scan. It comes from the colours of Okabe and Ito, which
+/// colour-blind people can distinguish.
 [[nodiscard]] Rgba scanColour(std::size_t scan);
 
-/// Returns the colour of the robot at @p place in the team, from 0, as in its pane and its mark; grey when
-/// negative.
+/// Returns the colour of the robot at @p place in the team (from 0), which is also that of its pane and mark.
+/// Grey when negative.
 [[nodiscard]] Rgba robotColour(int place, Theme theme);
 
-/// Returns the colour of the colour map viridis at @p t, clamped to 0..1. Its darkest end, invisible on a
-/// dark screen, is left out.
+/// Returns the colour of the colour map viridis at @p t, clamped to 0..1. Its darkest end is left out, since
+/// it is invisible on a dark screen.
 [[nodiscard]] Rgba viridis(double t);
 
-/// Returns @p colour mixed with @p other. @p share: of @p other, 0 to 1.
+/// Returns @p colour mixed with @p other. @p share: share of @p other, 0 to 1.
 [[nodiscard]] Rgba mixed(Rgba colour, Rgba other, double share);
 
-/// Returns @p colour dimmed, as used for everything except the scan in question or the changes.
+/// Returns @p colour dimmed, as it is used for everything except the scan in question, or the changes.
 [[nodiscard]] Rgba dimmed(Rgba colour, Theme theme);
 
 /// Returns @p colour times @p factor, clamped.

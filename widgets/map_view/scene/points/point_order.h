@@ -6,8 +6,8 @@
 
 namespace leitstand {
 
-/// The drawing order of points, as indices into their list. Stored in two bytes each when all are below
-/// 65536, as for most scans, else in four. Immutable.
+/// The drawing order of points, as indices into their list. Each index takes two bytes if all are below
+/// 65536, as for most scans, otherwise four. Immutable.
 class PointOrder {
 public:
     PointOrder() = default;
@@ -18,10 +18,10 @@ public:
     [[nodiscard]] std::size_t operator[](std::size_t i) const {
         return m_wide.empty() ? m_narrow[i] : m_wide[i];
     }
-    /// The indices as stored; one of the two is empty.
+    /// The indices as stored. One of narrow() and the other vector is empty.
     [[nodiscard]] const std::vector<std::uint16_t>& narrow() const { return m_narrow; }
     [[nodiscard]] const std::vector<std::uint32_t>& wide() const { return m_wide; }
-    /// Returns its memory use [bytes].
+    /// Returns how much memory it uses [B].
     [[nodiscard]] std::size_t memory() const;
 
 private:

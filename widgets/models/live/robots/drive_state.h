@@ -20,7 +20,7 @@ namespace leitstand {
 
 struct RobotState;
 
-/// A number as a gauge shows it.
+/// A number as it is shown in a gauge.
 struct Figure {
     QString value;  ///< "0.42"; an en dash when it is unknown
     QString unit;   ///< "m/s"
@@ -30,35 +30,35 @@ struct Figure {
 };
 
 struct AttitudeFigures {
-    bool known = false;                    ///< measured recently
-    double roll = 0.0, pitch = 0.0;        ///< positive: right side down, nose down [rad]
-    double maxRoll = 0.0, maxPitch = 0.0;  ///< where the robot tips over; 0: unknown [rad]
+    bool known = false;                    ///< whether it was measured recently
+    double roll = 0.0, pitch = 0.0;        ///< positive: right side or nose down [rad]
+    double maxRoll = 0.0, maxPitch = 0.0;  ///< angles at which the robot tips over; 0: unknown [rad]
     QString text;                          ///< "roll 6° · pitch −3°"; "no attitude" when unknown
     QString limits;                        ///< "tips at 25°"
-    Tone tone = Tone::Normal;              ///< Attention from 70 % of a limit, Act from 90 %
+    Tone tone = Tone::Normal;              ///< Attention from 70 % of a limit on, Act from 90 % on
 };
 
 struct BatteryFigures {
-    Figure charge;  ///< its tone is that of the charge or of the time left, whichever is worse
+    Figure charge;  ///< its tone is that of the charge or of the remaining time, whichever is worse
     double fraction = std::numeric_limits<double>::quiet_NaN();  ///< 0 to 1
     QString left;                                                ///< "38 min at this load"; may be empty
-    QString leftBrief;                                           ///< "38 min", where there is little room
-    Tone leftTone = Tone::Muted;                                 ///< of the time left alone
+    QString leftBrief;                                           ///< "38 min", for narrow places
+    Tone leftTone = Tone::Muted;                                 ///< tone for the remaining time only
 };
 
 struct GasFigures {
     double alarm = 2000.0;  ///< AlarmLimits::gas [ppm]
-    bool fitted = false;    ///< the robot measures CO2
+    bool fitted = false;    ///< whether the robot measures CO2
     Figure value;
     QString arrow;                                   ///< "↑" rises, "↓" falls; empty: steady or unknown
     QString caption;                                 ///< "last 2 min · alarm at 2,000"
-    std::vector<std::pair<double, double>> samples;  ///< as from GasTrend::samples()
+    std::vector<std::pair<double, double>> samples;  ///< result of GasTrend::samples()
 };
 
-/// Speeds of the chains of a tracked robot, as measured and as commanded.
+/// Speeds of the chains of a tracked robot, measured and commanded.
 struct TrackFigures {
-    QString text;   ///< "chains 0.21 of 0.25 · 0.20 of 0.25 m/s", left first; empty: none or unknown
-    QString brief;  ///< "0.21 of 0.25 · 0.20 of 0.25 m/s", where there is little room
+    QString text;   ///< "chains 0.21 of 0.25 · 0.20 of 0.25 m/s", left first; empty: no chains, or unknown
+    QString brief;  ///< "0.21 of 0.25 · 0.20 of 0.25 m/s", for narrow places
     QString note;   ///< "the left chain does not follow"; may be empty
     Tone tone = Tone::Muted;
 };
@@ -67,7 +67,7 @@ struct GrantFigures {
     enum class Choice {
         None,
         Ask,
-        Asked,   ///< waits for the answer
+        Asked,   ///< the station waits for the answer
         GiveUp,  ///< this station has the grant
         Answer,  ///< another station asks this one for the grant
     };
@@ -76,7 +76,7 @@ struct GrantFigures {
     Tone tone = Tone::Muted;
 };
 
-/// All that the drive strip shows of the selected robot.
+/// Everything that the drive strip shows about the selected robot.
 struct DriveState {
     RobotFace face;
     ModeLabel mode;
@@ -86,15 +86,16 @@ struct DriveState {
     TrackFigures tracks;
     AttitudeFigures attitude;
     BatteryFigures battery;
-    QStringList link;  ///< figures of the link, the most important first; without any: its state
+    /// Figures about the link, the most important first; if there are none, the state of the link.
+    QStringList link;
     QString linkReason;
     Tone linkTone = Tone::Normal;
     GasFigures gas;
     GrantFigures grant;
 };
 
-/// Returns what the strip shows. @p now: station's clock. @p limits: values at which figures get a tone of
-/// alarm.
+/// Returns what the strip shows. @p now: station's clock. @p limits: values from which figures have the tone
+/// of an alarm.
 [[nodiscard]] DriveState driveStateOf(const RobotFace& face, const RobotDescription& description,
                                       const RobotView& robot, const RobotState& reported, const GasTrend& gas,
                                       Time now, const AlarmLimits& limits = {});

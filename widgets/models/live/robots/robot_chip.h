@@ -11,17 +11,17 @@ namespace leitstand {
 
 struct RobotState;
 
-/// A robot in the bar on top.
+/// A robot in the bar at the top.
 struct RobotChip {
     RobotFace face;
     LinkState link = LinkState::NeverSeen;  ///< shown as a circle, square, cross or ring
     ModeKind mode = ModeKind::Stopped;
-    Tone tone = Tone::Muted;  ///< Attention when the link is lost; the mark shows lesser faults
-    /// Texts about link and battery, the longest first. Each next one leaves out more: first a loss of 0 %,
-    /// then any loss, then the round trip or the fault of the link. With a lost link there are two: the time
-    /// of silence with the battery, and the time alone. Empty: the robot was never heard.
+    Tone tone = Tone::Muted;  ///< Attention if the link is lost; lesser faults are only shown by the mark
+    /// Texts about link and battery, the longest first. Each following text leaves out more: first a loss of
+    /// 0 %, then any loss, then the round trip or the fault of the link. With a lost link there are two: the
+    /// time of silence with the battery, and the time alone. Empty: the robot was never heard.
     QStringList figures;
-    QStringList modes;  ///< what the robot does, the longest text first: "teleoperation", "teleop"
+    QStringList modes;  ///< texts about what the robot does, the longest first: "teleoperation", "teleop"
     QString details;    ///< the full text, for tooltips and screen readers
 
     friend bool operator==(const RobotChip&, const RobotChip&) = default;

@@ -8,17 +8,17 @@
 
 namespace leitstand {
 
-/// The names of a robot on screen.
+/// How a robot is named on the screen.
 struct RobotFace {
-    QString name;    ///< "kurt3d": identifies the robot, in intents too
+    QString name;    ///< "kurt3d": identifies the robot, also in requests
     QString letter;  ///< "K"
     QString title;   ///< "Kurt3D"
-    int place = 0;   ///< in the team, from 0: chooses its colour
+    int place = 0;   ///< place in the team, from 0; determines its colour
 
     friend bool operator==(const RobotFace&, const RobotFace&) = default;
 };
 
-/// Returns the face of @p robot. @p place: of the robot in its team, from 0.
+/// Returns the face of @p robot. @p place: place of the robot in its team, from 0.
 [[nodiscard]] inline RobotFace faceOf(const RobotDescription& robot, int place) {
     return {QString::fromStdString(robot.name), othersText(robot.letter), othersText(robot.title), place};
 }

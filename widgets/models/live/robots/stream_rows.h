@@ -15,7 +15,7 @@ struct StreamSetting {
 };
 
 /// Appends a row to @p rows for each stream that @p robot sends, in the order of the robot's file.
-/// @p mapsWith: the topic whose clouds make the map, if the robot has several. @p settings: returns the
+/// @p mapsWith: topic of the clouds that make the map, if the robot has several. @p settings: returns the
 /// requests for a topic.
 void appendStreamRows(std::vector<StreamRow>& rows, const RobotFace& face, const RobotDescription& robot,
                       const LinkStatus& link, const std::string& mapsWith,

@@ -12,13 +12,13 @@
 namespace leitstand {
 
 /// Returns the text of an alarm, with its numbers: "link lost, silent for 4 s". It does not name the robot.
-/// When a log does not hold the numbers, the text is in English, as logged.
+/// If a log does not have the numbers, the text is in English, as logged.
 [[nodiscard]] QString alarmText(const AlarmCause& cause);
 
 /// The stage of an alarm.
 enum class AlarmStage { Standing, Acknowledged, Over };
 
-/// One alarm as it is shown.
+/// An alarm as it is shown.
 struct AlarmLine {
     AlarmId id;
     RobotFace face;  ///< empty for an alarm of the station
@@ -32,13 +32,13 @@ struct AlarmLine {
     friend bool operator==(const AlarmLine&, const AlarmLine&) = default;
 };
 
-/// @p faces: of the robots. @p now: station's clock.
+/// @p faces: faces of the robots. @p now: station's clock.
 [[nodiscard]] std::vector<AlarmLine> alarmLinesOf(const std::vector<Alarm>& alarms,
                                                   const std::vector<RobotFace>& faces, Time now);
 
 /// "muted for 48 s"; empty when tones are not muted.
 [[nodiscard]] QString muteText(Time mutedUntil, Time now);
-/// The same for little room: "48 s".
+/// As muteText(), for narrow places: "48 s".
 [[nodiscard]] QString muteBrief(Time mutedUntil, Time now);
 
 }  // namespace leitstand

@@ -8,23 +8,23 @@
 
 namespace leitstand {
 
-/// How current the data of a pane are.
+/// How current the data in a pane are.
 enum class Freshness {
     Live,
-    Stale,  ///< greyed: too old to act on
+    Stale,  ///< shown in grey: too old to act on
     Lost,   ///< too old to be shown like live data
-    Never,  ///< nothing arrived yet
+    Never,  ///< nothing was received yet
 };
 
-/// Ages from which data are stale and lost [s].
+/// Ages from which data are stale or lost [s].
 struct FreshnessLimits {
     double stale = 1.0, lost = 3.0;
 };
 
 /// The age of what a pane shows.
 struct DataAge {
-    double arrival = std::numeric_limits<double>::infinity();  ///< since it arrived [s]; infinite: never
-    /// Since the content last changed [s]. It grows while a frozen sender repeats one sample under new
+    double arrival = std::numeric_limits<double>::infinity();  ///< since it was received [s]; infinite: never
+    /// Since the content last changed [s]. It increases while a sender that hangs repeats one sample with new
     /// stamps.
     double content = 0.0;
 
@@ -35,9 +35,10 @@ struct DataAge {
 
 /// Returns an age for the corner of a pane: "64 ms", "1.4 s".
 [[nodiscard]] QString secondsText(double seconds);
-/// Returns "64 ms"; "same for 2.4 s" when the content repeats itself; "no data yet" when none ever arrived.
+/// Returns "64 ms"; "same for 2.4 s" when the content does not change; "no data yet" when none was ever
+/// received.
 [[nodiscard]] QString ageText(const DataAge& age, const FreshnessLimits& limits = {});
-/// Returns the text across a pane: "no data for 4 s", "the same picture for 4 s", "no data yet"; empty while
+/// Returns the text across a pane: "no data for 4 s", "the same picture for 4 s", "no data yet". Empty while
 /// the data are not lost.
 [[nodiscard]] QString lossText(const DataAge& age, const FreshnessLimits& limits = {});
 [[nodiscard]] Tone toneOf(Freshness freshness);

@@ -14,36 +14,36 @@ namespace leitstand {
 enum class ModeKind {
     Teleoperation,
     Autonomous,
-    Stopped,  ///< stands, nobody drives it
-    Stop,     ///< a stop stands
-    Lost,     ///< the robot is not heard: what it does is unknown
+    Stopped,  ///< the robot stands and nobody drives it
+    Stop,     ///< a stop is in force
+    Lost,     ///< the robot is not heard, so what it does is unknown
 };
 
-/// The mode of a robot, as the largest text of the window shows it.
+/// The mode of a robot, for the largest text of the window.
 struct ModeLabel {
     ModeKind kind = ModeKind::Stopped;
     QString text;        ///< "TELEOPERATION"
-    QString reason;      ///< why, as the robot reports: "body heat in sight"; may be empty
-    QString brief = {};  ///< the text where there is little room: "SAFE TELEOP"
+    QString reason;      ///< why, as the robot reports; "body heat in sight"; may be empty
+    QString brief = {};  ///< the text for narrow places: "SAFE TELEOP"
 
     friend bool operator==(const ModeLabel&, const ModeLabel&) = default;
 };
 
-/// Returns the label for what @p robot does: that its link is lost, else that it is stopped, else the mode
-/// that it reported.
+/// Returns the label for what @p robot does. If its link is lost, the label says so; otherwise whether it is
+/// stopped, or else its reported mode.
 [[nodiscard]] ModeLabel modeLabelOf(const RobotView& robot, const LatestPtr<ModeSample>& reported);
 
-/// Whether @p robot drives itself, as far as is known: its last report says so, and no stop stands. That
-/// holds with a lost link, too: such a robot drives on.
+/// Whether @p robot drives itself, as far as is known: its last report says so, and no stop is in force. This
+/// includes robots whose link is lost, since they continue to drive.
 [[nodiscard]] bool drivesItself(const RobotView& robot, const LatestPtr<ModeSample>& reported);
 
-/// Returns @p reported, a robot's text about itself, in the window's language. Texts that robot_format.h does
-/// not list stay as they are.
+/// Returns @p reported, a robot's text about itself, in the window's language. Texts that are not in
+/// robot_format.h are not changed.
 [[nodiscard]] QString robotReasonText(const std::string& reported);
 
-/// Returns the name of a mode of robots, "victim_approach", for people: "victim approach".
+/// Returns the name of a robot's mode for people: "victim approach" for "victim_approach".
 [[nodiscard]] QString modeName(const std::string& mode);
-/// Returns a shorter name for little room: "approach".
+/// Returns a shorter name for narrow places: "approach".
 [[nodiscard]] QString modeBrief(const std::string& mode);
 
 }  // namespace leitstand

@@ -8,11 +8,11 @@
 
 namespace leitstand {
 
-/// Measures the age of a stream of pictures: since the last arrival, and since the content last changed. The
-/// second reveals a hanging driver that stamps one picture again and again.
+/// Measures how old a stream of pictures is: since the last picture was received, and since the content last
+/// changed. The second reveals a driver that hangs and sends one picture again and again with new stamps.
 class PictureAge {
 public:
-    /// A picture with @p content (contentHash()) arrived.
+    /// Call when a picture with @p content (contentHash()) is received.
     void arrived(std::uint64_t content, SteadyTime now);
     [[nodiscard]] DataAge at(SteadyTime now) const;
 

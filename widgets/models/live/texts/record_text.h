@@ -9,27 +9,27 @@ namespace leitstand {
 
 /// The state of the mission's log.
 struct RecordState {
-    QString folder = {};          ///< of the mission
+    QString folder = {};          ///< folder of the mission
     double megabytes = 0.0;       ///< written in this session
-    double minutesLeft = 0.0;     ///< until the disk is full; infinite: nothing is written
-    unsigned long long lost = 0;  ///< events that will never be written; pictures do not count
-    QString problem = {};         ///< why nothing can be written; empty: all is well
+    double minutesLeft = 0.0;     ///< time until the disk is full; infinite: nothing is written
+    unsigned long long lost = 0;  ///< number of events that will never be written, without pictures
+    QString problem = {};         ///< why nothing can be written; empty: there is no problem
 };
 
 /// The log in words.
 struct RecordText {
     QString value;    ///< "rec", "not recording"
-    QString details;  ///< folder, size, how long the disk lasts
+    QString details;  ///< folder, size, and how long the disk will last
     Tone tone = Tone::Muted;
 
     friend bool operator==(const RecordText&, const RecordText&) = default;
 };
 
-/// Returns the log in words. The tone is Muted while all is written, Attention when the disk lasts less than
-/// 10 min, and Act when something was lost or nothing is written.
+/// Returns the log in words. The tone is Muted while everything is written. It is Attention if the disk will
+/// be full within 10 min, and Act if something was lost or nothing is written.
 [[nodiscard]] RecordText recordText(const RecordState& state);
 
-/// Returns every possible RecordText::value, with figures at their widest.
+/// Returns every possible RecordText::value, with the widest figures.
 [[nodiscard]] QStringList recordValues();
 
 }  // namespace leitstand

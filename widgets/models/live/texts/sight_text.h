@@ -7,14 +7,14 @@
 
 namespace leitstand {
 
-/// What the driver must know about the picture and the speed limit that follows from it.
+/// What the driver must know about the picture, and the speed limit that results from it.
 struct SightLine {
-    QString text;  ///< "creep speed: the picture is 0.6 s old"; empty while the driver sees well
+    QString text;  ///< "creep speed: the picture is 0.6 s old"; empty if there is no restriction
     Tone tone = Tone::Muted;
 };
 [[nodiscard]] SightLine sightLineOf(const DriveView& drive);
-/// Returns the speed limit in short, to be shown beside the age of the driver's picture: "full speed", "creep
-/// speed", "held". Empty when the sticks are not on this robot.
+/// Returns the speed limit as a short text beside the age of the driver's picture: "full speed", "creep
+/// speed", "held". Empty when the sticks do not drive this robot.
 [[nodiscard]] QString sightNote(const DriveView& drive);
 
 }  // namespace leitstand

@@ -23,8 +23,8 @@ class MapView;
 class RobotsOnMap;
 struct MissionState;
 
-/// Lets the operator decide on scans ("key-scans"), and on which area and heights belong in the map. All
-/// decisions are in the mission's log.
+/// Lets the operator decide about scans ("key-scans"), and about which area and heights belong to the map.
+/// All decisions are in the mission's log.
 class DecisionsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -40,19 +40,19 @@ private:
     void addArea();
     QAction& add(const QString& id, const QString& text, const QString& hint, const QKeySequence& keys = {},
                  bool checkable = false);
-    void answer(const Result<void>& done);  ///< shows what went wrong
+    void answer(const Result<void>& done);  ///< shows an error
     void toNextUncertain();
     void retry();
     void dragForRetry(bool on);
     void dragForLoop(bool on);
-    /// Lets the operator draw where the robot was at the chosen scan. Calls @p drawn with the id of the scan
-    /// and its pose in the map.
+    /// Lets the operator draw where the robot was at the selected scan. Calls @p drawn with the id of the
+    /// scan and its pose in the map.
     void dragChosen(const QString& command, const QString& text,
                     const std::function<void(std::uint64_t, const Pose&)>& drawn);
     void rewind();
     void drawArea(bool on);
     void follow(const MissionState& mission);
-    /// Updates the command @p id. An empty @p hint disables it: there is nothing to undo or redo.
+    /// Updates the command @p id. If @p hint is empty, it is disabled: there is nothing to undo or redo.
     void showUndo(const QString& id, const QString& hint, const QString& text);
     void show();
     void showArea();
@@ -63,9 +63,9 @@ private:
     RobotsOnMap& m_robots;
     KeyScanModel m_scans;
     DecisionsPanel* m_panel;
-    std::map<QString, QAction*> m_onChosen;  ///< commands on the chosen scan
+    std::map<QString, QAction*> m_onChosen;  ///< commands for the selected scan
     MapCrop m_area;                          ///< area that is shown
-    std::uint64_t m_newest = 0;              ///< sequence of the newest decision of the mission that is shown
+    std::uint64_t m_newest = 0;              ///< sequence of the newest decision in the mission that is shown
 };
 
 }  // namespace leitstand

@@ -20,8 +20,8 @@ class MapView;
 struct LiveMoment;
 struct MissionState;
 
-/// Asks the operator about places where the map may meet itself: whether both are the same place. Passes
-/// answers on, and takes closed loops back.
+/// Asks the operator about possible loops of the map: whether two places are the same. Passes the answers on,
+/// and undoes closed loops.
 class LoopsFeature final : public QObject {
     Q_OBJECT
 public:
@@ -31,12 +31,12 @@ private:
     void addCommands();
     void answer(bool same);
     void follow(const LiveMoment& moment);
-    /// Captions the parts of the map whose place relative to its first part is unknown.
+    /// Adds captions to the parts of the map whose pose relative to its first part is unknown.
     void nameParts();
-    /// Returns whether the parts of the map that @p loop would join are still apart.
+    /// Returns whether the parts of the map that @p loop would join are not joined yet.
     [[nodiscard]] bool areApart(const OpenLoop& loop) const;
     void ask(const std::optional<OpenLoop>& loop);
-    /// Shows what closing the loop in question would move, as soon as that is computed.
+    /// Shows what would move if the loop in question were closed, as soon as that is computed.
     void showPreview(const MissionState& mission);
     [[nodiscard]] QString question(const MissionState& mission) const;
 
@@ -46,9 +46,9 @@ private:
     MapQuestion* m_question = nullptr;
     LoopNotice* m_notice = nullptr;
     std::optional<OpenLoop> m_asked;
-    LoopPreviewPtr m_preview;   ///< preview of m_asked that is shown; null: none yet
-    LiveMapPtr m_named;         ///< the map whose parts are named
-    std::uint64_t m_shown = 0;  ///< sequence of the newest decision of the mission that is shown
+    LoopPreviewPtr m_preview;   ///< preview for m_asked that is shown; null: none yet
+    LiveMapPtr m_named;         ///< map whose parts have captions
+    std::uint64_t m_shown = 0;  ///< sequence of the newest decision in the mission that is shown
 };
 
 }  // namespace leitstand

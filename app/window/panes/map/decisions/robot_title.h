@@ -9,8 +9,8 @@
 
 namespace leitstand {
 
-/// Returns the title of the robot named @p name in @p robots. Returns @p name when that robot is unknown or
-/// has no title.
+/// Returns the title of the robot @p name in @p robots. Returns @p name if the robot is unknown or has no
+/// title.
 [[nodiscard]] inline QString titleOfRobot(const std::vector<RobotDescription>& robots,
                                           const std::string& name) {
     for (const RobotDescription& one : robots) {

@@ -15,7 +15,7 @@ class MapQuestion;
 class MapView;
 struct LiveMoment;
 
-/// Asks the operator whether to correct a 3D scanner that the map finds in error.
+/// Asks the operator whether to correct a 3D scanner in which the map shows an error.
 class ScannerFeature final : public QObject {
     Q_OBJECT
 public:

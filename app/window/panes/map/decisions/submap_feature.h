@@ -24,12 +24,12 @@ class MapQuestion;
 class MapView;
 struct GroundDrag;
 
-/// Lets the operator move a part of the map by hand: drag and turn it, snap it, leave it where it belongs.
+/// Lets the operator move a part of the map by hand: drag and turn it, snap it, leave it at its new place.
 /// Shows how well the part fits the rest of the map.
 class SubmapFeature final : public QObject {
     Q_OBJECT
 public:
-    /// @p chosen: returns the id of the key scan that the operator has chosen; 0: none.
+    /// @p chosen: returns the id of the key scan that the operator has selected; 0: none.
     SubmapFeature(const MapContext& context, MapView& view, MapGestures& gestures,
                   std::function<std::uint64_t()> chosen, QObject* parent);
 
@@ -37,13 +37,13 @@ private:
     void addCommands();
     void begin();
     void end();
-    void next();  ///< chooses another part: more of the map, or less
-    /// Begins to move the part that m_scan and m_kind choose, from m_moved on.
+    void next();  ///< selects another part: more of the map, or less
+    /// Begins to move the part given by m_scan and m_kind, starting at m_moved.
     void take();
     void drag(const GroundDrag& drag);
     void moveTo(const Pose& moved);
     void snap();
-    void leave();  ///< leaves the part where it is now: the map follows
+    void leave();  ///< leaves the part at its present place, so that the map follows
     void left(const Result<std::size_t>& links);
     void follow();
     void show();
@@ -60,13 +60,13 @@ private:
     SubmapFits m_fits;
     bool m_moving = false;
     bool m_snapping = false, m_leaving = false;
-    std::uint64_t m_asked = 0;  ///< number of leave() calls: answers to earlier ones are ignored
+    std::uint64_t m_asked = 0;  ///< number of calls of leave(), to ignore answers to earlier ones
     SubmapKind m_kind = SubmapKind::FromHere;
-    std::uint64_t m_scan = 0;           ///< key scan by which the part is chosen
+    std::uint64_t m_scan = 0;           ///< key scan that determines the part
     LiveMapPtr m_map;                   ///< map in which the part is moved
     std::set<std::uint64_t> m_submap;   ///< key scans of the part, in m_map
     Pose m_moved = Pose::Identity();    ///< motion of the part: new pose of a scan = m_moved * old pose
-    Pose m_grabbed = Pose::Identity();  ///< m_moved when the mouse went down
+    Pose m_grabbed = Pose::Identity();  ///< m_moved when the mouse button was pressed
 };
 
 }  // namespace leitstand

@@ -12,16 +12,16 @@ class QVBoxLayout;
 
 namespace leitstand {
 
-/// A button for each storey of the map, the highest on top, and one for all of them. Hidden when the map has
-/// one storey only.
+/// A button for each storey of the map, the highest at the top, and one for all storeys. Hidden if the map
+/// has only one storey.
 class StoreyRow final : public QFrame {
     Q_OBJECT
 public:
     explicit StoreyRow(QWidget* parent);
 
     void setStoreys(const std::vector<Storey>& storeys);
-    /// Checks the button of storey @p number or, with @p all, that of all storeys. Neither: the heights shown
-    /// are no storey's.
+    /// Checks the button of the storey @p number, or if @p all is true, that of all storeys. If neither is
+    /// given, the heights that are shown belong to no storey.
     void setChosen(std::optional<int> number, bool all);
 
 signals:

@@ -13,8 +13,8 @@
 
 namespace leitstand {
 
-/// The links of a map that grows, and what follows from them: which scans have certain relative poses, how
-/// far the map may err, and where no loop may close.
+/// The links of a growing map, and what follows from them: which scans have certain relative poses, how far
+/// the map may err, and where no loop may close.
 class MapGraph {
 public:
     MapGraph(const LoopSettings& settings, const MatchSettings& match)
@@ -22,36 +22,36 @@ public:
 
     /// Adds the links of a scan that entered the map, and returns them.
     std::vector<Link> add(const Entry& entry);
-    /// Deactivates the match and odometry links of a scan that was registered again, and adds its new ones.
+    /// Deactivates the match and odometry links of a scan that was registered again, and adds its new links.
     /// Returns all links that changed.
     std::vector<Link> replace(const Entry& entry);
     /// Adds a link that closes a loop, with the next id, and returns it.
     Link add(Link link) { return m_graph.add(std::move(link)); }
-    /// Adds links of the log, or of another station.
+    /// Adds links from the log or from another station.
     void restore(std::span<const Link> links);
-    /// Sets links of loops to their present state. Around one that is not active, no loop closes by itself
-    /// again (wasRefused()). Returns whether links that poses follow changed.
+    /// Sets loop links to their present state. Around a link that is not active, no loop closes automatically
+    /// again (wasRefused()). Returns whether links changed that poses follow.
     bool follow(std::span<const Link> loops);
-    /// Deactivates the loop links of ids @p links, which other links contradict, and returns them. No loop
-    /// closes around them by itself again (wasRefused()).
+    /// Deactivates the loop links with the ids @p links, which other links contradict, and returns them. No
+    /// loop closes around them automatically again (wasRefused()).
     std::vector<Link> contradict(std::span<const std::uint64_t> links);
-    /// Sets the ids of the links that poses do not follow, although they are active: unheldLoops().
+    /// Sets the ids of active links that poses do not follow all the same: unheldLoops().
     void setUnheld(std::set<std::uint64_t> links) { m_graph.setUnheld(std::move(links)); }
     void forget(std::uint64_t scan) { m_graph.forget(scan); }
-    void beginBlock();  ///< gives later links ids of a new block: this station takes the map over
+    void beginBlock();  ///< lets later link ids begin in a new block, because this station now makes the map
 
-    /// Returns the scans whose poses relative to @p id are nearly certain, each with its distance over the
-    /// graph [m].
+    /// Returns the scans whose poses relative to @p id are nearly certain, with their distance over the graph
+    /// [m].
     [[nodiscard]] std::map<std::uint64_t, double> sameAge(std::uint64_t id) const;
-    /// Returns the scans near @p id over the graph (LoopSettings::about), each with that distance [m].
-    /// Another scan is matched with all of them together.
+    /// Returns the scans near @p id over the graph (LoopSettings::about), with this distance [m]. A scan is
+    /// matched with all of them together.
     [[nodiscard]] std::map<std::uint64_t, double> about(std::uint64_t id) const;
-    /// Returns how far the map is expected to err between the two scans [m]; infinite: no links connect them.
+    /// Returns the expected error of the relative pose of two scans [m]; infinite: no links connect them.
     [[nodiscard]] double deviation(std::uint64_t from, std::uint64_t to) const;
-    /// Returns whether a loop between the surroundings of @p from and @p to (about()) is an open question.
-    /// Also true if one was taken back, or is contradicted by other links.
+    /// Returns whether a loop between the surroundings (about()) of @p from and @p to is an open question.
+    /// Also true if such a loop was removed, or is contradicted by other links.
     [[nodiscard]] bool wasRefused(std::uint64_t from, std::uint64_t to) const;
-    /// Returns whether the two scans are connected over at most @p most [m] of active links.
+    /// Returns whether active links of at most @p most metres in total connect the two scans.
     [[nodiscard]] bool areWithin(std::uint64_t from, std::uint64_t to, double most) const {
         return m_graph.within(from, most).contains(to);
     }

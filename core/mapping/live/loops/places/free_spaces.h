@@ -9,20 +9,20 @@
 
 namespace leitstand {
 
-/// Computes the free space of each scan once, and keeps that of the scans used last: 0.2 MB a scan.
+/// Computes the free space of each scan once, and keeps the results for the scans used last: 0.2 MB per scan.
 class FreeSpaces {
 public:
     explicit FreeSpaces(const FreeSpaceSettings& settings, std::size_t most = 128)
         : m_settings(settings), m_most(most) {}
 
-    /// Returns the free space of @p scan, valid until the next call. @p id: the scan's id, always the same
-    /// for it.
+    /// Returns the free space of @p scan, valid until the next call. @p id: id of the scan, under which the
+    /// result is kept.
     [[nodiscard]] const FreeSpace& of(std::uint64_t id, const Scan& scan);
 
 private:
     struct Made {
         FreeSpace free;
-        std::uint64_t used = 0;  ///< number of the call that used it last
+        std::uint64_t used = 0;  ///< number of the last call that used it
     };
     FreeSpaceSettings m_settings;
     std::size_t m_most;

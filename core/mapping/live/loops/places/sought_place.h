@@ -7,13 +7,14 @@
 
 namespace leitstand {
 
-/// A key scan to be looked for where the map does not expect it: anywhere in its earlier part.
+/// A key scan that is looked for where the map does not expect it: anywhere in its earlier part.
 struct SoughtPlace {
-    std::uint64_t scan = 0;                  ///< id
-    LiveMapPtr map;                          ///< the map with that scan
-    std::map<std::uint64_t, double> lately;  ///< not searched: scans whose pose relative to it is nearly
-                                             ///< certain, with the distance over the graph [m]
-    bool elsewhere = false;  ///< search only parts of the map that have not met the scan's own part
+    std::uint64_t scan = 0;  ///< id of the scan
+    LiveMapPtr map;          ///< map that contains the scan
+    /// Scans that are not searched, as their relative pose is nearly certain: id -> distance over the graph
+    /// [m].
+    std::map<std::uint64_t, double> lately;
+    bool elsewhere = false;  ///< search only in parts of the map that are not joined with the scan's part
 };
 
 }  // namespace leitstand
