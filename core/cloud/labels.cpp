@@ -45,13 +45,14 @@ private:
 }  // namespace
 
 bool isPlaneScan(std::span<const Eigen::Vector3f> points) {
-    bool any = false;
+    constexpr int Least = 30;  // a few points may lie anywhere
+    int finite = 0;
     for (const Eigen::Vector3f& point : points) {
         if (!point.allFinite()) continue;
         if (point.z() != 0.0F) return false;
-        any = true;
+        ++finite;
     }
-    return any;
+    return finite >= Least;
 }
 
 std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents,
