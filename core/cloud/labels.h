@@ -16,7 +16,7 @@ struct LabelSettings {
     double steepest = degrees(45);
 };
 
-/// Returns whether @p points are of a plane laser: at least one is finite, and all that are finite have
+/// Returns whether @p points are of a plane laser: at least 30 are finite, and all finite ones have
 /// exactly z = 0. No other scanner measures such points.
 [[nodiscard]] bool isPlaneScan(std::span<const Eigen::Vector3f> points);
 
