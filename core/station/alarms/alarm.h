@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -84,6 +85,9 @@ struct AlarmCause {
     std::string text = {};  ///< text in the log, if the alarm was read from a log
     /// How many things it is about; the alarm is raised again if there are more than were acknowledged.
     std::size_t count = 0;
+    /// How long it must last to raise its alarm, if that is longer than AlarmTiming::raiseAfter: for a rule
+    /// such as "for 5 s", since rules see one moment only.
+    std::chrono::nanoseconds persists{0};
 };
 
 /// An alarm as the operator sees it.

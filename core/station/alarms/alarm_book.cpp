@@ -29,7 +29,7 @@ void AlarmBook::see(const AlarmCause& cause, Time now, std::vector<AlarmChange>&
     }
     Pending& pending = m_pending.try_emplace(cause.id, Pending{now, true}).first->second;
     pending.seen = true;
-    if (now - pending.first < m_timing.raiseAfter) return;
+    if (now - pending.first < std::max(m_timing.raiseAfter, cause.persists)) return;
     m_pending.erase(cause.id);
     raise(m_entries[cause.id], cause, now, changes);
 }

@@ -168,13 +168,16 @@ TEST(Icp, CancelsBetweenIterations) {
     EXPECT_FALSE(result.converged);
 }
 
-TEST(Icp, PlaneAndGicpNeedNormals) {
-    PointCloud bare = roomCloud(3'000, 1);
+TEST(Icp, MinimisersThatNeedNormalsEndAtOnceWithoutThem) {
+    const PointCloud whole = roomCloud(3'000, 1);
+    PointCloud bare = whole;
     bare.normals.clear();
-    for (const Minimizer minimizer : {Minimizer::Plane, Minimizer::Gicp}) {
+    for (const MinimizerRow& row : minimizers()) {
         IcpSettings settings;
-        settings.minimizer = minimizer;
-        EXPECT_EQ(aligned(bare, bare, settings).stop, IcpStop::Degenerate);
+        settings.minimizer = row.minimizer;
+        const bool ofTarget = row.equations != nullptr;
+        EXPECT_EQ(aligned(bare, whole, settings).stop == IcpStop::Degenerate, ofTarget) << row.key;
+        EXPECT_EQ(aligned(whole, bare, settings).stop == IcpStop::Degenerate, row.sourceNormals) << row.key;
     }
 }
 

@@ -50,6 +50,17 @@ TEST_F(AlarmBookTest, IsRaisedOnceAndEndsOnceWhateverFlaps) {
     EXPECT_FALSE(m_book.alarms()[0].isLoud()) << "what is over needs no tone";
 }
 
+TEST_F(AlarmBookTest, ACauseThatMustLastForSecondsIsRaisedThen) {
+    AlarmCause slow = act();
+    slow.persists = std::chrono::seconds(5);
+    EXPECT_TRUE(until(5'000, {slow}).empty());
+    EXPECT_EQ(until(5'400, {slow}), std::vector{Kind::Raised});
+    EXPECT_EQ(until(m_now + 4'000, {}), std::vector{Kind::Ended});
+    EXPECT_TRUE(until(m_now + 4'800, {slow}).empty()) << "it begins again";
+    EXPECT_TRUE(until(m_now + 400, {}).empty());
+    EXPECT_TRUE(until(m_now + 4'800, {slow}).empty());
+}
+
 TEST_F(AlarmBookTest, WhatSaidActStaysUntilItIsAcknowledgedOthersGo) {
     until(1'000, {act(), look()});
     EXPECT_EQ(m_book.attentions(), 1u);
