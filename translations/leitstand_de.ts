@@ -8327,12 +8327,12 @@ F1 listet alle Tasten</translation>
         <translation>{}: seine Karte entsteht aus {}; seine anderen Punktwolken werden gezeigt und für Hindernisse genutzt</translation>
     </message>
     <message>
-        <source>{}: expected a topic of its clouds, found {}</source>
-        <translation>{}: ein Topic seiner Punktwolken erwartet, {} gefunden</translation>
+        <source>{}: its plane laser {} makes the map</source>
+        <translation>{}: sein ebener Laser {} macht die Karte</translation>
     </message>
     <message>
-        <source>{}: there is no 3D scanner: its plane laser {} makes the map</source>
-        <translation>{}: ein 3D-Scanner fehlt: sein ebener Laser {} macht die Karte</translation>
+        <source>{}: expected a topic of its scanners, found {}</source>
+        <translation>{}: erwartet wurde ein Topic seiner Scanner, gefunden wurde {}</translation>
     </message>
 </context>
 <context>

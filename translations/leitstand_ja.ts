@@ -8327,12 +8327,12 @@ F1 でキー一覧</translation>
         <translation>{}: 地図は {} から作られます。他の点群は表示され、障害物に使われます</translation>
     </message>
     <message>
-        <source>{}: expected a topic of its clouds, found {}</source>
-        <translation>{}: 点群のトピックが必要ですが、{} です</translation>
+        <source>{}: its plane laser {} makes the map</source>
+        <translation>{}: 平面レーザー {} で地図を作成します</translation>
     </message>
     <message>
-        <source>{}: there is no 3D scanner: its plane laser {} makes the map</source>
-        <translation>{}: 3D スキャナーがないため、平面レーザー {} で地図を作成します</translation>
+        <source>{}: expected a topic of its scanners, found {}</source>
+        <translation>{}: スキャナーのトピックが必要ですが、{} です</translation>
     </message>
 </context>
 <context>

@@ -76,16 +76,21 @@ const StreamDescription* RobotDescription::stream(StreamRole role, const std::st
     return found == streams.end() ? nullptr : &*found;
 }
 
+bool RobotDescription::mayMap(const StreamDescription& one) const {
+    return one.role == StreamRole::Points ||
+           (one.role == StreamRole::Ranges && stream(StreamRole::Odometry) != nullptr);
+}
+
 const StreamDescription* RobotDescription::mappingStream() const {
     const StreamDescription* only = nullptr;
-    int clouds = 0;
-    for (const StreamDescription& stream : streams) {
-        if (stream.role != StreamRole::Points) continue;
-        if (stream.maps) return &stream;
-        only = &stream;
-        ++clouds;
+    int scanners = 0;
+    for (const StreamDescription& one : streams) {
+        if (!mayMap(one)) continue;
+        if (one.maps) return &one;
+        if (one.role == StreamRole::Points) only = &one;
+        ++scanners;
     }
-    return clouds == 1 ? only : nullptr;
+    return scanners == 1 ? only : nullptr;
 }
 
 }  // namespace leitstand

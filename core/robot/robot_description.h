@@ -104,8 +104,10 @@ struct RobotDescription {
 
     /// The first stream with @p role (and @p sensor, if given); null when the robot has none.
     [[nodiscard]] const StreamDescription* stream(StreamRole role, const std::string& sensor = {}) const;
-    /// The clouds that make the map: the only ones, or those with StreamDescription::maps. Null: there are
-    /// none, or several without that flag.
+    /// Whether the map may be made from @p one: clouds, or turns of a plane laser if the robot has odometry.
+    [[nodiscard]] bool mayMap(const StreamDescription& one) const;
+    /// The stream that makes the map: the one with StreamDescription::maps, or the only cloud if there is no
+    /// plane laser beside it; null: none is chosen. A robot without clouds maps by planeScanner().
     [[nodiscard]] const StreamDescription* mappingStream() const;
 };
 

@@ -92,11 +92,11 @@ void carryMapping(const fs::path& folder, std::vector<RobotDescription>& robots)
         const auto mapping = std::find_if(before->streams.begin(), before->streams.end(), maps);
         const bool there = mapping != before->streams.end() &&
                            std::any_of(robot.streams.begin(), robot.streams.end(), [&](const auto& stream) {
-                               return stream.role == StreamRole::Points && stream.topic == mapping->topic;
+                               return robot.mayMap(stream) && stream.topic == mapping->topic;
                            });
         if (!there) continue;
         for (StreamDescription& stream : robot.streams)
-            stream.maps = stream.role == StreamRole::Points && stream.topic == mapping->topic;
+            stream.maps = robot.mayMap(stream) && stream.topic == mapping->topic;
     }
 }
 

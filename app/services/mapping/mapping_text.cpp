@@ -73,9 +73,8 @@ std::string scannerIsOff(const std::string& title) {
 }
 
 std::string mapsByLaser(const std::string& title, const std::string& topic) {
-    return leitstand::fill(
-        translate("leitstand::Station", "{}: there is no 3D scanner: its plane laser {} makes the map"),
-        title, topic);
+    return leitstand::fill(translate("leitstand::Station", "{}: its plane laser {} makes the map"), title,
+                           topic);
 }
 
 std::string mapsWith(const std::string& title, const std::string& topic) {

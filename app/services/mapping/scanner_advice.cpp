@@ -90,14 +90,14 @@ Result<void> ScannerAdvice::mapWith(const std::string& robot, const std::string&
     return m_mission.empty() ? Result<void>() : keepRobots(m_mission, {*described});
 }
 
-bool ScannerAdvice::hasClouds(const std::string& robot, const std::string& topic) const {
+std::optional<StreamRole> ScannerAdvice::mappingRole(const std::string& robot,
+                                                     const std::string& topic) const {
     const std::lock_guard lock(m_mutex);
-    return std::any_of(m_robots.begin(), m_robots.end(), [&](const RobotDescription& one) {
-        return one.name == robot &&
-               std::any_of(one.streams.begin(), one.streams.end(), [&](const auto& stream) {
-                   return stream.role == StreamRole::Points && stream.topic == topic;
-               });
-    });
+    for (const RobotDescription& one : m_robots) {
+        for (const StreamDescription& stream : one.streams)
+            if (one.name == robot && stream.topic == topic && one.mayMap(stream)) return stream.role;
+    }
+    return std::nullopt;
 }
 
 std::string ScannerAdvice::mapsWith(const std::string& robot) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/event/stream_role.h"
 #include "core/mapping/calibration/scanner_calibration.h"
 #include "core/robot/robot_description.h"
 
@@ -53,7 +54,9 @@ public:
     /// Stores in the mission's copy of @p robot's file that the stream on @p topic makes the map. Errors name
     /// the file.
     [[nodiscard]] Result<void> mapWith(const std::string& robot, const std::string& topic);
-    [[nodiscard]] bool hasClouds(const std::string& robot, const std::string& topic) const;
+    /// Returns the role of @p topic of @p robot if the map can be made from it (RobotDescription::mayMap()).
+    [[nodiscard]] std::optional<StreamRole> mappingRole(const std::string& robot,
+                                                        const std::string& topic) const;
     /// Returns the topic of the clouds that make the map, for a @p robot with several scanners; empty: none
     /// yet.
     [[nodiscard]] std::string mapsWith(const std::string& robot) const;

@@ -148,34 +148,35 @@ void Reading::chooseScanners(const Progress& progress, MissionScans& result) {
     const auto isOpen = [](const auto& one) {
         return one.second.mapping.hasChoice() && one.second.mapping.chosen().empty();
     };
-    const auto unheard = [&](const auto& one) {
-        const std::vector<BagTopic> topics = m_bag.topics();
-        return std::none_of(topics.begin(), topics.end(), [&](const BagTopic& topic) {
-            return topic.info.name == one.second.mapping.chosen() && topic.messages.value_or(1) > 0;
-        });
-    };
-    for (auto& one : m_robots) {
-        if (one.second.mapping.hasChoice() && unheard(one)) one.second.mapping.choose({});  // it is compared
-    }
     EventDecoder decoder(m_decoder.robots());  // of its own: its errors are not those of the scans
     std::stop_source decided;
     std::optional<Time> newest;
     const auto take = [&](const Event& event) {
-        const auto* cloud = event.sample.as<CloudSample>();
         RobotScans& robot = m_robots.at(event.robot);
-        if (cloud != nullptr) (void)robot.mapping.takes(event.topic, *cloud, event.received);
+        const auto* turn = event.sample.as<RangesSample>();
+        if (const auto* cloud = event.sample.as<CloudSample>())
+            (void)robot.mapping.takes(event.topic, *cloud, event.received);
+        else if (turn != nullptr && robot.mapping.compares(event.topic))
+            (void)robot.mapping.takes(event.topic, cloudOf(*turn, Pose::Identity()), event.received);
         newest = event.received;
         if (progress.cancelled() || std::none_of(m_robots.begin(), m_robots.end(), isOpen))
             decided.request_stop();
     };
     if (std::any_of(m_robots.begin(), m_robots.end(), isOpen)) {
         BagQuery query;
-        query.topics = topicsOf(m_decoder.robots(), {StreamRole::Points});
+        query.topics = topicsOf(m_decoder.robots(), {StreamRole::Points, StreamRole::Ranges});
         forEachEvent(m_bag, decoder, query, take, {.report = {}, .stop = decided.get_token()});
     }
     for (auto& [name, robot] : m_robots) {
         if (!robot.mapping.hasChoice()) continue;
         if (newest) robot.mapping.decide(*newest);
+        for (const RobotDescription& one : m_decoder.robots()) {
+            for (const StreamDescription& stream : one.streams) {
+                if (one.name == name && stream.role == StreamRole::Ranges &&
+                    stream.topic == robot.mapping.chosen())
+                    robot.planeLaser = stream.topic;
+            }
+        }
         if (!robot.mapping.chosen().empty())
             result.warnings.push_back(
                 leitstand::fill(translate("leitstand::Error",

@@ -149,8 +149,9 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     listening.onMapsWith = [&state](const std::string& robot, const std::string& topic) {
         const auto kept = state.scanners.mapWith(robot, topic);
         const std::string title = state.log.titleOf(robot);
-        state.notify(state.scanners.hasClouds(robot, topic) ? mapping_words::mapsWith(title, topic)
-                                                            : mapping_words::mapsByLaser(title, topic));
+        const bool plane = state.scanners.mappingRole(robot, topic) == StreamRole::Ranges;
+        state.notify(plane ? mapping_words::mapsByLaser(title, topic)
+                           : mapping_words::mapsWith(title, topic));
         if (!kept) state.notify(kept.error().text);
     };
     listening.makesMap = [&state] { return state.mayMap(); };
@@ -398,9 +399,9 @@ Result<void> StationMapping::answerScanner(const ScannerQuestion& asked, bool co
 
 Result<void> StationMapping::mapWith(const std::string& robot, const std::string& topic) {
     if (auto may = m_state->granted(); !may) return may;
-    if (!m_state->scanners.hasClouds(robot, topic))
+    if (!m_state->scanners.mappingRole(robot, topic))
         return Error{leitstand::fill(
-            translate("leitstand::Station", "{}: expected a topic of its clouds, found {}"), robot, topic)};
+            translate("leitstand::Station", "{}: expected a topic of its scanners, found {}"), robot, topic)};
     m_state->mapping->mapWith(robot, topic);
     return {};
 }

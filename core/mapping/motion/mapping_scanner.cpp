@@ -34,12 +34,17 @@ std::size_t cellOf(const Eigen::Vector3d& direction) {
 
 MappingScanner::MappingScanner(const RobotDescription& robot, const MappingScannerSettings& settings)
     : m_settings(settings) {
+    if (robot.stream(StreamRole::Points) == nullptr) return;
     for (const StreamDescription& stream : robot.streams) {
-        if (stream.role != StreamRole::Points) continue;
+        if (!robot.mayMap(stream)) continue;
         m_topics.push_back(stream.topic);
         if (stream.maps) m_chosen = stream.topic;
     }
     if (m_topics.size() == 1) m_chosen = m_topics.front();
+}
+
+bool MappingScanner::compares(const std::string& topic) const {
+    return std::find(m_topics.begin(), m_topics.end(), topic) != m_topics.end();
 }
 
 bool MappingScanner::takes(const std::string& topic, const CloudSample& cloud, Time received) {

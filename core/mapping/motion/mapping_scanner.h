@@ -27,17 +27,20 @@ struct MappingScannerSettings {
     double farEnough = 30.0;  ///< larger ranges make no difference [m]
 };
 
-/// Decides which 3D scanner of a robot makes the map. Scanners differ in place, rate and error, so scans of
-/// two scanners are never registered in one chain. If no stream is named (StreamDescription::maps), clouds
-/// are compared first. Of the scanners that send steadily, the one is chosen that sees most directions, and
+/// Decides which scanner of a robot makes the map, for robots that send clouds: one of them, or a plane laser
+/// that sees more, as beside a depth camera. Scanners differ in place, rate and error, so scans of two
+/// scanners are never registered in one chain. If no stream is named (StreamDescription::maps), clouds are
+/// compared first. Of the scanners that send steadily, the one is chosen that sees most directions, and
 /// farthest in them. It has no clock and no thread.
 class MappingScanner {
 public:
     explicit MappingScanner(const RobotDescription& robot, const MappingScannerSettings& settings = {});
 
-    /// Takes a cloud of @p topic that was received at @p received. Returns whether it comes from the scanner
-    /// that makes the map; false while scanners are compared.
+    /// Takes a cloud of @p topic, or a plane laser's turn as cloudOf(), that was received at @p received.
+    /// Returns whether it comes from the scanner that makes the map; false while scanners are compared.
     [[nodiscard]] bool takes(const std::string& topic, const CloudSample& cloud, Time received);
+    /// Whether @p topic is of one of the scanners.
+    [[nodiscard]] bool compares(const std::string& topic) const;
     void choose(const std::string& topic) { m_chosen = topic; }
     /// Ends the comparison at @p now, and decides by the clouds so far.
     void decide(Time now);

@@ -214,6 +214,25 @@ TEST_F(PlaneRobots, AFileMayNameThePlaneLaser) {
     EXPECT_FALSE(scans().empty());
 }
 
+TEST_F(PlaneRobots, BesideADepthCameraThePlaneLaserMakesTheMap) {
+    RobotDescription rover = withLaser("rover");
+    rover.streams.push_back(stream("rover", StreamRole::Points, "depth"));
+    begin({rover});
+    for (int i = 0; i < 5; ++i) {
+        CloudSample ahead;
+        ahead.header = {m_time, "camera"};
+        for (int j = 0; j < 500; ++j)
+            ahead.points.emplace_back(2.0F, 0.004F * static_cast<float>(j - 250),
+                                      0.1F * static_cast<float>(j % 5));
+        publish("rover", StreamRole::Points, "depth", ahead);
+        drive("rover", 3.0);
+    }
+    calm();
+    ASSERT_FALSE(scans().empty());
+    EXPECT_EQ(m_mapsWith, std::vector<std::string>{"rover /rover/scan"});
+    for (const KeyScanSample& one : scans()) EXPECT_TRUE(isPlaneScan(one.scan->points));
+}
+
 TEST_F(PlaneRobots, WithoutOdometryItMakesNone) {
     RobotDescription rover = withLaser("rover");
     rover.streams.pop_back();

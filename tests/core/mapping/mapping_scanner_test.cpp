@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char *Lidar = "/rover/lidar", *Camera = "/rover/camera/points";
+constexpr const char *Lidar = "/rover/lidar", *Camera = "/rover/camera/points", *Laser = "/rover/scan";
 constexpr Time Began{std::chrono::seconds(1'000)};
 
 RobotDescription rover(bool cameraMaps = false) {
@@ -72,6 +72,51 @@ private:
 std::string chosenOf(Both both) {
     MappingScanner scanner(rover());
     return both.chosenBy(scanner);
+}
+
+/// A robot with the cloud @p cloud, and a plane laser.
+RobotDescription withPlaneLaser(const char* cloud, bool odometry = true) {
+    RobotDescription robot = rover();
+    robot.streams.front().topic = cloud;
+    robot.streams.back().topic = Laser;
+    robot.streams.back().role = StreamRole::Ranges;
+    if (odometry) robot.streams.emplace_back().role = StreamRole::Odometry;
+    return robot;
+}
+
+/// Points on walls 6 m away, @p degrees wide about straight ahead and so high.
+CloudSample field(int degrees, int up) {
+    CloudSample cloud;
+    for (int i = -degrees / 2; i < degrees / 2; ++i) {
+        for (int j = -up / 2; j < up / 2; ++j) {
+            const double turn = i * std::numbers::pi / 180.0, rise = j * std::numbers::pi / 180.0;
+            cloud.points.emplace_back(6.0 * std::cos(turn) * std::cos(rise),
+                                      6.0 * std::sin(turn) * std::cos(rise), 6.0 * std::sin(rise));
+        }
+    }
+    return cloud;
+}
+
+/// Who makes the map of @p robot when @p cloud comes on @p topic, and turns of a plane laser beside.
+std::string besideALaser(const RobotDescription& robot, const char* topic, const CloudSample& cloud) {
+    MappingScanner scanner(robot);
+    for (auto after = 0ms; after < 10s; after += 100ms) {
+        (void)scanner.takes(topic, cloud, Began + after);
+        if (scanner.compares(Laser)) (void)scanner.takes(Laser, wall(6.0, 360), Began + after);
+    }
+    return scanner.chosen();
+}
+
+TEST(MappingScanner, APlaneLaserThatSeesMoreThanADepthCameraMakesTheMap) {
+    EXPECT_EQ(besideALaser(withPlaneLaser(Camera), Camera, field(70, 50)), Laser);
+}
+
+TEST(MappingScanner, A3DScannerMakesTheMapBesideAPlaneLaser) {
+    EXPECT_EQ(besideALaser(withPlaneLaser(Lidar), Lidar, field(360, 40)), Lidar);
+}
+
+TEST(MappingScanner, WithoutOdometryAPlaneLaserIsNotCompared) {
+    EXPECT_EQ(besideALaser(withPlaneLaser(Camera, false), Camera, field(70, 50)), Camera);
 }
 
 TEST(MappingScanner, TheOneThatSeesAllAroundMakesTheMapAndTheOtherNever) {

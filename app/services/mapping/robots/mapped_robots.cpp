@@ -41,7 +41,7 @@ MappedRobot::MappedRobot(const RobotDescription& description, const std::string&
       planeLaser(planeScanner(description, {&description, 1})) {
     // Cutters must know the motion before the first slice.
     for (const StreamDescription& stream : description.streams) {
-        if (stream.role == StreamRole::Points || stream.topic == planeLaser)
+        if (mapping.compares(stream.topic) || stream.topic == planeLaser)
             cutters.try_emplace(stream.topic, description.name);
     }
 }
@@ -82,10 +82,7 @@ void MappedRobots::add(const Event& event) {
     } else if (const auto* cloud = event.sample.as<CloudSample>()) {
         const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
         if (!robot.planeLaser.empty()) return;  // its file names that one
-        const bool known = !robot.mapping.chosen().empty();
-        const bool maps = robot.mapping.takes(event.topic, *cloud, event.received);
-        if (!known && !robot.mapping.chosen().empty()) mapWith(event.robot, robot.mapping.chosen());
-        if (!maps) return;
+        if (!isOfMap(robot, event, *cloud)) return;
         if (!robot.poses.isOfScanner(cloud->header.frame)) robot.scanner.clear();
         CloudSample corrected = *cloud;
         if (corrected.header.stamp == Time{}) corrected.header.stamp = event.received;
@@ -93,16 +90,24 @@ void MappedRobots::add(const Event& event) {
         robot.cutters.try_emplace(event.topic, event.robot)
             .first->second.add(std::move(corrected), sensor, event.received);
     } else if (const auto* ranges = event.sample.as<RangesSample>()) {
+        const Pose laser = robot.poses.inBase(event.sensor, ranges->header.frame);
+        if (robot.mapping.compares(event.topic)) (void)isOfMap(robot, event, cloudOf(*ranges, laser));
         const bool maps = mapsByPlane(robot, event);
         if (!maps && m_context.mapper.fix(event.robot)) return robot.laser.rest();  // its 3D scans show more
         RangesSample stamped = *ranges;
         if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
-        const Pose laser = robot.poses.inBase(event.sensor, ranges->header.frame);
         if (maps)
             return robot.cutters.at(event.topic)
                 .add(cloudOf(stamped, laser), uprightLaser(laser), event.received);
         m_sees(event.robot, robot, laserView(stamped, laser, robot.tracker.motion()), event.received);
     }
+}
+
+bool MappedRobots::isOfMap(MappedRobot& robot, const Event& event, const CloudSample& cloud) {
+    const bool known = !robot.mapping.chosen().empty();
+    const bool maps = robot.mapping.takes(event.topic, cloud, event.received);
+    if (!known && !robot.mapping.chosen().empty()) mapWith(event.robot, robot.mapping.chosen());
+    return maps;
 }
 
 bool MappedRobots::mapsByPlane(MappedRobot& robot, const Event& event) {
@@ -140,8 +145,14 @@ void MappedRobots::mapWith(const std::string& name, const std::string& topic) {
         if (other != topic) (void)cutter.finish();  // nothing that another scanner began enters any more
     for (const RobotDescription& description : m_descriptions) {
         if (description.name != name) continue;
-        for (const StreamDescription& stream : description.streams)
-            if (stream.topic == topic) robot.scanner = stream.sensor;
+        for (const StreamDescription& stream : description.streams) {
+            if (stream.topic != topic) continue;
+            const bool plane = stream.role == StreamRole::Ranges;
+            robot.scanner = plane ? std::string() : stream.sensor;
+            robot.planeLaser = plane ? topic : std::string();
+            robot.mapsByPlane = plane;
+            if (plane) m_scanners.erase(name);
+        }
     }
     if (robot.mapping.hasChoice() && m_context.listener.onMapsWith)
         m_context.listener.onMapsWith(name, topic);

@@ -21,6 +21,7 @@
 
 namespace leitstand {
 
+struct CloudSample;
 struct Event;
 struct MappingContext;
 
@@ -89,6 +90,9 @@ public:
     [[nodiscard]] RobotsInMapPtr inMap() const;
 
 private:
+    /// Returns whether @p cloud of @p event is of the scanner that makes the map of @p robot. Decides which
+    /// one it is once enough was received.
+    [[nodiscard]] bool isOfMap(MappedRobot& robot, const Event& event, const CloudSample& cloud);
     /// Returns whether turns of the plane laser that sent @p event make the map. They do not where there are
     /// 3D scanners: their map shows more, and the laser finds its robot in it. A scanner that a file names is
     /// waited for before the laser begins.

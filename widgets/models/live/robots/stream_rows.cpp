@@ -25,9 +25,9 @@ bool isSettable(const RobotDescription& robot, StreamRole role) {
 void appendStreamRows(std::vector<StreamRow>& rows, const RobotFace& face, const RobotDescription& robot,
                       const LinkStatus& link, const std::string& mapsWith,
                       const std::function<StreamSetting(const std::string& topic)>& settings) {
-    const auto clouds =
-        std::count_if(robot.streams.begin(), robot.streams.end(),
-                      [](const StreamDescription& one) { return one.role == StreamRole::Points; });
+    const auto scanners = std::count_if(robot.streams.begin(), robot.streams.end(),
+                                        [&](const StreamDescription& one) { return robot.mayMap(one); });
+    const bool choice = scanners > 1 && robot.stream(StreamRole::Points) != nullptr;
     for (const StreamStatus& stream : link.streams) {
         const auto described =
             std::find_if(robot.streams.begin(), robot.streams.end(),
@@ -40,8 +40,8 @@ void appendStreamRows(std::vector<StreamRow>& rows, const RobotFace& face, const
                         .own = setting.own,
                         .effective = setting.effective,
                         .settable = isSettable(robot, stream.role),
-                        .mayMap = clouds > 1 && stream.role == StreamRole::Points,
-                        .maps = clouds > 1 && stream.topic == mapsWith});
+                        .mayMap = choice && robot.mayMap(*described),
+                        .maps = choice && stream.topic == mapsWith});
     }
 }
 
