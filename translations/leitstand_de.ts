@@ -2464,10 +2464,6 @@ Funk: %4 %5</translation>
         <translation>{}: erwartet wurde ein Ordner oder eine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>a file compressed by zstd</source>
-        <translation>eine mit zstd komprimierte Datei</translation>
-    </message>
-    <message>
         <source>a bag of ROS 1</source>
         <translation>ein Bag von ROS 1</translation>
     </message>
@@ -3192,10 +3188,6 @@ Funk: %4 %5</translation>
         <translation>{}: erwartet wurde ein Bag in SQLite- oder MCAP-Dateien (.db3, .mcap); `ros2 bag convert` macht daraus eines</translation>
     </message>
     <message>
-        <source>{}: expected a bag without compression, or with messages compressed by zstd, found files compressed by &quot;{}&quot;; `ros2 bag convert` writes one without</source>
-        <translation>{}: erwartet wurde ein Bag ohne Kompression oder mit zstd-komprimierten Nachrichten, gefunden wurden mit „{}“ komprimierte Dateien; `ros2 bag convert` schreibt eines ohne</translation>
-    </message>
-    <message>
         <source>{}: expected a bag in SQLite or MCAP files (sqlite3, mcap), found storage &quot;{}&quot;; `ros2 bag convert` turns it into one</source>
         <translation>{}: erwartet wurde ein Bag in SQLite- oder MCAP-Dateien (sqlite3, mcap), gefunden wurde der Speicher „{}“; `ros2 bag convert` macht daraus eines</translation>
     </message>
@@ -3214,6 +3206,34 @@ Funk: %4 %5</translation>
     <message>
         <source>{}: topic {}: expected messages compressed by zstd, found one that is damaged</source>
         <translation>{}: Topic {}: erwartet wurden zstd-komprimierte Nachrichten, eine ist beschädigt</translation>
+    </message>
+    <message>
+        <source>{}: is compressed twice</source>
+        <translation>{}: ist doppelt komprimiert</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag without compression, or with zstd, found compression &quot;{}&quot;; `ros2 bag convert` writes one without</source>
+        <translation>{}: erwartet wurde ein Bag ohne Kompression oder mit zstd, gefunden wurde die Kompression „{}“; `ros2 bag convert` schreibt eines ohne</translation>
+    </message>
+    <message>
+        <source>expected a file compressed by zstd, found one that is damaged</source>
+        <translation>erwartet wurde eine zstd-komprimierte Datei, gefunden wurde eine beschädigte</translation>
+    </message>
+    <message>
+        <source>{} cannot be written</source>
+        <translation>{} lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>expected a file compressed by zstd, found one that is cut off</source>
+        <translation>erwartet wurde eine zstd-komprimierte Datei, gefunden wurde eine abgeschnittene</translation>
+    </message>
+    <message>
+        <source>{}: expected {} MB of free space in {} to unpack it, found {} MB; TMPDIR names another folder</source>
+        <translation>{}: zum Entpacken werden {} MB freier Platz in {} gebraucht, frei sind {} MB; TMPDIR nennt einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>{}: cannot be unpacked in {}: {}</source>
+        <translation>{}: lässt sich in {} nicht entpacken: {}</translation>
     </message>
 </context>
 <context>

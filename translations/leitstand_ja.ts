@@ -2464,10 +2464,6 @@ Link: %4 %5</source>
         <translation>{}: フォルダーか通常のファイルが必要</translation>
     </message>
     <message>
-        <source>a file compressed by zstd</source>
-        <translation>zstd で圧縮されたファイル</translation>
-    </message>
-    <message>
         <source>a bag of ROS 1</source>
         <translation>ROS 1 のバッグ</translation>
     </message>
@@ -3192,10 +3188,6 @@ Link: %4 %5</source>
         <translation>{}: SQLite か MCAP のバッグ (.db3、.mcap) が必要です。`ros2 bag convert` で変換できます</translation>
     </message>
     <message>
-        <source>{}: expected a bag without compression, or with messages compressed by zstd, found files compressed by &quot;{}&quot;; `ros2 bag convert` writes one without</source>
-        <translation>{}: 圧縮なし、またはメッセージを zstd で圧縮したバッグが必要ですが、ファイルが「{}」で圧縮されています。`ros2 bag convert` で圧縮なしに変換できます</translation>
-    </message>
-    <message>
         <source>{}: expected a bag in SQLite or MCAP files (sqlite3, mcap), found storage &quot;{}&quot;; `ros2 bag convert` turns it into one</source>
         <translation>{}: SQLite か MCAP のバッグ (sqlite3、mcap) が必要ですが、ストレージは「{}」です。`ros2 bag convert` で変換できます</translation>
     </message>
@@ -3214,6 +3206,34 @@ Link: %4 %5</source>
     <message>
         <source>{}: topic {}: expected messages compressed by zstd, found one that is damaged</source>
         <translation>{}: トピック {}: zstd で圧縮されたメッセージが必要ですが、壊れたものがあります</translation>
+    </message>
+    <message>
+        <source>{}: is compressed twice</source>
+        <translation>{}: 二重に圧縮されています</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag without compression, or with zstd, found compression &quot;{}&quot;; `ros2 bag convert` writes one without</source>
+        <translation>{}: 圧縮なしか zstd のバッグが必要ですが、圧縮形式は「{}」です。`ros2 bag convert` で圧縮なしに変換できます</translation>
+    </message>
+    <message>
+        <source>expected a file compressed by zstd, found one that is damaged</source>
+        <translation>zstd で圧縮されたファイルが必要ですが、壊れています</translation>
+    </message>
+    <message>
+        <source>{} cannot be written</source>
+        <translation>{} に書き込めません</translation>
+    </message>
+    <message>
+        <source>expected a file compressed by zstd, found one that is cut off</source>
+        <translation>zstd で圧縮されたファイルが必要ですが、途中で切れています</translation>
+    </message>
+    <message>
+        <source>{}: expected {} MB of free space in {} to unpack it, found {} MB; TMPDIR names another folder</source>
+        <translation>{}: 展開には {} MB の空き容量が {} に必要ですが、{} MB しかありません。TMPDIR で別のフォルダーを指定できます</translation>
+    </message>
+    <message>
+        <source>{}: cannot be unpacked in {}: {}</source>
+        <translation>{}: {} に展開できません: {}</translation>
     </message>
 </context>
 <context>

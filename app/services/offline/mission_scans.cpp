@@ -263,7 +263,7 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
 
 bool isMission(const fs::path& path) {
     const auto isBag = [](const fs::path& file) {
-        return file.extension() == ".db3" || file.extension() == ".mcap";
+        return file.extension() == ".db3" || file.extension() == ".mcap" || file.extension() == ".zstd";
     };
     std::error_code problem;
     if (!fs::is_directory(path, problem)) return isBag(path) && fs::exists(path, problem);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zstd.h>
 
 #include "tests/io/bag/foreign_database.h"
 #include "tests/io/bag/sample_bags.h"
@@ -110,15 +111,49 @@ TEST_F(SplitBag, APartOfAnotherKindIsToldAndTheRestIsRead) {
     EXPECT_THAT(readAll(*reader), SizeIs(3));
 }
 
-TEST_F(SplitBag, CompressedBagsAreNamedWhereverTheyAreMet) {
-    makeMetadata("  compression_format: zstd\n  compression_mode: file\n");
-    EXPECT_THAT(errorOf(m_bag), HasSubstr("found files compressed by \"zstd\""));
-    test::writeText(m_bag / "bag_0.db3.zstd", "\x28\xb5\x2f\xfd");
-    EXPECT_THAT(errorOf(m_bag / "bag_0.db3.zstd"), HasSubstr("expected a bag in SQLite or MCAP files"));
-    fs::remove(m_bag / "metadata.yaml");
-    EXPECT_THAT(errorOf(m_bag), HasSubstr("found bag_0.db3.zstd"));
-    test::writeText(m_folder / "renamed.db3", "\x28\xb5\x2f\xfd and so on");
-    EXPECT_THAT(errorOf(m_folder / "renamed.db3"), HasSubstr("compressed by zstd"));
+/// Compresses @p file into @p file + ".zstd", and removes it.
+void compress(const fs::path& file, bool whole = true) {
+    const std::string plain = test::readText(file);
+    std::string packed(ZSTD_compressBound(plain.size()), '\0');
+    packed.resize(ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), 3));
+    test::writeText(file.string() + ".zstd", whole ? packed : packed.substr(0, packed.size() / 2));
+    fs::remove(file);
+}
+
+TEST_F(SplitBag, FilesCompressedByZstdAreReadAndLeaveNothingBehind) {
+    const test::TemporaryFolder temporary;
+    ASSERT_EQ(::setenv("TMPDIR", temporary.path().c_str(), 1), 0);
+    makePart(0, 1, 3, 10);
+    makePart(1, 1, 3, 20);
+    compress(m_bag / "bag_0.db3");
+    compress(m_bag / "bag_1.db3");
+    for (const bool described : {true, false}) {
+        if (described) {
+            makeMetadata(
+                "  compression_format: zstd\n  compression_mode: FILE\n"
+                "  relative_file_paths: [bag_0.db3.zstd, bag_1.db3.zstd]\n");
+        } else {
+            fs::remove(m_bag / "metadata.yaml");
+        }
+        const auto reader = test::opened(m_bag);
+        ASSERT_NE(reader, nullptr);
+        EXPECT_THAT(readAll(*reader), SizeIs(6));
+        EXPECT_FALSE(fs::is_empty(temporary.path())) << "unpacked while it is read";
+    }
+    EXPECT_TRUE(fs::is_empty(temporary.path()));
+    EXPECT_THAT(readAll(*test::opened(m_bag / "bag_1.db3.zstd")), SizeIs(3));
+    ::unsetenv("TMPDIR");
+}
+
+TEST_F(SplitBag, CompressedFilesThatAreDamagedAndOtherCompressionsAreNamed) {
+    makePart(0, 1, 3, 10);
+    compress(m_bag / "bag_0.db3", false);
+    EXPECT_THAT(errorOf(m_bag / "bag_0.db3.zstd"), HasSubstr("found one that is cut off"));
+    test::writeText(m_bag / "bag_0.db3.zstd", "\x28\xb5\x2f\xfd and so on");
+    EXPECT_THAT(errorOf(m_bag / "bag_0.db3.zstd"),
+                HasSubstr("bag_0.db3.zstd: expected a file compressed by zstd"));
+    makeMetadata("  compression_format: fake\n  compression_mode: file\n");
+    EXPECT_THAT(errorOf(m_bag), HasSubstr("found compression \"fake\""));
     test::writeText(m_folder / "old.bag", "#ROSBAG V2.0\n");
     EXPECT_THAT(errorOf(m_folder / "old.bag"), HasSubstr("expected a bag in SQLite or MCAP files"));
     makePart(0, 1, 3, 10);  // compression that was configured and not used

@@ -80,7 +80,8 @@ Result<std::vector<NumberedFile>> databaseFiles(const fs::path& folder, std::str
         const fs::path& path = entry->path();
         std::error_code ignored;
         if (path.extension() != ending || !entry->is_regular_file(ignored)) continue;
-        files.push_back({path, numberOf(path.stem().string())});
+        const fs::path name = ending == ".zstd" ? path.stem() : path;  // "bag_2.db3.zstd"
+        files.push_back({path, numberOf(name.stem().string())});
     }
     if (problem) return Error{fmt::format("{}: cannot be read: {}", folder.string(), problem.message())};
     const auto key = [](const NumberedFile& file) {

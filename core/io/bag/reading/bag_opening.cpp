@@ -10,6 +10,7 @@
 #include "core/io/bag/mcap/mcap_file.h"
 #include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/reading/sqlite_file.h"
+#include "core/io/bag/reading/unpacked_file.h"
 #include "core/io/bag/salvage/log_frames.h"
 #include "core/io/bag/salvage/salvaged_file.h"
 
@@ -71,12 +72,37 @@ Result<void> openParts(OpenBag& bag, const std::vector<NumberedFile>& files, boo
     return {};
 }
 
-/// Returns the files of the bag in @p folder: of the kind that @p metadata names, or else of the other one.
+/// Opens the file compressed by zstd at @p path; see openFile(). Its unpacked copy lives as long as the
+/// result.
+Result<std::shared_ptr<BagFile>> openPacked(const fs::path& path, std::vector<std::string>& problems,
+                                            bool& damaged) {
+    struct Unpacked {
+        UnpackedFile copy;  // removed after the file is closed
+        std::shared_ptr<BagFile> file;
+    };
+    auto copy = UnpackedFile::of(path);
+    if (!copy) return copy.error();
+    const fs::path plain = copy->path();
+    if (isPacked(plain))
+        return Error{
+            leitstand::fill(translate("leitstand::Error", "{}: is compressed twice"), path.string())};
+    auto opened = openFile(plain, false, problems, damaged);
+    if (!opened) return Error{path.string() + ": " + opened.error().text};
+    auto both = std::make_shared<Unpacked>(Unpacked{std::move(copy).value(), std::move(opened).value()});
+    return std::shared_ptr<BagFile>(both, both->file.get());
+}
+
+/// Returns the files of the bag in @p folder: of the kind that @p metadata names, or else of another one.
 Result<std::vector<NumberedFile>> filesOf(const fs::path& folder,
                                           const std::optional<BagMetadata>& metadata) {
-    const bool mcap = metadata && metadata->storage == "mcap";
-    auto files = databaseFiles(folder, mcap ? ".mcap" : ".db3");
-    if (files && files->empty()) files = databaseFiles(folder, mcap ? ".db3" : ".mcap");
+    std::vector<std::string_view> kinds = {".db3", ".mcap", ".zstd"};
+    if (metadata && metadata->storage == "mcap") std::swap(kinds[0], kinds[1]);
+    if (metadata && !metadata->compression.empty() && !metadata->compressesMessages)
+        std::rotate(kinds.begin(), kinds.begin() + 2, kinds.end());
+    Result<std::vector<NumberedFile>> files = std::vector<NumberedFile>();
+    for (const std::string_view kind : kinds) {
+        if (files && files->empty()) files = databaseFiles(folder, kind);
+    }
     return files;
 }
 
@@ -165,6 +191,7 @@ Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, std::
     if (size == 0)
         return Error{leitstand::fill(
             translate("leitstand::Error", "{}: expected a bag's file, found an empty one"), path.string())};
+    if (!live && isPacked(path)) return openPacked(path, problems, damaged);
     if (!live && isMcap(path)) {
         auto opened = McapFile::open(path);
         if (!opened) return opened.error();
@@ -200,8 +227,7 @@ Result<OpenBag> openBag(const fs::path& path, Writer writer) {
             translate("leitstand::Error", "{}: expected a bag's folder or file, found nothing"),
             path.string())};
     if (!fs::is_directory(status)) {
-        const auto ending = path.extension();
-        if (ending == ".zstd" || ending == ".bag") {
+        if (path.extension() == ".bag") {
             return Error{leitstand::fill(
                 translate(
                     "leitstand::Error",

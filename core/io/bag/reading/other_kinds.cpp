@@ -17,8 +17,7 @@ namespace {
 
 constexpr std::string_view Zstd("\x28\xb5\x2f\xfd", 4);
 
-constexpr std::array<std::pair<std::string_view, const char*>, 2> Kinds = {{
-    {Zstd, translatable("leitstand::Error", "a file compressed by zstd")},
+constexpr std::array<std::pair<std::string_view, const char*>, 1> Kinds = {{
     {"#ROSBAG V", translatable("leitstand::Error", "a bag of ROS 1")},
 }};
 
@@ -73,6 +72,10 @@ std::string otherKindOf(const fs::path& path) {
     return otherKind(beginOf(path));
 }
 
+bool isPacked(const fs::path& path) {
+    return beginOf(path).starts_with(Zstd);
+}
+
 bool isMcap(const fs::path& path) {
     return path.extension() == ".mcap" || beginOf(path).starts_with(McapMagic);
 }
@@ -87,11 +90,10 @@ bool isCompressed(const Payload& cdr) {
 Result<void> checkKind(const fs::path& folder, const std::optional<BagMetadata>& metadata,
                        const std::vector<NumberedFile>& files, std::vector<std::string>& problems) {
     const std::string compression = metadata ? metadata->compression : std::string();
-    if (!compression.empty() && (!metadata->compressesMessages || compression != "zstd")) {
+    if (!compression.empty() && compression != "zstd") {
         return Error{leitstand::fill(translate("leitstand::Error",
-                                               "{}: expected a bag without compression, or with messages "
-                                               "compressed by zstd, found files compressed by \"{}\"; "
-                                               "`ros2 bag convert` writes one without"),
+                                               "{}: expected a bag without compression, or with zstd, found "
+                                               "compression \"{}\"; `ros2 bag convert` writes one without"),
                                      folder.string(), compression)};
     }
     if (metadata && metadata->storage != "sqlite3" && metadata->storage != "mcap" && files.empty()) {

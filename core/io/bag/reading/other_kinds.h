@@ -18,6 +18,8 @@ namespace leitstand::detail {
 [[nodiscard]] std::string otherKind(std::string_view begin);
 /// Returns otherKind() of the file at @p path.
 [[nodiscard]] std::string otherKindOf(const std::filesystem::path& path);
+/// Whether the file at @p path is compressed by zstd.
+[[nodiscard]] bool isPacked(const std::filesystem::path& path);
 /// Whether the file at @p path is to be read as MCAP: by its first bytes, or by its ending.
 [[nodiscard]] bool isMcap(const std::filesystem::path& path);
 /// Whether @p cdr is not plain CDR but compressed by zstd, as by rosbag2 in its mode "message".
