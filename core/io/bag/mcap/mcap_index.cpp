@@ -1,7 +1,6 @@
 #include "core/io/bag/mcap/mcap_index.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "core/base/words.h"
@@ -9,7 +8,6 @@
 namespace leitstand::detail {
 namespace {
 
-constexpr std::size_t MostEntries = 40'000'000;     ///< messages; 24 bytes of memory each
 constexpr std::uint64_t MostSummary = 512U << 20U;  ///< [B]
 constexpr std::size_t FooterLength = 20;            ///< of its content [B]
 
@@ -30,12 +28,12 @@ private:
         std::uint32_t chunk = 0;
         std::uint64_t at = 0;  ///< offset of its record in the file [B]
         bool indexed = false, unknown = false;
-        std::vector<McapEntry> entries;
+        std::vector<IndexEntry> entries;
     };
     void describe(McapOp op, std::span<const std::byte> content);
-    void add(std::vector<McapEntry>& entries, std::span<const std::byte> messageIndex,
+    void add(std::vector<IndexEntry>& entries, std::span<const std::byte> messageIndex,
              std::uint32_t chunk) const;
-    void keep(std::vector<McapEntry> entries);
+    void keep(std::vector<IndexEntry> entries);
     /// Reads the messages of @p open, when no index shows them; always what it describes.
     void close(Open& open);
     void scan(std::uint32_t chunk, std::uint64_t at, bool messages);
@@ -61,7 +59,7 @@ void Indexing::describe(McapOp op, std::span<const std::byte> content) {
     }
 }
 
-void Indexing::add(std::vector<McapEntry>& entries, std::span<const std::byte> messageIndex,
+void Indexing::add(std::vector<IndexEntry>& entries, std::span<const std::byte> messageIndex,
                    std::uint32_t chunk) const {
     McapFields fields(messageIndex);
     const std::uint16_t channel = fields.u16();
@@ -73,7 +71,7 @@ void Indexing::add(std::vector<McapEntry>& entries, std::span<const std::byte> m
     }
 }
 
-void Indexing::keep(std::vector<McapEntry> entries) {
+void Indexing::keep(std::vector<IndexEntry> entries) {
     const std::size_t room = MostEntries - std::min(MostEntries, m_index.entries.size());
     if (entries.size() > room) {
         entries.resize(room);
@@ -121,23 +119,24 @@ bool Indexing::bySummary() {
             scan(number, one.chunk, true);
             continue;
         }
-        std::vector<McapEntry> entries;
+        std::vector<IndexEntry> entries;
         forEachRecord(m_bytes.at(one.chunk + one.length, one.indexes),
                       [&](McapOp op, std::size_t, std::span<const std::byte> content) {
                           if (op == McapOp::MessageIndex) add(entries, content, number);
                       });
         keep(std::move(entries));
     }
-    const bool known = std::all_of(m_index.entries.begin(), m_index.entries.end(), [&](const McapEntry& one) {
-        return m_index.channels.contains(one.channel);
-    });
+    const bool known =
+        std::all_of(m_index.entries.begin(), m_index.entries.end(), [&](const IndexEntry& one) {
+            return m_index.channels.contains(static_cast<std::uint16_t>(one.topic));
+        });
     return known && (m_full || m_index.entries.size() >= m_index.stated.value_or(0));
 }
 
 void Indexing::scan(std::uint32_t chunk, std::uint64_t at, bool messages) {
     const McapRecords records = m_bytes.recordsAt(m_index.chunks[chunk]);
     if (!records.problem.empty()) problem(at, records.problem);
-    std::vector<McapEntry> entries;
+    std::vector<IndexEntry> entries;
     forEachRecord(records.bytes, [&](McapOp op, std::size_t offset, std::span<const std::byte> content) {
         describe(op, content);
         const auto message = messages && op == McapOp::Message ? mcapMessage(content) : std::nullopt;
@@ -147,8 +146,9 @@ void Indexing::scan(std::uint32_t chunk, std::uint64_t at, bool messages) {
 }
 
 void Indexing::close(Open& open) {
-    open.unknown = std::any_of(open.entries.begin(), open.entries.end(),
-                               [&](const McapEntry& one) { return !m_index.channels.contains(one.channel); });
+    open.unknown = std::any_of(open.entries.begin(), open.entries.end(), [&](const IndexEntry& one) {
+        return !m_index.channels.contains(static_cast<std::uint16_t>(one.topic));
+    });
     if (!open.indexed || open.unknown) scan(open.chunk, open.at, !open.indexed);
     keep(std::move(open.entries));
 }
@@ -159,7 +159,7 @@ void Indexing::byRecords() {
     m_index = std::move(begun);
     m_full = false;
     std::optional<Open> open;
-    std::vector<McapEntry> loose;  // messages outside of chunks
+    std::vector<IndexEntry> loose;  // messages outside of chunks
     std::uint64_t at = McapMagic.size();
     while (at < m_bytes.size() && !m_full) {
         const auto bytes = m_bytes.at(at, McapRecordHead);
@@ -184,7 +184,7 @@ void Indexing::byRecords() {
         } else if (!cut && head.op == McapOp::Message) {
             constexpr std::uint64_t Fields = 22;  // before a message's data [B]
             const auto message = mcapMessage(m_bytes.at(at + McapRecordHead, std::min(length, Fields)));
-            if (message) loose.push_back({message->logged, at, McapEntry::NoChunk, message->channel});
+            if (message) loose.push_back({message->logged, at, IndexEntry::NoChunk, message->channel});
         } else if (!cut) {
             describe(head.op, head.op == McapOp::Schema || head.op == McapOp::Channel
                                   ? m_bytes.at(at + McapRecordHead, length)
@@ -204,10 +204,6 @@ void Indexing::byRecords() {
 }
 
 McapIndex Indexing::finish() {
-    std::stable_sort(m_index.entries.begin(), m_index.entries.end(),
-                     [](const McapEntry& a, const McapEntry& b) {
-                         return std::tie(a.logged, a.chunk, a.offset) < std::tie(b.logged, b.chunk, b.offset);
-                     });
     return std::move(m_index);
 }
 
