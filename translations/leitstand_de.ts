@@ -2464,10 +2464,6 @@ Funk: %4 %5</translation>
         <translation>{}: erwartet wurde ein Ordner oder eine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>a bag of ROS 1</source>
-        <translation>ein Bag von ROS 1</translation>
-    </message>
-    <message>
         <source>{}: expected it, since metadata.yaml lists it, found nothing</source>
         <translation>{}: wird erwartet, da metadata.yaml es nennt, und fehlt</translation>
     </message>
@@ -3180,14 +3176,6 @@ Funk: %4 %5</translation>
         <translation>{}: erwartet wurde die Datei eines Bags, gefunden wurde eine leere</translation>
     </message>
     <message>
-        <source>{}: expected a bag in an SQLite or MCAP file, found {}; `ros2 bag convert` turns it into one</source>
-        <translation>{}: erwartet wurde ein Bag in einer SQLite- oder MCAP-Datei, gefunden wurde {}; `ros2 bag convert` macht daraus eine</translation>
-    </message>
-    <message>
-        <source>{}: expected a bag in SQLite or MCAP files (.db3, .mcap); `ros2 bag convert` turns it into one</source>
-        <translation>{}: erwartet wurde ein Bag in SQLite- oder MCAP-Dateien (.db3, .mcap); `ros2 bag convert` macht daraus eines</translation>
-    </message>
-    <message>
         <source>{}: expected a bag in SQLite or MCAP files (sqlite3, mcap), found storage &quot;{}&quot;; `ros2 bag convert` turns it into one</source>
         <translation>{}: erwartet wurde ein Bag in SQLite- oder MCAP-Dateien (sqlite3, mcap), gefunden wurde der Speicher „{}“; `ros2 bag convert` macht daraus eines</translation>
     </message>
@@ -3234,6 +3222,26 @@ Funk: %4 %5</translation>
     <message>
         <source>{}: cannot be unpacked in {}: {}</source>
         <translation>{}: lässt sich in {} nicht entpacken: {}</translation>
+    </message>
+    <message>
+        <source>expected a type, found &quot;{}&quot;</source>
+        <translation>erwartet wurde ein Typ, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>{}: expected a text of at most {} bytes</source>
+        <translation>{}: erwartet wurde ein Text von höchstens {} Bytes</translation>
+    </message>
+    <message>
+        <source>{}: its text lacks the type {}</source>
+        <translation>{}: in seinem Text fehlt der Typ {}</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag of ROS 1 in format 2.0</source>
+        <translation>{}: erwartet wurde ein Bag von ROS 1 im Format 2.0</translation>
+    </message>
+    <message>
+        <source>expected a chunk compressed by bz2 or lz4, found &quot;{}&quot;</source>
+        <translation>erwartet wurde ein mit bz2 oder lz4 komprimierter Block, gefunden wurde „{}“</translation>
     </message>
 </context>
 <context>

@@ -2464,10 +2464,6 @@ Link: %4 %5</source>
         <translation>{}: フォルダーか通常のファイルが必要</translation>
     </message>
     <message>
-        <source>a bag of ROS 1</source>
-        <translation>ROS 1 のバッグ</translation>
-    </message>
-    <message>
         <source>{}: expected it, since metadata.yaml lists it, found nothing</source>
         <translation>{}: metadata.yaml にありますが、見つかりません</translation>
     </message>
@@ -3180,14 +3176,6 @@ Link: %4 %5</source>
         <translation>{}: バッグのファイルが必要ですが、空です</translation>
     </message>
     <message>
-        <source>{}: expected a bag in an SQLite or MCAP file, found {}; `ros2 bag convert` turns it into one</source>
-        <translation>{}: SQLite か MCAP のバッグが必要ですが、{}です。`ros2 bag convert` で変換できます</translation>
-    </message>
-    <message>
-        <source>{}: expected a bag in SQLite or MCAP files (.db3, .mcap); `ros2 bag convert` turns it into one</source>
-        <translation>{}: SQLite か MCAP のバッグ (.db3、.mcap) が必要です。`ros2 bag convert` で変換できます</translation>
-    </message>
-    <message>
         <source>{}: expected a bag in SQLite or MCAP files (sqlite3, mcap), found storage &quot;{}&quot;; `ros2 bag convert` turns it into one</source>
         <translation>{}: SQLite か MCAP のバッグ (sqlite3、mcap) が必要ですが、ストレージは「{}」です。`ros2 bag convert` で変換できます</translation>
     </message>
@@ -3234,6 +3222,26 @@ Link: %4 %5</source>
     <message>
         <source>{}: cannot be unpacked in {}: {}</source>
         <translation>{}: {} に展開できません: {}</translation>
+    </message>
+    <message>
+        <source>expected a type, found &quot;{}&quot;</source>
+        <translation>型が必要ですが、「{}」です</translation>
+    </message>
+    <message>
+        <source>{}: expected a text of at most {} bytes</source>
+        <translation>{}: テキストは最大 {} バイトです</translation>
+    </message>
+    <message>
+        <source>{}: its text lacks the type {}</source>
+        <translation>{}: 定義に型 {} がありません</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag of ROS 1 in format 2.0</source>
+        <translation>{}: ROS 1 のフォーマット 2.0 のバッグが必要です</translation>
+    </message>
+    <message>
+        <source>expected a chunk compressed by bz2 or lz4, found &quot;{}&quot;</source>
+        <translation>bz2 か lz4 で圧縮されたチャンクが必要ですが、「{}」です</translation>
     </message>
 </context>
 <context>

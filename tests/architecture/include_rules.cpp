@@ -30,7 +30,7 @@ const std::vector<Rule>& rules() {
         {"core", core, coreLibraries},
         {"core/io",
          with(core, {"core/io"}),
-         {"Eigen", "fmt", "lz4", "lzf", "sqlite3", "yaml-cpp", "nlohmann", "zlib", "zstd"}},
+         {"Eigen", "fmt", "bzip2", "lz4", "lzf", "sqlite3", "yaml-cpp", "nlohmann", "zlib", "zstd"}},
         {"core/io/handin",
          with(core, {"core/io"}),
          {"Eigen", "fmt", "gdal", "octomap", "openssl", "yaml-cpp"}},
@@ -239,7 +239,7 @@ std::string_view libraryOf(std::string_view header) {
         {"SDL2/", "SDL"},        {"Qt", "Qt"},
         {"boost/", "boost"},     {"rclcpp/", "ROS"},
         {"lzf.h", "lzf"},        {"lz4", "lz4"},
-        {"zstd.h", "zstd"},
+        {"zstd.h", "zstd"},      {"bzlib.h", "bzip2"},
     };
     for (const auto& [prefix, library] : prefixes) {
         if (header.starts_with(prefix)) return library;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "app/services/coverage/logged_views.h"
@@ -43,8 +44,8 @@ constexpr double OdometryTurned = degrees(3);  ///< poses that turned less add n
 std::string nameOf(const fs::path& folder) {
     const fs::path whole = fs::absolute(folder).lexically_normal();
     const fs::path last = whole.has_filename() ? whole : whole.parent_path();
-    return (last.extension() == ".db3" || last.extension() == ".mcap" ? last.stem() : last.filename())
-        .string();
+    std::error_code ignored;
+    return (fs::is_regular_file(whole, ignored) ? last.stem() : last.filename()).string();
 }
 
 }  // namespace

@@ -1,12 +1,14 @@
 #include "app/services/offline/mission_scans.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -263,7 +265,8 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
 
 bool isMission(const fs::path& path) {
     const auto isBag = [](const fs::path& file) {
-        return file.extension() == ".db3" || file.extension() == ".mcap" || file.extension() == ".zstd";
+        constexpr auto Endings = std::to_array<std::string_view>({".db3", ".mcap", ".bag", ".zstd"});
+        return std::find(Endings.begin(), Endings.end(), file.extension().string()) != Endings.end();
     };
     std::error_code problem;
     if (!fs::is_directory(path, problem)) return isBag(path) && fs::exists(path, problem);

@@ -6,14 +6,13 @@
 #include <zlib.h>
 
 #include "core/base/words.h"
-#include "core/io/bag/mcap/decompression.h"
 #include "core/io/bag/mcap/mcap_records.h"
 #include "core/io/bag/reading/bag_file.h"
+#include "core/io/bag/reading/decompression.h"
 
 namespace leitstand::detail {
 namespace {
 
-constexpr std::uint64_t Ahead = 1U << 20U;  ///< is read at once, where records are small [B]
 /// Largest chunk, uncompressed [B]: room for the largest message and its neighbours.
 constexpr std::uint64_t MostRecords = MaxMessageBytes + (64U << 20U);
 
@@ -26,7 +25,7 @@ std::uint32_t crcOf(std::span<const std::byte> bytes) {
 }  // namespace
 
 Result<McapBytes> McapBytes::open(const std::filesystem::path& path) {
-    auto file = InputFile::open(path);
+    auto file = FileWindow::open(path);
     if (!file) return file.error();
     McapBytes bytes(std::move(file).value());
     const auto begin = bytes.at(0, McapMagic.size());
@@ -38,27 +37,6 @@ Result<McapBytes> McapBytes::open(const std::filesystem::path& path) {
     return bytes;
 }
 
-std::span<const std::byte> McapBytes::at(std::uint64_t offset, std::uint64_t count) {
-    if (offset >= m_file.size()) return {};
-    count = std::min(count, m_file.size() - offset);
-    const bool here = offset >= m_begin && offset + count <= m_begin + m_window.size();
-    if (!here) {
-        const std::uint64_t wanted = std::min(std::max(count, Ahead), m_file.size() - offset);
-        m_window.resize(static_cast<std::size_t>(wanted));
-        m_begin = offset;
-        std::size_t got = 0;
-        if (m_file.seek(offset)) {
-            const auto read = m_file.read(reinterpret_cast<char*>(m_window.data()), m_window.size());
-            got = read ? *read : 0;
-        }
-        m_window.resize(got);
-    }
-    const auto from = static_cast<std::size_t>(offset - m_begin);
-    if (from >= m_window.size()) return {};
-    return std::span(std::as_const(m_window))
-        .subspan(from, std::min<std::size_t>(count, m_window.size() - from));
-}
-
 McapRecords McapBytes::recordsAt(const McapChunkPlace& place) {
     const std::span<const std::byte> content = at(place.offset, place.length);
     const auto chunk = mcapChunk(content);
@@ -66,9 +44,12 @@ McapRecords McapBytes::recordsAt(const McapChunkPlace& place) {
         return {{}, translate("leitstand::Error", "expected a chunk, found one that is cut off or broken")};
     const auto stored = content.subspan(chunk->head);
     const bool cut = stored.size() < chunk->stored;
-    const auto records = decompressed(
-        stored.first(static_cast<std::size_t>(std::min<std::uint64_t>(stored.size(), chunk->stored))),
-        chunk->compression, std::min(chunk->size, MostRecords) + 1);
+    const bool known =
+        chunk->compression.empty() || chunk->compression == "zstd" || chunk->compression == "lz4";
+    const auto records = !known ? std::nullopt
+                                : decompressed(stored.first(static_cast<std::size_t>(
+                                                   std::min<std::uint64_t>(stored.size(), chunk->stored))),
+                                               chunk->compression, std::min(chunk->size, MostRecords) + 1);
     if (!records)
         return {{},
                 leitstand::fill(

@@ -5,10 +5,11 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/io/detail/input_file.h"
+#include "core/io/bag/reading/file_window.h"
 
 namespace leitstand::detail {
 
@@ -29,20 +30,19 @@ public:
     /// Opens @p path. Error when it cannot be read, or does not begin as MCAP does.
     [[nodiscard]] static Result<McapBytes> open(const std::filesystem::path& path);
 
-    /// Returns @p count bytes from byte @p offset, or fewer at the end of the file or where the disk fails.
-    /// They stay valid until the next call.
-    [[nodiscard]] std::span<const std::byte> at(std::uint64_t offset, std::uint64_t count);
+    /// As FileWindow::at().
+    [[nodiscard]] std::span<const std::byte> at(std::uint64_t offset, std::uint64_t count) {
+        return m_file.at(offset, count);
+    }
     /// Reads and checks the chunk at @p place. A chunk that is cut off is returned as far as it goes, one
     /// whose checksum is wrong without any records.
     [[nodiscard]] McapRecords recordsAt(const McapChunkPlace& place);
     [[nodiscard]] std::uint64_t size() const { return m_file.size(); }
 
 private:
-    explicit McapBytes(InputFile file) : m_file(std::move(file)) {}
+    explicit McapBytes(FileWindow file) : m_file(std::move(file)) {}
 
-    InputFile m_file;
-    std::uint64_t m_begin = 0;        ///< of m_window in the file [B]
-    std::vector<std::byte> m_window;  ///< what was read last
+    FileWindow m_file;
 };
 
 }  // namespace leitstand::detail

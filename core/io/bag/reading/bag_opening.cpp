@@ -11,6 +11,7 @@
 #include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/reading/sqlite_file.h"
 #include "core/io/bag/reading/unpacked_file.h"
+#include "core/io/bag/ros1/ros1_file.h"
 #include "core/io/bag/salvage/log_frames.h"
 #include "core/io/bag/salvage/salvaged_file.h"
 
@@ -95,10 +96,10 @@ Result<std::shared_ptr<BagFile>> openPacked(const fs::path& path, std::vector<st
 /// Returns the files of the bag in @p folder: of the kind that @p metadata names, or else of another one.
 Result<std::vector<NumberedFile>> filesOf(const fs::path& folder,
                                           const std::optional<BagMetadata>& metadata) {
-    std::vector<std::string_view> kinds = {".db3", ".mcap", ".zstd"};
+    std::vector<std::string_view> kinds = {".db3", ".mcap", ".zstd", ".bag"};
     if (metadata && metadata->storage == "mcap") std::swap(kinds[0], kinds[1]);
     if (metadata && !metadata->compression.empty() && !metadata->compressesMessages)
-        std::rotate(kinds.begin(), kinds.begin() + 2, kinds.end());
+        std::rotate(kinds.begin(), kinds.begin() + 2, kinds.begin() + 3);
     Result<std::vector<NumberedFile>> files = std::vector<NumberedFile>();
     for (const std::string_view kind : kinds) {
         if (files && files->empty()) files = databaseFiles(folder, kind);
@@ -191,19 +192,17 @@ Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, std::
     if (size == 0)
         return Error{leitstand::fill(
             translate("leitstand::Error", "{}: expected a bag's file, found an empty one"), path.string())};
+    // Closing any other descriptor of a file that this process writes would drop SQLite's locks on it.
     if (!live && isPacked(path)) return openPacked(path, problems, damaged);
     if (!live && isMcap(path)) {
         auto opened = McapFile::open(path);
         if (!opened) return opened.error();
         return std::shared_ptr<BagFile>(std::move(opened).value());
     }
-    // Closing any other descriptor of a file that this process writes would drop SQLite's locks on it.
-    if (const auto other = live ? std::string() : otherKindOf(path); !other.empty()) {
-        return Error{leitstand::fill(
-            translate("leitstand::Error",
-                      "{}: expected a bag in an SQLite or MCAP file, found {}; `ros2 bag convert` turns it "
-                      "into one"),
-            path.string(), other)};
+    if (!live && isRos1(path)) {
+        auto opened = Ros1File::open(path);
+        if (!opened) return opened.error();
+        return std::shared_ptr<BagFile>(std::move(opened).value());
     }
     auto opened = SqliteFile::open(path, live);
     if (opened && live) return std::shared_ptr<BagFile>(std::move(opened).value());
@@ -227,14 +226,6 @@ Result<OpenBag> openBag(const fs::path& path, Writer writer) {
             translate("leitstand::Error", "{}: expected a bag's folder or file, found nothing"),
             path.string())};
     if (!fs::is_directory(status)) {
-        if (path.extension() == ".bag") {
-            return Error{leitstand::fill(
-                translate(
-                    "leitstand::Error",
-                    "{}: expected a bag in SQLite or MCAP files (.db3, .mcap); `ros2 bag convert` turns "
-                    "it into one"),
-                path.string())};
-        }
         if (!fs::is_regular_file(status))
             return Error{leitstand::fill(
                 translate("leitstand::Error", "{}: expected a folder or a regular file"), path.string())};

@@ -1,10 +1,8 @@
 #include "core/io/bag/reading/other_kinds.h"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <system_error>
-#include <utility>
 
 #include "core/base/words.h"
 #include "core/io/bag/mcap/mcap_records.h"
@@ -16,10 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view Zstd("\x28\xb5\x2f\xfd", 4);
-
-constexpr std::array<std::pair<std::string_view, const char*>, 1> Kinds = {{
-    {"#ROSBAG V", translatable("leitstand::Error", "a bag of ROS 1")},
-}};
 
 std::string beginOf(const fs::path& path) {
     std::string begin(16, '\0');
@@ -61,15 +55,8 @@ void notifyAbsent(const fs::path& folder, const BagMetadata& metadata, std::vect
 
 }  // namespace
 
-std::string otherKind(std::string_view begin) {
-    for (const auto& [magic, name] : Kinds) {
-        if (begin.starts_with(magic)) return translate("leitstand::Error", name);
-    }
-    return {};
-}
-
-std::string otherKindOf(const fs::path& path) {
-    return otherKind(beginOf(path));
+bool isRos1(const fs::path& path) {
+    return beginOf(path).starts_with("#ROSBAG V");
 }
 
 bool isPacked(const fs::path& path) {

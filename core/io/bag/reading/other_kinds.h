@@ -13,11 +13,8 @@
 
 namespace leitstand::detail {
 
-/// Returns the kind of a file, such as "a bag of ROS 1", from its first bytes @p begin. Empty: it is none of
-/// the other kinds that are known but not supported.
-[[nodiscard]] std::string otherKind(std::string_view begin);
-/// Returns otherKind() of the file at @p path.
-[[nodiscard]] std::string otherKindOf(const std::filesystem::path& path);
+/// Whether the file at @p path is a bag of ROS 1.
+[[nodiscard]] bool isRos1(const std::filesystem::path& path);
 /// Whether the file at @p path is compressed by zstd.
 [[nodiscard]] bool isPacked(const std::filesystem::path& path);
 /// Whether the file at @p path is to be read as MCAP: by its first bytes, or by its ending.

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/words.h"
-#include "core/io/bag/mcap/decompression.h"
+#include "core/io/bag/reading/decompression.h"
 #include "core/io/bag/reading/other_kinds.h"
 #include "core/io/bag/salvage/salvaged_file.h"
 #include "core/mission/state/robot_state.h"

@@ -1,8 +1,9 @@
-#include "core/io/bag/mcap/decompression.h"
+#include "core/io/bag/reading/decompression.h"
 
 #include <algorithm>
 #include <memory>
 
+#include <bzlib.h>
 #include <lz4frame.h>
 #include <zstd.h>
 
@@ -61,12 +62,37 @@ Decompressed byLz4(std::span<const std::byte> input, std::uint64_t most) {
     return result;
 }
 
+Decompressed byBzip2(std::span<const std::byte> input, std::uint64_t most) {
+    constexpr std::size_t MostAtOnce = 1U << 30U;  // the library counts in unsigned int
+    bz_stream stream{};
+    Decompressed result;
+    if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return result;
+    stream.next_in = const_cast<char*>(reinterpret_cast<const char*>(input.data()));
+    stream.avail_in = static_cast<unsigned>(std::min(input.size(), MostAtOnce));
+    std::size_t used = 0;
+    for (int state = BZ_OK; state == BZ_OK;) {
+        const std::span<std::byte> room = roomIn(result.bytes, used, most);
+        const auto most32 = static_cast<unsigned>(std::min(room.size(), MostAtOnce));
+        stream.next_out = reinterpret_cast<char*>(room.data());
+        stream.avail_out = most32;
+        const unsigned before = stream.avail_in;
+        state = BZ2_bzDecompress(&stream);
+        used += most32 - stream.avail_out;
+        result.whole = state == BZ_STREAM_END && stream.avail_in == 0;
+        if (stream.avail_out == most32 && stream.avail_in == before) break;  // nothing goes on
+    }
+    BZ2_bzDecompressEnd(&stream);
+    result.bytes.resize(used);
+    return result;
+}
+
 }  // namespace
 
 std::optional<Decompressed> decompressed(std::span<const std::byte> input, std::string_view format,
                                          std::uint64_t most) {
     if (format == "zstd") return byZstd(input, most);
     if (format == "lz4") return byLz4(input, most);
+    if (format == "bz2") return byBzip2(input, most);
     if (!format.empty()) return std::nullopt;
     const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(input.size(), most));
     return Decompressed{{input.begin(), input.begin() + static_cast<std::ptrdiff_t>(size)},
