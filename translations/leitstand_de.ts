@@ -5472,6 +5472,14 @@ F1 listet alle Tasten</translation>
         <source>remote</source>
         <translation>Handsender</translation>
     </message>
+    <message>
+        <source>NO MODES</source>
+        <translation>KEINE MODI</translation>
+    </message>
+    <message>
+        <source>others may drive it, too</source>
+        <translation>auch andere können ihn fahren</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MoreRobotsButton</name>

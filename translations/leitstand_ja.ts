@@ -5472,6 +5472,14 @@ F1 でキー一覧</translation>
         <source>remote</source>
         <translation>無線</translation>
     </message>
+    <message>
+        <source>NO MODES</source>
+        <translation>モードなし</translation>
+    </message>
+    <message>
+        <source>others may drive it, too</source>
+        <translation>他からも操縦できます</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::MoreRobotsButton</name>

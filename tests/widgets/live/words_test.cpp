@@ -72,6 +72,20 @@ TEST_F(LiveWords, AModeHasItsKind) {
     EXPECT_EQ(labelOf(robot).kind, ModeKind::Stopped);
 }
 
+TEST_F(LiveWords, ARobotWithoutModesIsNotSaidToHaveAnUnknownOne) {
+    robot.reported.mode.reset();
+    robot.view.drive.driving = false;
+    auto& streams = robot.view.link.streams;
+    streams.resize(1);
+    streams.front().role = StreamRole::Mode;
+    EXPECT_EQ(labelOf(robot).text.toStdString(), "MODE UNKNOWN");
+    streams.front().role = StreamRole::Odometry;
+    EXPECT_EQ(labelOf(robot).text.toStdString(), "NO MODES");
+    EXPECT_EQ(labelOf(robot).kind, ModeKind::Stopped);
+    robot.view.drive.driving = true;
+    EXPECT_EQ(labelOf(robot).text.toStdString(), "TELEOPERATION");
+}
+
 /// Has one text of a robot.
 class RobotInGerman final : public QTranslator {
 public:

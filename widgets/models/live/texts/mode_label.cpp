@@ -1,10 +1,12 @@
 #include "widgets/models/live/texts/mode_label.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include <QCoreApplication>
 
 #include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/robot/robot_format.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/numbers.h"
@@ -31,6 +33,11 @@ ModeLabel labelWithoutWord(const RobotView& robot) {
                 ModeTexts::tr("TELEOPERATION"),
                 {},
                 modeBrief("teleoperation").toUpper()};
+    const auto& streams = robot.link.streams;
+    const bool reports = std::any_of(streams.begin(), streams.end(),
+                                     [](const StreamStatus& one) { return one.role == StreamRole::Mode; });
+    if (!streams.empty() && !reports)
+        return {ModeKind::Stopped, ModeTexts::tr("NO MODES"), ModeTexts::tr("others may drive it, too")};
     return {ModeKind::Stopped, ModeTexts::tr("MODE UNKNOWN"), ModeTexts::tr("the robot tells none")};
 }
 
