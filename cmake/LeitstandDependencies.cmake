@@ -46,6 +46,7 @@ if(NOT LEITSTAND_CORE_ONLY)
         FiltersCore FiltersGeneral FiltersSources InteractionStyle IOImage RenderingAnnotation RenderingCore
         RenderingFreeType RenderingOpenGL2 glew)
     find_package(BZip2 REQUIRED)  # of chunks in bags of ROS 1
+    pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)  # its checksums
     pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)    # of chunks in MCAP bags
     pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)  # likewise, and of messages in bags
     pkg_check_modules(LZF REQUIRED IMPORTED_TARGET liblzf)  # of compressed PCD files

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include "core/base/words.h"
 #include "core/io/bag/mcap/mcap_records.h"
@@ -17,9 +17,7 @@ namespace {
 constexpr std::uint64_t MostRecords = MaxMessageBytes + (64U << 20U);
 
 std::uint32_t crcOf(std::span<const std::byte> bytes) {
-    uLong crc = crc32_z(0, nullptr, 0);
-    return static_cast<std::uint32_t>(
-        crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+    return libdeflate_crc32(0, bytes.data(), bytes.size());  // several times as fast as zlib's
 }
 
 }  // namespace
@@ -46,17 +44,18 @@ McapRecords McapBytes::recordsAt(const McapChunkPlace& place) {
     const bool cut = stored.size() < chunk->stored;
     const bool known =
         chunk->compression.empty() || chunk->compression == "zstd" || chunk->compression == "lz4";
-    const auto records = !known ? std::nullopt
-                                : decompressed(stored.first(static_cast<std::size_t>(
-                                                   std::min<std::uint64_t>(stored.size(), chunk->stored))),
-                                               chunk->compression, std::min(chunk->size, MostRecords) + 1);
+    auto records = !known ? std::nullopt
+                          : decompressed(stored.first(static_cast<std::size_t>(
+                                             std::min<std::uint64_t>(stored.size(), chunk->stored))),
+                                         chunk->compression, std::min(chunk->size, MostRecords) + 1);
     if (!records)
         return {{},
                 leitstand::fill(
                     translate("leitstand::Error", "expected a chunk compressed by zstd or lz4, found \"{}\""),
                     chunk->compression.substr(0, 40))};
     if (cut)
-        return {records->bytes, translate("leitstand::Error", "the chunk is cut off; its beginning is read")};
+        return {std::move(records->bytes),
+                translate("leitstand::Error", "the chunk is cut off; its beginning is read")};
     if (!records->whole || records->bytes.size() != chunk->size)
         return {{},
                 leitstand::fill(translate("leitstand::Error",
@@ -64,7 +63,7 @@ McapRecords McapBytes::recordsAt(const McapChunkPlace& place) {
                                 chunk->size, records->bytes.size())};
     if (chunk->crc != 0 && crcOf(records->bytes) != chunk->crc)
         return {{}, translate("leitstand::Error", "the chunk is damaged: its checksum is wrong")};
-    return {records->bytes, {}};
+    return {std::move(records->bytes), {}};
 }
 
 }  // namespace leitstand::detail

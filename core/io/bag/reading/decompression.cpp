@@ -12,9 +12,14 @@ namespace {
 
 constexpr std::size_t Step = 256U << 10U;  ///< that the output grows by at least [B]
 
-/// Makes room for more in @p bytes, at most @p most in all; returns the room, empty when there is none.
-std::span<std::byte> roomIn(std::vector<std::byte>& bytes, std::size_t used, std::uint64_t most) {
-    const std::uint64_t wanted = std::max<std::uint64_t>(used + Step, 2 * used);
+/// Makes room for more in @p bytes, of which @p used are used, at most @p most in all; returns the room,
+/// empty when there is none. @p input: size of what is compressed; what unpacks to a usual size gets room at
+/// once.
+std::span<std::byte> roomIn(std::vector<std::byte>& bytes, std::size_t used, std::size_t input,
+                            std::uint64_t most) {
+    constexpr std::uint64_t Usual = 32;  // times as large
+    const std::uint64_t wanted = used == 0 ? std::max<std::uint64_t>(Step, Usual * input)
+                                           : std::max<std::uint64_t>(used + Step, 2 * used);
     bytes.resize(static_cast<std::size_t>(std::min(wanted, most)));
     return std::span(bytes).subspan(used);
 }
@@ -27,7 +32,7 @@ Decompressed byZstd(std::span<const std::byte> input, std::uint64_t most) {
     ZSTD_inBuffer in{input.data(), input.size(), 0};
     std::size_t left = 1;  // of a frame, as the library hints
     while (stream && (in.pos < in.size || left != 0)) {
-        const std::span<std::byte> room = roomIn(result.bytes, used, most);
+        const std::span<std::byte> room = roomIn(result.bytes, used, input.size(), most);
         ZSTD_outBuffer out{room.data(), room.size(), 0};
         const std::size_t before = in.pos;
         left = ZSTD_decompressStream(stream.get(), &out, &in);
@@ -48,7 +53,7 @@ Decompressed byLz4(std::span<const std::byte> input, std::uint64_t most) {
     std::size_t used = 0, read = 0;
     std::size_t left = 1;  // of a frame, as the library hints
     while (read < input.size() || left != 0) {
-        const std::span<std::byte> room = roomIn(result.bytes, used, most);
+        const std::span<std::byte> room = roomIn(result.bytes, used, input.size(), most);
         std::size_t produced = room.size(), consumed = input.size() - read;
         left =
             LZ4F_decompress(context.get(), room.data(), &produced, input.data() + read, &consumed, nullptr);
@@ -71,7 +76,7 @@ Decompressed byBzip2(std::span<const std::byte> input, std::uint64_t most) {
     stream.avail_in = static_cast<unsigned>(std::min(input.size(), MostAtOnce));
     std::size_t used = 0;
     for (int state = BZ_OK; state == BZ_OK;) {
-        const std::span<std::byte> room = roomIn(result.bytes, used, most);
+        const std::span<std::byte> room = roomIn(result.bytes, used, input.size(), most);
         const auto most32 = static_cast<unsigned>(std::min(room.size(), MostAtOnce));
         stream.next_out = reinterpret_cast<char*>(room.data());
         stream.avail_out = most32;
