@@ -3184,10 +3184,6 @@ Funk: %4 %5</translation>
         <translation>{}: erwartet wurde ein Bag in SQLite- oder MCAP-Dateien (.db3, .mcap), gefunden wurde {}; `ros2 bag convert` macht daraus eines</translation>
     </message>
     <message>
-        <source>{}: expected a bag: metadata.yaml and files that end in .db3 or .mcap</source>
-        <translation>{}: erwartet wurde ein Bag: metadata.yaml und Dateien, die auf .db3 oder .mcap enden</translation>
-    </message>
-    <message>
         <source>{}: is of another kind than the bag&apos;s other files, and is not read</source>
         <translation>{}: ist anderer Art als die übrigen Dateien des Bags und wird nicht gelesen</translation>
     </message>
@@ -3242,6 +3238,26 @@ Funk: %4 %5</translation>
     <message>
         <source>expected a chunk compressed by bz2 or lz4, found &quot;{}&quot;</source>
         <translation>erwartet wurde ein mit bz2 oder lz4 komprimierter Block, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>{}: is not written: messages of {} were dropped</source>
+        <translation>{}: wird nicht geschrieben: Nachrichten von {} gingen verloren</translation>
+    </message>
+    <message>
+        <source>{}: cannot be copied: {}</source>
+        <translation>{}: lässt sich nicht kopieren: {}</translation>
+    </message>
+    <message>
+        <source>{}: expected a folder outside of the bag</source>
+        <translation>{}: erwartet wurde ein Ordner außerhalb des Bags</translation>
+    </message>
+    <message>
+        <source>expected a chunk of at most {} bytes, found {}</source>
+        <translation>erwartet wurde ein Block von höchstens {} Bytes, gefunden wurden {}</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag: metadata.yaml and files that end in .db3, .mcap or .bag</source>
+        <translation>{}: erwartet wurde ein Bag: metadata.yaml und Dateien, die auf .db3, .mcap oder .bag enden</translation>
     </message>
 </context>
 <context>

@@ -3184,10 +3184,6 @@ Link: %4 %5</source>
         <translation>{}: SQLite か MCAP のバッグ (.db3、.mcap) が必要ですが、{} です。`ros2 bag convert` で変換できます</translation>
     </message>
     <message>
-        <source>{}: expected a bag: metadata.yaml and files that end in .db3 or .mcap</source>
-        <translation>{}: バッグ (metadata.yaml と、.db3 か .mcap で終わるファイル) が必要です</translation>
-    </message>
-    <message>
         <source>{}: is of another kind than the bag&apos;s other files, and is not read</source>
         <translation>{}: バッグの他のファイルと種類が異なるため、読み込みません</translation>
     </message>
@@ -3242,6 +3238,26 @@ Link: %4 %5</source>
     <message>
         <source>expected a chunk compressed by bz2 or lz4, found &quot;{}&quot;</source>
         <translation>bz2 か lz4 で圧縮されたチャンクが必要ですが、「{}」です</translation>
+    </message>
+    <message>
+        <source>{}: is not written: messages of {} were dropped</source>
+        <translation>{}: 書き込みません: {} のメッセージが失われました</translation>
+    </message>
+    <message>
+        <source>{}: cannot be copied: {}</source>
+        <translation>{}: コピーできません: {}</translation>
+    </message>
+    <message>
+        <source>{}: expected a folder outside of the bag</source>
+        <translation>{}: バッグの外のフォルダーが必要です</translation>
+    </message>
+    <message>
+        <source>expected a chunk of at most {} bytes, found {}</source>
+        <translation>チャンクは最大 {} バイトですが、{} バイトです</translation>
+    </message>
+    <message>
+        <source>{}: expected a bag: metadata.yaml and files that end in .db3, .mcap or .bag</source>
+        <translation>{}: バッグ (metadata.yaml と、.db3、.mcap、.bag のいずれかで終わるファイル) が必要です</translation>
     </message>
 </context>
 <context>

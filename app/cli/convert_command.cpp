@@ -46,7 +46,7 @@ void addConvert(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand(
         "convert", "copies a bag or mission into MCAP or SQLite files, with all its messages");
     const auto arguments = std::make_shared<ConvertArguments>();
-    command->add_option("BAG", arguments->bag, "Folder of the bag, or one .db3 or .mcap file of it")
+    command->add_option("BAG", arguments->bag, "Folder of the bag, or one file of it (.db3, .mcap, .bag)")
         ->required();
     command->add_option("--out", arguments->out, "Folder of the copy; must not exist")->required();
     command->add_option("--storage", arguments->storage, "Of the copy: mcap (compressed by zstd) or sqlite3")

@@ -71,7 +71,8 @@ void addExport(CLI::App& app, int& exitCode) {
         app.add_subcommand("export", "writes the map or part of a mission for other programs");
     const auto arguments = std::make_shared<ExportArguments>();
     command
-        ->add_option("MISSION", arguments->mission, "Folder of the mission, or one .db3 or .mcap file of it")
+        ->add_option("MISSION", arguments->mission,
+                     "Folder of the mission, or one file of it (.db3, .mcap, .bag)")
         ->required();
     command
         ->add_option(

@@ -117,7 +117,9 @@ int runInfo(const InfoOptions& options) {
 void addInfo(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("info", "tells what a mission (a rosbag2 SQLite bag) holds");
     const auto options = std::make_shared<InfoOptions>();
-    command->add_option("MISSION", options->mission, "Folder of the mission, or one .db3 or .mcap file of it")
+    command
+        ->add_option("MISSION", options->mission,
+                     "Folder of the mission, or one file of it (.db3, .mcap, .bag)")
         ->required();
     command->add_flag("--json", options->json, "Print JSON");
     command->final_callback([options, &exitCode] { exitCode = runInfo(*options); });

@@ -89,7 +89,9 @@ void addReplay(CLI::App& app, int& exitCode) {
                                            "publishes what a mission's robots said; never commands, stops or "
                                            "grants. SIGUSR1 pauses and goes on");
     const auto options = std::make_shared<ReplayOptions>();
-    command->add_option("MISSION", options->mission, "Folder of the mission, or one .db3 or .mcap file of it")
+    command
+        ->add_option("MISSION", options->mission,
+                     "Folder of the mission, or one file of it (.db3, .mcap, .bag)")
         ->required();
     addDomainOptions(*command, options->domain);
     command->add_option("--rate", options->settings.rate, "How many times faster than it came (1)")

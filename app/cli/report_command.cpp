@@ -101,7 +101,8 @@ void addReport(CLI::App& app, int& exitCode) {
         app.add_subcommand("report", "writes the judges' folder of a mission and reads it again");
     const auto arguments = std::make_shared<ReportArguments>();
     command
-        ->add_option("MISSION", arguments->mission, "Folder of the mission, or one .db3 or .mcap file of it")
+        ->add_option("MISSION", arguments->mission,
+                     "Folder of the mission, or one file of it (.db3, .mcap, .bag)")
         ->required();
     command->add_option("--out", arguments->out, "Folder for GeoTIFF, lists, OctoMap, PLY, trajectories, PDF")
         ->required();

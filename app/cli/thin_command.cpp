@@ -48,7 +48,8 @@ void addThin(CLI::App& app, int& exitCode) {
         "thin", "writes a small copy of a mission: map, finds and their evidence, and little of the rest");
     const auto arguments = std::make_shared<ThinArguments>();
     command
-        ->add_option("MISSION", arguments->mission, "Folder of the mission, or one .db3 or .mcap file of it")
+        ->add_option("MISSION", arguments->mission,
+                     "Folder of the mission, or one file of it (.db3, .mcap, .bag)")
         ->required();
     command->add_option("--out", arguments->out, "Folder of the copy; must not exist")->required();
     const auto rate = [&](const char* name, double& value, const std::string& what) {

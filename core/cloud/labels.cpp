@@ -1,5 +1,6 @@
 #include "core/cloud/labels.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -44,15 +45,16 @@ private:
 
 }  // namespace
 
+bool leavesPlane(std::span<const Eigen::Vector3f> points) {
+    return std::any_of(points.begin(), points.end(),
+                       [](const Eigen::Vector3f& point) { return point.z() != 0.0F && point.allFinite(); });
+}
+
 bool isPlaneScan(std::span<const Eigen::Vector3f> points) {
-    constexpr int Least = 30;  // a few points may lie anywhere
-    int finite = 0;
-    for (const Eigen::Vector3f& point : points) {
-        if (!point.allFinite()) continue;
-        if (point.z() != 0.0F) return false;
-        ++finite;
-    }
-    return finite >= Least;
+    constexpr std::ptrdiff_t Least = 30;  // a few points may lie anywhere
+    return !leavesPlane(points) &&
+           std::count_if(points.begin(), points.end(),
+                         [](const Eigen::Vector3f& point) { return point.allFinite(); }) >= Least;
 }
 
 std::vector<Label> labelScan(const Scan& scan, const GridTangents& tangents,

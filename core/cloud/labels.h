@@ -16,6 +16,8 @@ struct LabelSettings {
     double steepest = degrees(45);
 };
 
+/// Returns whether one of @p points is finite and has another z than 0: a plane laser measures none.
+[[nodiscard]] bool leavesPlane(std::span<const Eigen::Vector3f> points);
 /// Returns whether @p points are of a plane laser: at least 30 are finite, and all finite ones have
 /// exactly z = 0. No other scanner measures such points.
 [[nodiscard]] bool isPlaneScan(std::span<const Eigen::Vector3f> points);

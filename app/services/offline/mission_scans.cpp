@@ -32,8 +32,9 @@ namespace fs = std::filesystem;
 
 /// Turns of a plane laser are added where it moved or turned so far since the last one: it makes many a
 /// second.
-constexpr double LaserStep = 0.15;        ///< [m]
-constexpr double LaserTurn = degrees(5);  ///< [rad]
+constexpr std::chrono::seconds WithoutOdometry(1);  ///< ... or so long after it, where nobody knows
+constexpr double LaserStep = 0.15;                  ///< [m]
+constexpr double LaserTurn = degrees(5);            ///< [rad]
 
 /// Topics of @p robots with one of @p roles.
 std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots,
@@ -79,6 +80,7 @@ struct RobotScans {
     MappingScanner mapping;                  ///< which of its scanners makes the map
     std::map<std::string, CloudLane> lanes;  ///< by topic
     std::string planeLaser = {};             ///< planeScanner() of the topics that were recorded
+    std::optional<Time> lastEnd = {};        ///< of the plane laser's newest turn that was looked at
     std::optional<Pose> lastTurn = {};       ///< in odom, where the plane laser's newest scan was taken
     int scans = 0, withoutPose = 0;
 };
@@ -213,7 +215,11 @@ void Reading::addTurn(const Event& event, const RangesSample& turn) {
         const auto inOdom = robot.poses.sensorInOdom(event, header, at);
         return inOdom ? std::optional(*inOdom * upright) : std::nullopt;
     };
-    const auto now = track(endOf(cloud));
+    if (!isLevel(laser)) return;
+    const Time end = endOf(cloud);
+    const auto now = track(end);
+    if (!now && robot.lastEnd && end - *robot.lastEnd < WithoutOdometry) return;
+    robot.lastEnd = end;
     if (now && robot.lastTurn && distanceBetween(*now, *robot.lastTurn) < LaserStep &&
         angleBetween(*now, *robot.lastTurn) < LaserTurn)
         return;
@@ -265,8 +271,11 @@ void Reading::readClouds(const Progress& progress, MissionScans& result) {
 
 bool isMission(const fs::path& path) {
     const auto isBag = [](const fs::path& file) {
-        constexpr auto Endings = std::to_array<std::string_view>({".db3", ".mcap", ".bag", ".zstd"});
-        return std::find(Endings.begin(), Endings.end(), file.extension().string()) != Endings.end();
+        constexpr auto Endings =
+            std::to_array<std::string_view>({".db3", ".mcap", ".bag", ".db3.zstd", ".mcap.zstd"});
+        return std::any_of(Endings.begin(), Endings.end(), [&](std::string_view ending) {
+            return file.filename().string().ends_with(ending);
+        });
     };
     std::error_code problem;
     if (!fs::is_directory(path, problem)) return isBag(path) && fs::exists(path, problem);

@@ -17,7 +17,7 @@ std::vector<HeightBand> bandsOf(std::span<const ReportScan> scans, const FloorHe
     constexpr double About = 0.05;  // [m]; robots tilt a little
     std::optional<HeightBand> plane;
     for (const ReportScan& one : scans) {
-        if (!isPlaneScan(one.scan->points)) return reportBands();
+        if (leavesPlane(one.scan->points)) return reportBands();
         const Eigen::Vector3d& laser = one.scanInMap.translation();
         const double height = laser.z() - floor.at(laser.x(), laser.y());
         if (!plane) plane = HeightBand{height - About, height + About};

@@ -1,5 +1,6 @@
 #include "core/io/bag/bag_conversion.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -21,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t EventsAFlush = 200;
+constexpr std::size_t BytesAFlush = 32U << 20U;
 constexpr std::chrono::seconds Longest(60);  ///< that a disk may take for so many
 
 using Topics = std::map<std::pair<std::string, std::string>, TopicInfo>;  ///< by name and type
@@ -77,25 +79,42 @@ Result<std::uint64_t> writeDatabase(BagReader& bag, const fs::path& folder, cons
     for (const auto& [key, topic] : topicsOf(bag)) (*writer)->addTopic(topic);
     const bool ours = bag.ours();
     std::uint64_t messages = 0;
+    std::size_t bytes = 0;  // since the last flush
+    Result<void> flushed;
     forEachRaw(
         bag, {},
         [&](RawEvent& event) {
             if (!ours) event.sequence = 0;  // of several files, they may not rise
+            bytes += event.cdr->size();
             (*writer)->write(std::move(event));
+            ++messages;
             // What is read faster than it is written would wait in memory.
-            return ++messages % EventsAFlush != 0 || (*writer)->flush(Longest).ok();
+            if (bytes < BytesAFlush && messages % EventsAFlush != 0) return true;
+            bytes = 0;
+            flushed = (*writer)->flush(Longest);
+            return flushed.ok();
         },
         progress);
+    if (!flushed) return flushed.error();
     if (const auto closed = (*writer)->close(); !closed) return closed.error();
+    if (const auto dropped = (*writer)->statistics().dropped; !dropped.empty())
+        return Error{
+            leitstand::fill(translate("leitstand::Error", "{}: is not written: messages of {} were dropped"),
+                            folder.string(), dropped.begin()->first)};
     return messages;
 }
 
 /// Copies what stands in the folder of @p bag beside its log.
-void copyBeside(const fs::path& bag, const fs::path& folder) {
-    std::error_code problem;
-    if (!fs::is_directory(bag, problem)) return;
-    for (const char* name : {"robots", "snapshots"})
+Result<void> copyBeside(const fs::path& bag, const fs::path& folder) {
+    for (const char* name : {"robots", "snapshots"}) {
+        std::error_code problem;
+        if (!fs::is_directory(bag / name, problem)) continue;
         fs::copy(bag / name, folder / name, fs::copy_options::recursive, problem);
+        if (problem)
+            return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be copied: {}"),
+                                         (bag / name).string(), problem.message())};
+    }
+    return {};
 }
 
 }  // namespace
@@ -109,12 +128,15 @@ Result<BagConversion> convertBag(const fs::path& bag, const fs::path& out, BagSt
     if (fs::exists(out, problem))
         return Error{leitstand::fill(
             translate("leitstand::Error", "{}: expected a folder that does not exist yet"), out.string())};
+    const fs::path whole = fs::weakly_canonical(out, problem), from = fs::weakly_canonical(bag, problem);
+    if (std::mismatch(from.begin(), from.end(), whole.begin(), whole.end()).first == from.end())
+        return Error{leitstand::fill(
+            translate("leitstand::Error", "{}: expected a folder outside of the bag"), out.string())};
     detail::Unfinished unfinished(out);  // destroyed after the writer has closed its files
     fs::create_directories(out, problem);
     if (problem)
         return Error{leitstand::fill(translate("leitstand::Error", "{}: cannot be made: {}"), out.string(),
                                      problem.message())};
-    const fs::path whole = fs::absolute(out, problem).lexically_normal();
     const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
     const auto written = storage == BagStorage::Mcap ? writeMcap(source, out, name, progress)
                                                      : writeDatabase(source, out, progress);
@@ -122,7 +144,7 @@ Result<BagConversion> convertBag(const fs::path& bag, const fs::path& out, BagSt
     if (progress.cancelled())
         return Error{
             leitstand::fill(translate("leitstand::Error", "{}: is not written: cancelled"), out.string())};
-    copyBeside(bag, out);
+    if (const auto copied = copyBeside(bag, out); !copied) return copied.error();
     unfinished.done();
     BagConversion result{*written, source.problems()};
     if (storage == BagStorage::Mcap && source.ours())

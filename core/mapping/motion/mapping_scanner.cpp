@@ -35,10 +35,13 @@ std::size_t cellOf(const Eigen::Vector3d& direction) {
 MappingScanner::MappingScanner(const RobotDescription& robot, const MappingScannerSettings& settings)
     : m_settings(settings) {
     if (robot.stream(StreamRole::Points) == nullptr) return;
-    for (const StreamDescription& stream : robot.streams) {
-        if (!robot.mayMap(stream)) continue;
-        m_topics.push_back(stream.topic);
-        if (stream.maps) m_chosen = stream.topic;
+    for (const StreamRole role : {StreamRole::Points, StreamRole::Ranges}) {
+        for (const StreamDescription& stream : robot.streams) {
+            if (stream.role != role || !robot.mayMap(stream)) continue;
+            m_topics.push_back(stream.topic);
+            if (stream.maps) m_chosen = stream.topic;
+        }
+        if (role == StreamRole::Points) m_clouds = m_topics.size();
     }
     if (m_topics.size() == 1) m_chosen = m_topics.front();
 }
@@ -47,29 +50,49 @@ bool MappingScanner::compares(const std::string& topic) const {
     return std::find(m_topics.begin(), m_topics.end(), topic) != m_topics.end();
 }
 
+bool MappingScanner::isCloud(const std::string& topic) const {
+    const auto end = m_topics.begin() + std::ptrdiff_t(m_clouds);
+    return std::find(m_topics.begin(), end, topic) != end;
+}
+
 bool MappingScanner::takes(const std::string& topic, const CloudSample& cloud, Time received) {
     if (!m_chosen.empty() || m_topics.empty()) return topic == m_chosen || m_topics.empty();
-    if (!m_began) m_began = received;
-    if (!m_seen.contains(topic)) m_newcomer = received;
+    const bool first = !m_seen.contains(topic);
+    if (isCloud(topic)) {
+        if (!m_began) m_began = received;
+        if (first) m_newcomer = received;
+    } else if (!m_began) {
+        return false;  // nothing to compare it with
+    }
     look(m_seen[topic], cloud, received);
-    const bool all = m_seen.size() >= m_topics.size();
+    const auto clouds =
+        std::count_if(m_seen.begin(), m_seen.end(), [this](const auto& one) { return isCloud(one.first); });
+    const bool all = std::size_t(clouds) >= m_clouds;
     if (all ? received - m_newcomer < m_settings.compare : received - *m_began < m_settings.waitForAll)
         return false;
     decide(received);
     return topic == m_chosen;
 }
 
-void MappingScanner::decide(Time now) {
-    if (!m_chosen.empty()) return;
-    double best = 0.0;
-    for (const std::string& one : m_topics) {  // in the order of the robot's file, of two alike the first
-        const auto seen = m_seen.find(one);
+std::pair<std::string, double> MappingScanner::best(std::size_t first, std::size_t last, Time now) const {
+    std::pair<std::string, double> found;
+    double most = 0.0;
+    for (std::size_t i = first; i < last; ++i) {  // in the order of the robot's file, of two alike the first
+        const auto seen = m_seen.find(m_topics[i]);
         if (seen == m_seen.end()) continue;
         const double worth = this->worth(seen->second, now);
-        if (!m_chosen.empty() && worth <= best) continue;
-        best = worth;
-        m_chosen = one;
+        if (!found.first.empty() && worth <= most) continue;
+        most = worth;
+        found = {m_topics[i], this->worth(seen->second, {})};
     }
+    return found;
+}
+
+void MappingScanner::decide(Time now) {
+    if (!m_chosen.empty()) return;
+    const auto cloud = best(0, m_clouds, now), laser = best(m_clouds, m_topics.size(), now);
+    // A scanner that stops for each scan is slow, and sees more all the same.
+    m_chosen = laser.first.empty() || cloud.second >= laser.second ? cloud.first : laser.first;
     m_seen.clear();
 }
 
@@ -92,14 +115,25 @@ void MappingScanner::look(Seen& seen, const CloudSample& cloud, Time received) c
     seen.reaches.push_back(*ninth);
 }
 
-double MappingScanner::worth(const Seen& seen, Time now) const {
+double MappingScanner::worth(const Seen& seen, std::optional<Time> now) const {
     if (seen.reaches.empty()) return 0.0;
     std::vector<double> reaches = seen.reaches;
     const auto middle = reaches.begin() + std::ptrdiff_t(reaches.size() / 2);
     std::nth_element(reaches.begin(), middle, reaches.end());
     const bool steady =
-        seen.clouds > 1 && std::max(seen.gap, std::chrono::nanoseconds(now - seen.last)) <= m_settings.steady;
+        !now || (seen.clouds > 1 &&
+                 std::max(seen.gap, std::chrono::nanoseconds(*now - seen.last)) <= m_settings.steady);
     return double(seen.directions.count()) * *middle * (steady ? 1.0 : UnsteadyCountsFor);
+}
+
+std::string planeLaserOf(const RobotDescription& robot) {
+    std::string first;
+    for (const StreamDescription& stream : robot.streams) {
+        if (stream.role != StreamRole::Ranges || !(stream.maps || robot.mayMap(stream))) continue;
+        if (stream.maps) return stream.topic;
+        if (first.empty()) first = stream.topic;
+    }
+    return first;
 }
 
 std::string planeScanner(const RobotDescription& robot, std::span<const RobotDescription> team) {
@@ -108,9 +142,7 @@ std::string planeScanner(const RobotDescription& robot, std::span<const RobotDes
     const bool scanned = std::any_of(team.begin(), team.end(), [](const RobotDescription& one) {
         return one.stream(StreamRole::Points) != nullptr;
     });
-    const StreamDescription* const laser = robot.stream(StreamRole::Ranges);
-    const bool drives = robot.stream(StreamRole::Odometry) != nullptr;
-    return !scanned && drives && laser != nullptr ? laser->topic : std::string();
+    return scanned ? std::string() : planeLaserOf(robot);
 }
 
 }  // namespace leitstand

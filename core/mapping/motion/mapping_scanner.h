@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/time.h"
@@ -29,9 +30,9 @@ struct MappingScannerSettings {
 
 /// Decides which scanner of a robot makes the map, for robots that send clouds: one of them, or a plane laser
 /// that sees more, as beside a depth camera. Scanners differ in place, rate and error, so scans of two
-/// scanners are never registered in one chain. If no stream is named (StreamDescription::maps), clouds are
-/// compared first. Of the scanners that send steadily, the one is chosen that sees most directions, and
-/// farthest in them. It has no clock and no thread.
+/// scanners are never registered in one chain. A plane laser is compared only with clouds that come. If no
+/// stream is named (StreamDescription::maps), clouds are compared first. Of the scanners that send steadily,
+/// the one is chosen that sees most directions, and farthest in them. It has no clock and no thread.
 class MappingScanner {
 public:
     explicit MappingScanner(const RobotDescription& robot, const MappingScannerSettings& settings = {});
@@ -39,6 +40,7 @@ public:
     /// Takes a cloud of @p topic, or a plane laser's turn as cloudOf(), that was received at @p received.
     /// Returns whether it comes from the scanner that makes the map; false while scanners are compared.
     [[nodiscard]] bool takes(const std::string& topic, const CloudSample& cloud, Time received);
+    [[nodiscard]] bool compares() const { return !m_topics.empty(); }  ///< whether the robot has clouds
     /// Whether @p topic is of one of the scanners.
     [[nodiscard]] bool compares(const std::string& topic) const;
     void choose(const std::string& topic) { m_chosen = topic; }
@@ -61,15 +63,25 @@ private:
         std::chrono::nanoseconds gap{};  ///< longest time between two clouds
     };
     void look(Seen& seen, const CloudSample& cloud, Time received) const;
-    [[nodiscard]] double worth(const Seen& seen, Time now) const;
+    [[nodiscard]] bool isCloud(const std::string& topic) const;
+    /// Returns the best of the scanners from number @p first to before @p last, with its worth; no topic:
+    /// none has sent anything.
+    [[nodiscard]] std::pair<std::string, double> best(std::size_t first, std::size_t last, Time now) const;
+    /// Returns how much a scanner sees. @p now: less if it is unsteady then; empty: whether or not it is.
+    [[nodiscard]] double worth(const Seen& seen, std::optional<Time> now) const;
 
     MappingScannerSettings m_settings;
-    std::vector<std::string> m_topics;
+    std::vector<std::string> m_topics;  ///< of clouds first, then of plane lasers
+    std::size_t m_clouds = 0;           ///< number of clouds among the topics
     std::string m_chosen;
     std::optional<Time> m_began;         ///< when the first cloud was received
     Time m_newcomer{};                   ///< when the newest scanner sent its first cloud
     std::map<std::string, Seen> m_seen;  ///< by topic
 };
+
+/// Returns the topic of the plane laser with which @p robot can make the map: the one that its file names
+/// (StreamDescription::maps), or the first one of a robot that has odometry. Empty: there is none.
+[[nodiscard]] std::string planeLaserOf(const RobotDescription& robot);
 
 /// Returns the topic of the plane laser with which @p robot, one of @p team, makes the map. That is the one
 /// that its file names (StreamDescription::maps). If no robot of the team has a 3D scanner, it is the first

@@ -75,6 +75,11 @@ Pose uprightLaser(const Pose& laserInBase) {
     return laserInBase * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX());
 }
 
+bool isLevel(const Pose& laserInBase) {
+    constexpr double MostTilt = degrees(20);
+    return std::abs(laserInBase.linear()(2, 2)) > std::cos(MostTilt);
+}
+
 CloudSample cloudOf(const RangesSample& ranges, const Pose& laserInBase) {
     CloudSample cloud;
     cloud.header = ranges.header;

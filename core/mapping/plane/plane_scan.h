@@ -16,6 +16,10 @@ struct RangesSample;
 /// hangs upside down. So z points up for all lasers.
 [[nodiscard]] Pose uprightLaser(const Pose& laserInBase);
 
+/// Returns whether a plane laser at @p laserInBase scans about level, upside down or not. What looks at the
+/// ground or scans upright shows no floor plan.
+[[nodiscard]] bool isLevel(const Pose& laserInBase);
+
 /// Returns the echoes of @p ranges, each with its time, in the frame uprightLaser() of a laser at
 /// @p laserInBase. Left out are rays without an echo and those that hit the edges of two surfaces at once.
 /// Rays count as shot all at once if the sample's time step cannot be right (not finite, not above 0, or a

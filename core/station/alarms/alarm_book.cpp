@@ -23,9 +23,12 @@ void AlarmBook::see(const AlarmCause& cause, Time now, std::vector<AlarmChange>&
         entry.absent.reset();
         const AlarmCause& raised = entry.alarm.cause;
         const bool another = entry.alarm.acknowledged && cause.count > raised.count;
-        if (cause.severity > raised.severity || another) return raise(entry, cause, now, changes);
-        entry.alarm.cause = cause;
-        return;
+        const bool worse = cause.severity > raised.severity || another;
+        if (worse && cause.persists.count() == 0) return raise(entry, cause, now, changes);
+        if (!worse) {
+            entry.alarm.cause = cause;
+            return;
+        }
     }
     Pending& pending = m_pending.try_emplace(cause.id, Pending{now, true}).first->second;
     pending.seen = true;

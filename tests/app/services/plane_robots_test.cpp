@@ -204,6 +204,38 @@ TEST_F(PlaneRobots, AScannerOfWhichNothingIsHeardIsWaitedForForTwentySeconds) {
     EXPECT_FALSE(scans().empty());
 }
 
+TEST_F(PlaneRobots, ARobotWhoseFileHasCloudsThatNeverComeIsPlacedInTheMapOfOthers) {
+    RobotDescription crawler = withLaser("rover");
+    crawler.streams.push_back(stream("rover", StreamRole::Points, "points"));  // with another unit only
+    begin({withScanner("kurt3d"), crawler});
+    stand("kurt3d", Pose::Identity());
+    drive("rover", 40.0);
+    calm();
+    EXPECT_TRUE(scans().empty());
+    EXPECT_TRUE(m_mapsWith.empty());
+}
+
+TEST_F(PlaneRobots, AloneItMapsAfterTwentySeconds) {
+    RobotDescription crawler = withLaser("rover");
+    crawler.streams.push_back(stream("rover", StreamRole::Points, "points"));
+    begin({crawler});
+    drive("rover", 19.0);
+    calm();
+    EXPECT_TRUE(scans().empty());
+    drive("rover", 5.0);
+    calm();
+    EXPECT_FALSE(scans().empty());
+}
+
+TEST_F(PlaneRobots, ALaserThatLooksAtTheGroundMakesNoMap) {
+    RobotDescription rover = withLaser("rover");
+    rover.sensors["laser"].sensorInBase = poseFrom({0.1, 0.0, 0.3}, 0.0, degrees(40), 0.0);
+    begin({rover});
+    drive("rover", 5.0);
+    calm();
+    EXPECT_TRUE(scans().empty());
+}
+
 TEST_F(PlaneRobots, AFileMayNameThePlaneLaser) {
     RobotDescription rover = withLaser("rover");
     rover.streams.front().maps = true;

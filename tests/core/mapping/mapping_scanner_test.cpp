@@ -115,6 +115,26 @@ TEST(MappingScanner, A3DScannerMakesTheMapBesideAPlaneLaser) {
     EXPECT_EQ(besideALaser(withPlaneLaser(Lidar), Lidar, field(360, 40)), Lidar);
 }
 
+TEST(MappingScanner, AScannerThatStopsForEachScanMakesTheMapBesideAPlaneLaser) {
+    MappingScanner scanner(withPlaneLaser(Lidar));
+    for (auto after = 0ms; after < 10s; after += 100ms) {
+        if (after % 2'500ms == 0ms) (void)scanner.takes(Lidar, field(360, 60), Began + after);
+        (void)scanner.takes(Laser, wall(6.0, 360), Began + after);
+    }
+    EXPECT_EQ(scanner.chosen(), Lidar);
+}
+
+TEST(MappingScanner, APlaneLaserIsComparedOnlyWithCloudsThatCome) {
+    MappingScanner scanner(withPlaneLaser(Lidar));
+    for (auto after = 0ms; after < 60s; after += 100ms)
+        EXPECT_FALSE(scanner.takes(Laser, wall(6.0, 360), Began + after));
+    EXPECT_EQ(scanner.chosen(), "") << "its robot is not said to map by it";
+    MappingScanner silent(withPlaneLaser(Lidar));
+    auto after = 0ms;
+    while (after < 10s && !silent.takes(Lidar, field(360, 40), Began + after)) after += 100ms;
+    EXPECT_EQ(after, 3s) << "a laser that is silent is not waited for";
+}
+
 TEST(MappingScanner, WithoutOdometryAPlaneLaserIsNotCompared) {
     EXPECT_EQ(besideALaser(withPlaneLaser(Camera, false), Camera, field(70, 50)), Camera);
 }

@@ -31,6 +31,7 @@ public:
     McapText& end(bool summary = true, std::uint64_t messages = 0);
 
     [[nodiscard]] const std::string& bytes() const { return m_bytes; }
+    [[nodiscard]] std::uint64_t chunkAt() const { return m_chunks.back().offset; }  ///< the newest
     void write(const std::filesystem::path& file) const;
 
     static const std::string Magic;

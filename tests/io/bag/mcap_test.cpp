@@ -146,7 +146,7 @@ TEST_F(McapBag, OneThatIsCutOffIsReadAsFarAsItGoes) {
                                   .chunk(m_late, "", late(0))
                                   .bytes();
     const std::size_t one =
-        McapText().chunk(described + m_early, "zstd", early(described.size())).bytes().size();
+        McapText().chunk(described + m_early, "zstd").bytes().size();  // without its indexes
     for (std::size_t size = McapText::Magic.size(); size < whole.size(); ++size) {
         test::writeText(m_file, whole.substr(0, size));
         const auto reader = opened(m_file);
@@ -160,6 +160,21 @@ TEST_F(McapBag, OneThatIsCutOffIsReadAsFarAsItGoes) {
     }
     test::writeText(m_file, whole.substr(0, whole.size() - late(0).size()));
     EXPECT_EQ(readAll(*opened(m_file)).size(), 4U) << "of the cut index nothing is needed";
+}
+
+TEST_F(McapBag, AChunkThatIsListedAgainAndAgainIsReadOnce) {
+    const std::string described = McapText::described();
+    McapText text;
+    text.chunk(described + m_early + m_late);
+    const std::string index = McapText::number(0, 16) + McapText::number(text.chunkAt(), 8) +
+                              McapText::number(text.bytes().size() - text.chunkAt(), 8) + McapText::text("") +
+                              McapText::number(0, 8) + McapText::text("") + McapText::number(0, 16);
+    text.record(15, McapText::number(0, 4));
+    const std::size_t summary = text.bytes().size();
+    for (int i = 0; i < 1'000; ++i) text.record(8, index);
+    text.record(2, McapText::number(summary, 8) + McapText::number(0, 12));
+    test::writeText(m_file, text.bytes() + McapText::Magic);
+    EXPECT_EQ(readAll(*opened(m_file)).size(), 4U);
 }
 
 TEST_F(McapBag, ADamagedChunkIsNamedAndTheOthersAreRead) {
@@ -259,6 +274,10 @@ TEST_F(McapBag, IsNeverConvertedOverWhatIsThere) {
     const auto refused = convertBag(m_folder / "mission", m_folder / "mission", BagStorage::Mcap);
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().text, HasSubstr("expected a folder that does not exist yet"));
+    const auto within =
+        convertBag(m_folder / "mission", m_folder / "mission" / "robots" / "x", BagStorage::Mcap);
+    ASSERT_FALSE(within);
+    EXPECT_THAT(within.error().text, HasSubstr("expected a folder outside of the bag"));
     EXPECT_FALSE(convertBag(m_folder / "absent", m_folder / "out", BagStorage::Mcap));
     EXPECT_FALSE(fs::exists(m_folder / "out"));
 }

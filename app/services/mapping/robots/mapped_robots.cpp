@@ -38,7 +38,7 @@ MappedRobot::MappedRobot(const RobotDescription& description, const std::string&
       laser(tracker, station),
       mapping(description),
       scanner(mappingSensor(description)),
-      planeLaser(planeScanner(description, {&description, 1})) {
+      planeLaser(planeLaserOf(description)) {
     // Cutters must know the motion before the first slice.
     for (const StreamDescription& stream : description.streams) {
         if (mapping.compares(stream.topic) || stream.topic == planeLaser)
@@ -69,7 +69,7 @@ void MappedRobots::add(const Event& event) {
         return;
     }
     MappedRobot& robot = m_robots.at(event.robot);
-    if (robot.planeLaser.empty() && !robot.cutters.empty()) m_scanners.insert(event.robot);
+    if (robot.mapping.compares() && !robot.mapsByPlane) m_scanners.insert(event.robot);
     if (event.role == StreamRole::StaticTransforms) {
         robot.poses.add(event);
     } else if (const auto* odometry = event.sample.as<OdometrySample>()) {
@@ -81,7 +81,8 @@ void MappedRobots::add(const Event& event) {
         robot.tracker.add(*imu, unit, event.received);
     } else if (const auto* cloud = event.sample.as<CloudSample>()) {
         const Pose sensor = robot.poses.inBase(event.sensor, cloud->header.frame);
-        if (!robot.planeLaser.empty()) return;  // its file names that one
+        robot.sendsClouds = true;
+        if (robot.mapsByPlane) return;
         if (!isOfMap(robot, event, *cloud)) return;
         if (!robot.poses.isOfScanner(cloud->header.frame)) robot.scanner.clear();
         CloudSample corrected = *cloud;
@@ -91,8 +92,10 @@ void MappedRobots::add(const Event& event) {
             .first->second.add(std::move(corrected), sensor, event.received);
     } else if (const auto* ranges = event.sample.as<RangesSample>()) {
         const Pose laser = robot.poses.inBase(event.sensor, ranges->header.frame);
-        if (robot.mapping.compares(event.topic)) (void)isOfMap(robot, event, cloudOf(*ranges, laser));
-        const bool maps = mapsByPlane(robot, event);
+        const bool level = isLevel(laser);
+        if (level && robot.mapping.compares(event.topic))
+            (void)isOfMap(robot, event, cloudOf(*ranges, laser));
+        const bool maps = level && mapsByPlane(robot, event);
         if (!maps && m_context.mapper.fix(event.robot)) return robot.laser.rest();  // its 3D scans show more
         RangesSample stamped = *ranges;
         if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
@@ -113,34 +116,35 @@ bool MappedRobots::isOfMap(MappedRobot& robot, const Event& event, const CloudSa
 bool MappedRobots::mapsByPlane(MappedRobot& robot, const Event& event) {
     if (event.topic != robot.planeLaser) return false;
     if (!robot.planeSince) robot.planeSince = event.received;
-    if (!robot.mapsByPlane) {
-        robot.mapsByPlane = decideByPlane(robot, event);
-        if (robot.mapsByPlane.value_or(false) && m_context.listener.onMapsWith)
-            m_context.listener.onMapsWith(event.robot, event.topic);
+    if (!robot.mapsByPlane && beginsByPlane(robot, event)) {
+        robot.mapsByPlane = true;
+        m_scanners.erase(event.robot);
+        if (m_context.listener.onMapsWith) m_context.listener.onMapsWith(event.robot, event.topic);
     }
-    return robot.mapsByPlane.value_or(false);
+    return robot.mapsByPlane;
 }
 
-std::optional<bool> MappedRobots::decideByPlane(const MappedRobot& robot, const Event& event) const {
+bool MappedRobots::beginsByPlane(const MappedRobot& robot, const Event& event) const {
     bool named = false, scanned = false;  // by its file; by any 3D scanner
     for (const RobotDescription& one : m_descriptions) {
         scanned = scanned || one.stream(StreamRole::Points) != nullptr;
         for (const StreamDescription& stream : one.streams)
             named = named || (one.name == event.robot && stream.topic == event.topic && stream.maps);
     }
-    if (named) return true;
+    if (named) return robot.mapping.chosen().empty() || robot.mapping.chosen() == event.topic;
+    if (robot.sendsClouds) return false;  // isOfMap() compares them with the laser
+    const bool others = std::any_of(m_scanners.begin(), m_scanners.end(),
+                                    [&](const std::string& one) { return one != event.robot; });
+    if (others || (scanned && event.received - *robot.planeSince < ScannerWait)) return false;
     const auto& map = m_context.map;
-    const bool begun = map && std::any_of(map->scans.begin(), map->scans.end(), [](const LiveKeyScan& scan) {
-                           return !isPlaneScan(scan.scan->points);
-                       });
-    if (begun || !m_scanners.empty()) return false;
-    if (!scanned || event.received - *robot.planeSince >= ScannerWait) return true;
-    return std::nullopt;
+    return !map || std::none_of(map->scans.begin(), map->scans.end(),
+                                [](const LiveKeyScan& scan) { return leavesPlane(scan.scan->points); });
 }
 
 void MappedRobots::mapWith(const std::string& name, const std::string& topic) {
     MappedRobot& robot = m_robots.at(name);
     robot.mapping.choose(topic);
+    robot.cutters.try_emplace(topic, name);
     for (auto& [other, cutter] : robot.cutters)
         if (other != topic) (void)cutter.finish();  // nothing that another scanner began enters any more
     for (const RobotDescription& description : m_descriptions) {
@@ -149,9 +153,10 @@ void MappedRobots::mapWith(const std::string& name, const std::string& topic) {
             if (stream.topic != topic) continue;
             const bool plane = stream.role == StreamRole::Ranges;
             robot.scanner = plane ? std::string() : stream.sensor;
-            robot.planeLaser = plane ? topic : std::string();
             robot.mapsByPlane = plane;
-            if (plane) m_scanners.erase(name);
+            if (!plane) continue;
+            robot.planeLaser = topic;
+            m_scanners.erase(name);
         }
     }
     if (robot.mapping.hasChoice() && m_context.listener.onMapsWith)

@@ -44,9 +44,10 @@ struct MappedRobot {
     std::shared_ptr<const SeenScan> newest;  ///< its newest scan that has enough points
     MappingScanner mapping;                  ///< which of its scanners makes the map
     std::string scanner;                     ///< sensor of that scanner; empty: not known yet, or none
-    std::string planeLaser;                  ///< planeScanner() of this robot alone
+    std::string planeLaser;                  ///< planeLaserOf() it
     std::optional<Time> planeSince;          ///< when the first turn of that laser was received
-    std::optional<bool> mapsByPlane;         ///< whether that laser makes the map; empty: not decided
+    bool mapsByPlane = false;                ///< whether that laser makes the map
+    bool sendsClouds = false;                ///< whether a cloud was received
 };
 
 /// The robots of LiveMapping: how they move, and where they are. On the mapping's thread, unless a function
@@ -97,13 +98,14 @@ private:
     /// 3D scanners: their map shows more, and the laser finds its robot in it. A scanner that a file names is
     /// waited for before the laser begins.
     [[nodiscard]] bool mapsByPlane(MappedRobot& robot, const Event& event);
-    /// The same, once there is an answer for @p robot, of which @p event is.
-    [[nodiscard]] std::optional<bool> decideByPlane(const MappedRobot& robot, const Event& event) const;
+    /// Returns the same as long as it is not decided.
+    [[nodiscard]] bool beginsByPlane(const MappedRobot& robot, const Event& event) const;
     MappingContext& m_context;
     const std::vector<RobotDescription> m_descriptions;
     const SeesByLaser m_sees;
     std::map<std::string, MappedRobot> m_robots;
-    std::set<std::string> m_scanners;  ///< robots with a 3D scanner from which anything was received
+    std::set<std::string>
+        m_scanners;  ///< robots with a 3D scanner that were heard; not those that map by laser
     mutable std::mutex m_mutex;
     RobotsInMapPtr m_places;  ///< under the mutex
     /// Under the mutex: times of the newest scans that other stations register.

@@ -78,6 +78,7 @@ void RobotPlacing::place(MappedRobot& robot, const LiveScan& scan, Time now) {
     if (const auto there = robot.tracker.baseInMap(scan.scan->end))
         return m_context.mapper.place(name, *there);
     const auto waits = m_unplaced.try_emplace(name, Waits{0, scan.scan->end}).first;
+    waits->second.since = std::min(waits->second.since, scan.scan->end);  // its clock may be set back
     if (++waits->second.scans >= Unplaced && scan.scan->end - waits->second.since >= UnplacedFor)
         m_context.mapper.beginPart(name);
 }

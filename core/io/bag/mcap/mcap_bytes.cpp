@@ -36,6 +36,11 @@ Result<McapBytes> McapBytes::open(const std::filesystem::path& path) {
 }
 
 McapRecords McapBytes::recordsAt(const McapChunkPlace& place) {
+    if (place.length > MostRecords)
+        return {
+            {},
+            leitstand::fill(translate("leitstand::Error", "expected a chunk of at most {} bytes, found {}"),
+                            MostRecords, place.length)};
     const std::span<const std::byte> content = at(place.offset, place.length);
     const auto chunk = mcapChunk(content);
     if (!chunk)
@@ -44,6 +49,11 @@ McapRecords McapBytes::recordsAt(const McapChunkPlace& place) {
     const bool cut = stored.size() < chunk->stored;
     const bool known =
         chunk->compression.empty() || chunk->compression == "zstd" || chunk->compression == "lz4";
+    if (chunk->size > MostRecords)
+        return {
+            {},
+            leitstand::fill(translate("leitstand::Error", "expected a chunk of at most {} bytes, found {}"),
+                            MostRecords, chunk->size)};
     auto records = !known ? std::nullopt
                           : decompressed(stored.first(static_cast<std::size_t>(
                                              std::min<std::uint64_t>(stored.size(), chunk->stored))),

@@ -108,11 +108,14 @@ bool Indexing::bySummary() {
     if (chunks.empty()) return m_index.stated == 0U;
     std::sort(chunks.begin(), chunks.end(),
               [](const McapChunkIndex& a, const McapChunkIndex& b) { return a.chunk < b.chunk; });
+    std::uint64_t behind = 0;  // the chunk before
     for (const McapChunkIndex& one : chunks) {
-        const bool fits = one.length > McapRecordHead && one.chunk < m_bytes.size() &&
+        if (m_full) break;
+        const bool fits = one.chunk >= behind && one.length > McapRecordHead && one.chunk < m_bytes.size() &&
                           one.length <= m_bytes.size() - one.chunk &&
                           one.indexes <= m_bytes.size() - one.chunk - one.length;
         if (!fits) return false;
+        behind = one.chunk + one.length + one.indexes;
         const auto number = static_cast<std::uint32_t>(m_index.chunks.size());
         m_index.chunks.push_back({one.chunk + McapRecordHead, one.length - McapRecordHead});
         if (one.indexes == 0) {
@@ -169,7 +172,7 @@ void Indexing::byRecords() {
         const std::uint64_t left =
             m_bytes.size() - at - std::min<std::uint64_t>(McapRecordHead, m_bytes.size() - at);
         const bool cut = bytes.size() < McapRecordHead || head.length > left;
-        if (open && head.op != McapOp::MessageIndex) {
+        if (open && head.op != McapOp::MessageIndex && (!cut || head.op == McapOp::Chunk)) {
             close(*open);
             open.reset();
         }
@@ -197,7 +200,12 @@ void Indexing::byRecords() {
         }
         at += McapRecordHead + head.length;
     }
-    if (open) close(*open);
+    if (open) {
+        // The writer was killed there: some of the indexes may be missing.
+        open->indexed = false;
+        open->entries.clear();
+        close(*open);
+    }
     keep(std::move(loose));
     if (!m_index.closed && m_index.problems.empty())
         m_index.problems.push_back(translate("leitstand::Error", "its writer did not finish it"));

@@ -78,18 +78,18 @@ Result<void> openParts(OpenBag& bag, const std::vector<NumberedFile>& files, boo
 Result<std::shared_ptr<BagFile>> openPacked(const fs::path& path, std::vector<std::string>& problems,
                                             bool& damaged) {
     struct Unpacked {
-        UnpackedFile copy;  // removed after the file is closed
+        std::shared_ptr<const UnpackedFile> copy;  // removed after the file is closed
         std::shared_ptr<BagFile> file;
     };
-    auto copy = UnpackedFile::of(path);
+    auto copy = UnpackedFile::shared(path);
     if (!copy) return copy.error();
-    const fs::path plain = copy->path();
+    const fs::path plain = (*copy)->path();
     if (isPacked(plain))
         return Error{
             leitstand::fill(translate("leitstand::Error", "{}: is compressed twice"), path.string())};
     auto opened = openFile(plain, false, problems, damaged);
     if (!opened) return Error{path.string() + ": " + opened.error().text};
-    auto both = std::make_shared<Unpacked>(Unpacked{std::move(copy).value(), std::move(opened).value()});
+    const auto both = std::make_shared<Unpacked>(Unpacked{*copy, std::move(opened).value()});
     return std::shared_ptr<BagFile>(both, both->file.get());
 }
 

@@ -10,6 +10,7 @@ namespace leitstand::detail {
 namespace {
 
 constexpr std::size_t MostKept = 96U << 20U;  ///< of unpacked chunks [B]; the newest is always kept
+constexpr std::size_t MostChunks = 64;        ///< likewise, their number: they are searched one by one
 
 }  // namespace
 
@@ -49,6 +50,7 @@ IndexedFile::Records IndexedFile::recordsOf(std::uint32_t chunk) {
         return m_chunks.front().second;
     }
     m_chunks.emplace_front(chunk, std::make_shared<const std::vector<std::byte>>(unpackedChunk(chunk)));
+    if (m_chunks.size() > MostChunks) m_chunks.pop_back();
     std::size_t kept = 0;
     for (auto one = m_chunks.begin(); one != m_chunks.end();) {
         kept += one->second->size();

@@ -101,7 +101,7 @@ Result<void> checkKind(const fs::path& folder, const std::optional<BagMetadata>&
     if (files.empty())
         return Error{leitstand::fill(
             translate("leitstand::Error",
-                      "{}: expected a bag: metadata.yaml and files that end in .db3 or .mcap"),
+                      "{}: expected a bag: metadata.yaml and files that end in .db3, .mcap or .bag"),
             folder.string())};
     for (const fs::path& other : others) {
         problems.push_back(

@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <vector>
 
 #include <zstd.h>
@@ -80,6 +83,25 @@ Result<UnpackedFile> UnpackedFile::of(const fs::path& file) {
     if (const std::string wrong = unpack(file, unpacked.path()); !wrong.empty())
         return Error{file.string() + ": " + wrong};
     return unpacked;
+}
+
+Result<std::shared_ptr<const UnpackedFile>> UnpackedFile::shared(const fs::path& file) {
+    using Key = std::tuple<fs::path, std::uintmax_t, fs::file_time_type>;
+    static std::mutex mutex;
+    static std::map<Key, std::weak_ptr<const UnpackedFile>> known;
+    std::error_code problem;
+    const Key key{fs::weakly_canonical(file, problem), fs::file_size(file, problem),
+                  fs::last_write_time(file, problem)};
+    const std::lock_guard lock(mutex);  // whoever wants the same file waits for it
+    std::erase_if(known, [](const auto& one) { return one.second.expired(); });
+    if (const auto found = known.find(key); found != known.end()) {
+        if (auto copy = found->second.lock()) return copy;
+    }
+    auto unpacked = of(file);
+    if (!unpacked) return unpacked.error();
+    std::shared_ptr<const UnpackedFile> copy = std::make_shared<UnpackedFile>(std::move(unpacked).value());
+    if (!problem) known[key] = copy;
+    return copy;
 }
 
 UnpackedFile::~UnpackedFile() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "core/base/result.h"
@@ -14,6 +15,10 @@ public:
     /// Unpacks @p file. Error when it is damaged or cut off, or when there is not enough space; then nothing
     /// stays.
     [[nodiscard]] static Result<UnpackedFile> of(const std::filesystem::path& file);
+    /// Returns the copy of @p file that is in use, or makes one with of(): a bag is opened several times in a
+    /// row. A file that was written since is unpacked again. Any thread.
+    [[nodiscard]] static Result<std::shared_ptr<const UnpackedFile>> shared(
+        const std::filesystem::path& file);
     UnpackedFile(UnpackedFile&& other) noexcept
         : m_folder(std::exchange(other.m_folder, {})), m_name(other.m_name) {}
     UnpackedFile& operator=(UnpackedFile&&) = delete;

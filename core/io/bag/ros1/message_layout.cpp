@@ -159,6 +159,8 @@ public:
     }
 
     void fields(const std::string& type) {
+        m_ok = m_ok && ++m_depth <= Deepest;
+        if (!m_ok) return;
         const Fields& all = m_layout.m_types.at(type);
         const bool nothing =
             std::all_of(all.begin(), all.end(), [](const Field& one) { return one.leftOut; });
@@ -167,6 +169,7 @@ public:
             if (!m_ok) return;
             one(field);
         }
+        --m_depth;
     }
     [[nodiscard]] bool whole() const { return m_ok && m_left.empty(); }
     [[nodiscard]] std::vector<std::byte> take() { return std::move(m_out); }
@@ -260,6 +263,7 @@ private:
     std::span<const std::byte> m_left;
     const std::size_t m_most;
     std::size_t m_steps;  ///< fields that it may take
+    int m_depth = 0;      ///< types within types
     std::vector<std::byte> m_out;
     bool m_ok = true;
 };

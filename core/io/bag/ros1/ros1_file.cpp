@@ -160,7 +160,8 @@ void Ros1File::index() {
         const Record record = recordAt(at);
         const bool cut = record.op < 0 || record.end() > m_window.size();
         if (record.op == BagHead) {
-            closed = numberIn(record.values, "index_pos") != 0;
+            const std::uint64_t index = numberIn(record.values, "index_pos");
+            closed = index != 0 && index <= m_window.size();  // 0: it was never finished
         } else if (record.op == ChunkData) {
             const std::uint64_t length = std::min(record.length, m_window.size() - record.data);
             m_chunks.push_back({at, record.data, length, textIn(record.values, "compression"),
@@ -180,10 +181,24 @@ void Ros1File::index() {
         }
         at = record.end();
     }
-    for (std::uint32_t chunk = 0; chunk < m_chunks.size(); ++chunk)
-        if (!indexed[chunk]) scan(chunk, &entries);
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        if (!m_facts.topics.contains(entries[i].topic)) scan(entries[i].chunk, nullptr);
+    if (!closed && !indexed.empty() && indexed.back()) {
+        // The writer was killed there: some of the indexes may be missing.
+        const auto last = static_cast<std::uint32_t>(indexed.size() - 1);
+        std::erase_if(entries, [last](const IndexEntry& one) { return one.chunk == last; });
+        indexed.back() = false;
+    }
+    std::vector<bool> scanned(m_chunks.size());
+    for (std::uint32_t chunk = 0; chunk < m_chunks.size(); ++chunk) {
+        if (indexed[chunk]) continue;
+        scanned[chunk] = true;
+        scan(chunk, &entries);
+    }
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::uint32_t chunk = entries[i].chunk;
+        if (scanned[chunk] || m_facts.topics.contains(entries[i].topic)) continue;
+        scanned[chunk] = true;
+        scan(chunk, nullptr);
+    }
     if (entries.size() >= MostEntries)
         problem(m_window.size(),
                 leitstand::fill(translate("leitstand::Error",
@@ -199,13 +214,18 @@ void Ros1File::index() {
 
 std::vector<std::byte> Ros1File::unpackedChunk(std::uint32_t number) {
     const Chunk& chunk = m_chunks[number];
+    const auto tell = [&](const std::string& what) {
+        report(leitstand::fill(translate("leitstand::Error", "byte {}: {}"), chunk.at, what));
+    };
+    if (const std::uint64_t most = std::max(chunk.size, chunk.length); most > MostChunk) {
+        tell(leitstand::fill(translate("leitstand::Error", "expected a chunk of at most {} bytes, found {}"),
+                             MostChunk, most));
+        return {};
+    }
     const std::string format = chunk.compression == "none" ? std::string() : chunk.compression;
     auto unpacked = format == "zstd" ? std::nullopt
                                      : decompressed(m_window.at(chunk.data, chunk.length), format,
                                                     std::min(chunk.size, MostChunk) + 1);
-    const auto tell = [&](const std::string& what) {
-        report(leitstand::fill(translate("leitstand::Error", "byte {}: {}"), chunk.at, what));
-    };
     if (!unpacked) {
         tell(leitstand::fill(
             translate("leitstand::Error", "expected a chunk compressed by bz2 or lz4, found \"{}\""),

@@ -61,6 +61,16 @@ TEST_F(AlarmBookTest, ACauseThatMustLastForSecondsIsRaisedThen) {
     EXPECT_TRUE(until(m_now + 4'800, {slow}).empty());
 }
 
+TEST_F(AlarmBookTest, ACauseThatGetsLouderForSecondsIsRaisedAgainThen) {
+    AlarmCause quiet = look(Link), loud = act(Link);
+    loud.persists = std::chrono::seconds(5);
+    EXPECT_EQ(until(1'000, {quiet}), std::vector{Kind::Raised});
+    EXPECT_TRUE(until(m_now + 4'800, {loud}).empty());
+    EXPECT_EQ(m_book.severity(Link), AlarmSeverity::Attention);
+    EXPECT_EQ(until(m_now + 1'000, {loud}), std::vector{Kind::Raised});
+    EXPECT_EQ(m_book.severity(Link), AlarmSeverity::Act);
+}
+
 TEST_F(AlarmBookTest, WhatSaidActStaysUntilItIsAcknowledgedOthersGo) {
     until(1'000, {act(), look()});
     EXPECT_EQ(m_book.attentions(), 1u);
