@@ -79,8 +79,8 @@ private:
     std::map<std::string, Seen> m_seen;  ///< by topic
 };
 
-/// Returns the topic of the plane laser with which @p robot can make the map: the one that its file names
-/// (StreamDescription::maps), or the first one of a robot that has odometry. Empty: there is none.
+/// Returns the topic of the plane laser with which @p robot can make the map. It is the one that its file
+/// names (StreamDescription::maps), or else the first one of a robot that has odometry. Empty: there is none.
 [[nodiscard]] std::string planeLaserOf(const RobotDescription& robot);
 
 /// Returns the topic of the plane laser with which @p robot, one of @p team, makes the map. That is the one

@@ -122,7 +122,7 @@ TEST(OccupancyGrid, HeightsCountFromTheLocalFloor) {
 
 TEST(Occupancy, PlaneLasersShowTheirOwnHeightAlsoWhereAnAreaLeavesThemFewPoints) {
     std::vector<Eigen::Vector3f> turn;
-    for (int i = 0; i < 60; ++i) turn.emplace_back(2.0F, 0.05F * static_cast<float>(i - 30), 0.0F);
+    for (int i = 0; i < 60; ++i) turn.emplace_back(2.02F, 0.05F * static_cast<float>(i - 30) + 0.02F, 0.0F);
     ReportScan whole = scanOf(turn, std::vector<Label>(turn.size(), Label::Wall)), few = whole, none = whole;
     whole.scanInMap = few.scanInMap = none.scanInMap = poseFrom({0.0, 0.0, 0.19}, 0.0, 0.0, 0.0);
     few.scan = scanOf({{1.0F, 0.0F, 0.0F}}, {Label::Wall}).scan;
@@ -133,7 +133,7 @@ TEST(Occupancy, PlaneLasersShowTheirOwnHeightAlsoWhereAnAreaLeavesThemFewPoints)
     ASSERT_EQ(bands.size(), 1U);
     EXPECT_LT(bands[0].low, 0.19);
     EXPECT_GT(bands[0].high, 0.19);
-    EXPECT_EQ(gridOf(VoxelEvidence::of(scans), floor, bands[0]).at(2.01, 0.0).state, State::Occupied);
+    EXPECT_EQ(gridOf(VoxelEvidence::of(scans), floor, bands[0]).at(2.02, 0.02).state, State::Occupied);
     ReportScan spatial = whole;
     spatial.scan = scanOf({{1.0F, 0.0F, 0.1F}}, {Label::Wall}).scan;
     EXPECT_EQ(bandsOf(std::vector<ReportScan>{whole, spatial}, floor).size(), 2U);
