@@ -3259,6 +3259,14 @@ Funk: %4 %5</translation>
         <source>{}: expected a bag: metadata.yaml and files that end in .db3, .mcap or .bag</source>
         <translation>{}: erwartet wurde ein Bag: metadata.yaml und Dateien, die auf .db3, .mcap oder .bag enden</translation>
     </message>
+    <message>
+        <source>{}: is a copy of a mission in MCAP, without the numbers by which finds name their evidence: expected the mission itself</source>
+        <translation>{}: ist die Kopie eines Einsatzes in MCAP, ohne die Nummern, mit denen Funde ihre Belege nennen: erwartet wurde der Einsatz selbst</translation>
+    </message>
+    <message>
+        <source>{}: is a copy of a mission in MCAP, for other programs: expected the mission itself</source>
+        <translation>{}: ist die Kopie eines Einsatzes in MCAP, für andere Programme: erwartet wurde der Einsatz selbst</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>

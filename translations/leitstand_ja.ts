@@ -3259,6 +3259,14 @@ Link: %4 %5</source>
         <source>{}: expected a bag: metadata.yaml and files that end in .db3, .mcap or .bag</source>
         <translation>{}: バッグ (metadata.yaml と、.db3、.mcap、.bag のいずれかで終わるファイル) が必要です</translation>
     </message>
+    <message>
+        <source>{}: is a copy of a mission in MCAP, without the numbers by which finds name their evidence: expected the mission itself</source>
+        <translation>{}: MCAP に変換した任務のコピーで、発見の証拠を示す番号がありません。元の任務を指定してください</translation>
+    </message>
+    <message>
+        <source>{}: is a copy of a mission in MCAP, for other programs: expected the mission itself</source>
+        <translation>{}: 他のプログラム向けに MCAP に変換した任務のコピーです。元の任務を指定してください</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>

@@ -20,6 +20,7 @@
 #include "core/base/words.h"
 #include "core/event/event.h"
 #include "core/event/stream_role.h"
+#include "core/io/bag/bag_conversion.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/mapping/motion/mapping_scanner.h"
 #include "core/mapping/motion/turn_assembler.h"
@@ -292,6 +293,11 @@ Result<MissionScans> readMissionScans(const fs::path& mission, const Progress& p
     reading.readPoses(part(progress, 0.0, 0.3));
     reading.chooseScanners(progress, result);
     reading.readClouds(part(progress, 0.3, 1.0), result);
+    if (result.scans.empty() && !progress.cancelled() && isCopyOfMission(**bag))
+        return Error{leitstand::fill(
+            translate("leitstand::Error",
+                      "{}: is a copy of a mission in MCAP, for other programs: expected the mission itself"),
+            mission.string())};
     if (result.scans.empty() && !progress.cancelled()) {
         return Error{leitstand::fill(
             translate("leitstand::Error",

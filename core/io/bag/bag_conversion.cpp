@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/words.h"
+#include "core/event/station_topics.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"
 #include "core/io/bag/detail/bag_metadata.h"
@@ -119,11 +120,24 @@ Result<void> copyBeside(const fs::path& bag, const fs::path& folder) {
 
 }  // namespace
 
+bool isCopyOfMission(const BagReader& bag) {
+    return !bag.ours() && std::any_of(bag.topics().begin(), bag.topics().end(), [](const BagTopic& topic) {
+        return topic.info.name.starts_with(station_topic::Prefix);
+    });
+}
+
 Result<BagConversion> convertBag(const fs::path& bag, const fs::path& out, BagStorage storage,
                                  const Progress& progress) {
     auto reader = BagReader::open(bag);
     if (!reader) return reader.error();
     BagReader& source = **reader;
+    if (storage == BagStorage::Sqlite && isCopyOfMission(source))
+        return Error{leitstand::fill(
+            translate(
+                "leitstand::Error",
+                "{}: is a copy of a mission in MCAP, without the numbers by which finds name their evidence: "
+                "expected the mission itself"),
+            bag.string())};
     std::error_code problem;
     if (fs::exists(out, problem))
         return Error{leitstand::fill(

@@ -10,6 +10,8 @@
 
 namespace leitstand {
 
+class BagReader;
+
 /// How a bag stores its messages.
 enum class BagStorage : std::uint8_t { Sqlite, Mcap };
 
@@ -19,10 +21,14 @@ struct BagConversion {
     std::vector<std::string> problems;  ///< of the source, and what the copy does not keep
 };
 
+/// Whether @p bag is a mission that convertBag() copied into MCAP. There, messages have no numbers, by which
+/// undos and finds name others: nothing can be folded from it.
+[[nodiscard]] bool isCopyOfMission(const BagReader& bag);
+
 /// Copies the messages of @p bag with their topics into a new bag: the folder @p out, which may not exist
-/// yet. What stands beside the log (robot files, kept pictures) is copied, too. In an MCAP file messages have
-/// no numbers: what a mission of ours undoes by number does not stay undone there. Error when the source
-/// cannot be opened or the copy not written; then, and when cancelled, nothing stays.
+/// yet. What stands beside the log (robot files, kept pictures) is copied, too. Error when the source cannot
+/// be opened, when it is a copy of a mission and is to become a database, or when the copy cannot be written;
+/// then, and when cancelled, nothing stays.
 [[nodiscard]] Result<BagConversion> convertBag(const std::filesystem::path& bag,
                                                const std::filesystem::path& out, BagStorage storage,
                                                const Progress& progress = {});

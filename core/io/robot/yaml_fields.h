@@ -51,6 +51,7 @@ public:
     template <class T>
     bool choice(std::string_view key, T& value, const std::vector<std::pair<std::string, T>>& choices) const {
         std::vector<std::string> words;
+        words.reserve(choices.size());
         for (const auto& choice : choices) words.push_back(choice.first);
         const auto chosen = word(key, words);
         if (chosen < choices.size()) value = choices[chosen].second;

@@ -20,7 +20,7 @@ public:
     [[nodiscard]] static Result<std::shared_ptr<const UnpackedFile>> shared(
         const std::filesystem::path& file);
     UnpackedFile(UnpackedFile&& other) noexcept
-        : m_folder(std::exchange(other.m_folder, {})), m_name(other.m_name) {}
+        : m_folder(std::exchange(other.m_folder, {})), m_name(std::move(other.m_name)) {}
     UnpackedFile& operator=(UnpackedFile&&) = delete;
     ~UnpackedFile();
 

@@ -143,7 +143,7 @@ Result<void> Ros1Layout::check(const std::string& type, int depth, std::set<std:
     if (checked.contains(type)) return {};
     for (const Field& field : fields->second) {
         if (field.kind != Kind::Type) continue;
-        if (const auto whole = check(field.type, depth + 1, checked); !whole) return whole;
+        if (auto whole = check(field.type, depth + 1, checked); !whole) return whole;
     }
     checked.insert(type);
     return {};
