@@ -26,9 +26,9 @@ struct BagConversion {
 [[nodiscard]] bool isCopyOfMission(const BagReader& bag);
 
 /// Copies the messages of @p bag with their topics into a new bag: the folder @p out, which may not exist
-/// yet. What stands beside the log (robot files, kept pictures) is copied, too. Error when the source cannot
-/// be opened, when it is a copy of a mission and is to become a database, or when the copy cannot be written;
-/// then, and when cancelled, nothing stays.
+/// yet. What stands beside the log (robot files, kept pictures) is copied, too. Errors: the source
+/// cannot be opened; it is a copy of a mission and is to become a database; the copy cannot be written. Then,
+/// and when cancelled, nothing stays.
 [[nodiscard]] Result<BagConversion> convertBag(const std::filesystem::path& bag,
                                                const std::filesystem::path& out, BagStorage storage,
                                                const Progress& progress = {});
