@@ -74,7 +74,8 @@ struct IcpResult {
 /// Moves @p source onto @p target, starting at @p guess (Besl & McKay 1992; paper, section 2.1). Each
 /// iteration finds the closest pairs and takes the minimiser's step; stages follow one another. @p search
 /// searches in @p target. Minimisers with equations need normals of the target, some also of the source
-/// (MinimizerRow::sourceNormals); without them they end at once as Degenerate. The result does not depend on the number of threads.
+/// (MinimizerRow::sourceNormals); without them they end at once as Degenerate. The result does not depend on
+/// the number of threads.
 [[nodiscard]] IcpResult align(const PointCloud& target, const Search& search, const PointCloud& source,
                               const Pose& guess, const IcpSettings& settings = {},
                               const Progress& progress = {});
