@@ -1,4 +1,4 @@
-// A stock robot that has a plane laser only: its map in the window, and what is handed in of it.
+// A stock robot that has a plane laser only: its map in the window.
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -34,7 +34,7 @@ protected:
     std::unique_ptr<ChildProcess> m_robot;
 };
 
-TEST_F(TurtleBotPage, IsMappedWhileItDrivesAndHandedIn) {
+TEST_F(TurtleBotPage, IsMappedWhileItDrives) {
     ASSERT_TRUE(soon([&] { return keyScans() > 0; })) << m_robot->out();
     m_window->activateWindow();
     ASSERT_TRUE(soon([&] { return m_window->isActiveWindow(); }));

@@ -177,6 +177,14 @@ TEST_F(McapBag, AChunkThatIsListedAgainAndAgainIsReadOnce) {
     EXPECT_EQ(readAll(*opened(m_file)).size(), 4U);
 }
 
+TEST_F(McapBag, MessagesThatAreCountedAndNotThereAreMissed) {
+    McapText().chunk(McapText::described() + m_early + m_late).end(true, 9).write(m_file);
+    const auto reader = opened(m_file);
+    EXPECT_EQ(readAll(*reader).size(), 4U);
+    EXPECT_THAT(reader->problems(), Contains(HasSubstr("5 are missing")));
+    EXPECT_EQ(reader->sessions().front().missing, 5U);
+}
+
 TEST_F(McapBag, ADamagedChunkIsNamedAndTheOthersAreRead) {
     const std::string described = McapText::described();
     McapText text;

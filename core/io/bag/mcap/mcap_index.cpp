@@ -27,7 +27,7 @@ private:
     struct Open {
         std::uint32_t chunk = 0;
         std::uint64_t at = 0;  ///< offset of its record in the file [B]
-        bool indexed = false, unknown = false;
+        bool indexed = false;
         std::vector<IndexEntry> entries;
     };
     void describe(McapOp op, std::span<const std::byte> content);
@@ -149,16 +149,17 @@ void Indexing::scan(std::uint32_t chunk, std::uint64_t at, bool messages) {
 }
 
 void Indexing::close(Open& open) {
-    open.unknown = std::any_of(open.entries.begin(), open.entries.end(), [&](const IndexEntry& one) {
+    const bool unknown = std::any_of(open.entries.begin(), open.entries.end(), [&](const IndexEntry& one) {
         return !m_index.channels.contains(static_cast<std::uint16_t>(one.topic));
     });
-    if (!open.indexed || open.unknown) scan(open.chunk, open.at, !open.indexed);
+    if (!open.indexed || unknown) scan(open.chunk, open.at, !open.indexed);
     keep(std::move(open.entries));
 }
 
 void Indexing::byRecords() {
     McapIndex begun;
     begun.closed = m_index.closed;
+    begun.stated = m_index.stated;
     m_index = std::move(begun);
     m_full = false;
     std::optional<Open> open;
@@ -180,7 +181,7 @@ void Indexing::byRecords() {
         const std::uint64_t length = std::min(head.length, left);
         if (head.op == McapOp::Chunk) {
             m_index.chunks.push_back({at + McapRecordHead, length});
-            open = Open{static_cast<std::uint32_t>(m_index.chunks.size() - 1), at, false, false, {}};
+            open = Open{static_cast<std::uint32_t>(m_index.chunks.size() - 1), at, false, {}};
         } else if (!cut && open && head.op == McapOp::MessageIndex) {
             open->indexed = true;
             add(open->entries, m_bytes.at(at + McapRecordHead, length), open->chunk);
