@@ -98,6 +98,11 @@ void LivePage::restart(const std::function<void()>& between) {
     EXPECT_TRUE(QTest::qWaitForWindowActive(m_window.get()));
 }
 
+bool LivePage::mayDrive(const char* name) const {
+    const RobotView one = robot(name);
+    return one.grant.mine && one.drive.listening && one.drive.sight.factor >= 1.0 && !one.drive.needsNeutral;
+}
+
 double LivePage::speed(const char* name) const {
     const auto mission = station().mission();
     const auto reported = mission->robots.find(name);

@@ -58,6 +58,8 @@ protected:
     [[nodiscard]] RobotView robot(const char* name = "kurt3d") const { return station().robot(name); }
     /// As its odometry tells [m/s].
     [[nodiscard]] double speed(const char* name = "kurt3d") const;
+    /// Whether the robot moves as soon as a key is pressed: a key pressed earlier must be let go first.
+    [[nodiscard]] bool mayDrive(const char* name = "kurt3d") const;
     /// Closes the window and the station, and opens them again on the same mission; the robots go on.
     /// @p between is called while nobody has the mission open.
     void restart(const std::function<void()>& between = {});

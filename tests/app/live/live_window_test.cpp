@@ -44,8 +44,7 @@ protected:
         ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_window->missing().toStdString();
         press(Qt::Key_F2);
         ASSERT_TRUE(m_window->driving());
-        ASSERT_TRUE(soon(
-            [&] { return robot().grant.mine && robot().drive.listening && !robot().drive.needsNeutral; }));
+        ASSERT_TRUE(soon([&] { return mayDrive(); }));
         QTest::qWait(300);  // the operator's hand is not faster
         QTest::keyPress(m_window.get(), Qt::Key_W);
         ASSERT_TRUE(soon([&] { return speed() > 0.1; }));

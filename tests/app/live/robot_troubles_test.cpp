@@ -85,10 +85,7 @@ protected:
     void drive() {
         if (!m_window->driving()) press(Qt::Key_F2);
         ASSERT_TRUE(m_window->driving());
-        ASSERT_TRUE(soon([&] {
-            return robot().grant.mine && robot().drive.listening && robot().drive.sight.factor >= 1.0 &&
-                   !robot().drive.needsNeutral;
-        })) << strip();
+        ASSERT_TRUE(soon([&] { return mayDrive(); })) << strip();
         QTest::qWait(300);
         QTest::keyPress(m_window.get(), Qt::Key_W);
         ASSERT_TRUE(soon([&] { return speed() > 0.1; })) << strip();

@@ -196,8 +196,7 @@ TEST_F(LiveVictims, WhatIsWrittenIntoTheFormDrivesNobody) {
         return field != nullptr;
     }));
     press(Qt::Key_F2);
-    ASSERT_TRUE(
-        soon([&] { return robot().grant.mine && robot().drive.listening && !robot().drive.needsNeutral; }));
+    ASSERT_TRUE(soon([&] { return mayDrive(); }));
     field->setFocus();
     EXPECT_FALSE(m_window->driving());
     QTest::keyPress(field, Qt::Key_W);
