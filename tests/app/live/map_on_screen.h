@@ -157,15 +157,15 @@ private:
         const QString file = folder.filePath(QStringLiteral("hall.yaml"));
         writeText(file.toStdString(), R"(name: empty_hall
 from: [-3, -2]
-to: [3, 2]
+to: [9, 2]
 starts:
   kurt3d: {position: [-1.8, 0.6, 0]}
   crawler: {position: [-1.8, -0.6, 0]}
 elements:
-  - {kind: floor, position: [0, 0, 0], size: [6, 4, 0.1]}
-  - {kind: wall, name: north, position: [0, 2, 0], size: [6, 0.05, 1.2]}
-  - {kind: wall, name: south, position: [0, -2, 0], size: [6, 0.05, 1.2]}
-  - {kind: wall, name: east, position: [3, 0, 0], turn: [0, 0, 90], size: [4, 0.05, 1.2]}
+  - {kind: floor, position: [3, 0, 0], size: [12, 4, 0.1]}
+  - {kind: wall, name: north, position: [3, 2, 0], size: [12, 0.05, 1.2]}
+  - {kind: wall, name: south, position: [3, -2, 0], size: [12, 0.05, 1.2]}
+  - {kind: wall, name: east, position: [9, 0, 0], turn: [0, 0, 90], size: [4, 0.05, 1.2]}
   - {kind: wall, name: west, position: [-3, 0, 0], turn: [0, 0, 90], size: [4, 0.05, 1.2]}
 )");
         return file;
