@@ -62,7 +62,8 @@ std::map<std::string, Use> usesOf(const ProbeReport& report) {
 std::string probeTable(const ProbeReport& report) {
     if (report.topics.empty()) {
         return "Nobody is there. Same ROS_DOMAIN_ID (--domain)? Same network, multicast let through (else "
-               "--peer)? "
+               "--peer)? Robots on this computer that speak to nobody else (ROS_LOCALHOST_ONLY=1): "
+               "--interface lo. "
                "A robot on another middleware (rmw) than DDS cannot be heard.\n";
     }
     const auto uses = usesOf(report);

@@ -123,9 +123,13 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
         printProblem("--demo: --domain: expected 0 to 132");
         return UsageError;
     }
-    if (options.after > 0 && !options.live) {
-        printProblem("--after waits for live robots: --live or --demo");
-        return UsageError;
+    if (!options.live && !options.resume) {
+        for (const CLI::Option* option : app.get_options()) {
+            if (option->get_group() != LiveGroup || option->count() == 0 || option->get_name() == "--layout")
+                continue;
+            printProblem(option->get_name() + " is for live robots: expected --live or --demo beside it");
+            return UsageError;
+        }
     }
     if (!options.mapOf.empty() && (!options.live || options.resume)) {
         printProblem("--map-of begins a new mission on live robots: --live or --demo, without --resume");

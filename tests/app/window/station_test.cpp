@@ -129,6 +129,9 @@ TEST_F(StationTest, WrongUsageExitsWithTwo) {
     EXPECT_EQ(station({"--size", "800x600"}).exitCode, 2);
     EXPECT_EQ(station({"--demo", "--after", "3"}).exitCode, 2) << "of what?";
     EXPECT_THAT(station({"--screenshot", file(), "--after", "3"}).err, HasSubstr("live robots"));
+    const auto opened = station({"--screenshot", file(), "--robot", "turtlebot4"});
+    EXPECT_EQ(opened.exitCode, 2);
+    EXPECT_THAT(opened.err, HasSubstr("--robot is for live robots"));
     EXPECT_THAT(station({"--screenshot", file(), "--size", "9x9"}).err, HasSubstr("WIDTHxHEIGHT"));
 }
 
