@@ -3768,6 +3768,41 @@ Funk: %4 %5</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::GridOnMap</name>
+    <message>
+        <source>Next map of the &amp;robot&apos;s own</source>
+        <translation>Nächste eigene Karte des &amp;Roboters</translation>
+    </message>
+    <message>
+        <source>Grid maps and costmaps of the selected robot over the map, one after the other, then none</source>
+        <translation>Raster- und Kostenkarten des gewählten Roboters über der Karte, eine nach der anderen, dann keine</translation>
+    </message>
+    <message>
+        <source>%1 sends no map of its own</source>
+        <translation>%1 sendet keine eigene Karte</translation>
+    </message>
+    <message>
+        <source>%1: no map of its own is shown</source>
+        <translation>%1: keine eigene Karte wird gezeigt</translation>
+    </message>
+    <message>
+        <source>%1: %2 is shown once the robot is in the map</source>
+        <translation>%1: %2 wird gezeigt, sobald der Roboter in der Karte ist</translation>
+    </message>
+    <message>
+        <source>%1: %2 is empty so far</source>
+        <translation>%1: %2 ist bisher leer</translation>
+    </message>
+    <message>
+        <source>%1: %2 cannot be placed: no tf leads from &quot;%3&quot; to &quot;%4&quot;</source>
+        <translation>%1: %2 ist nicht einzuordnen: kein tf führt von „%3“ nach „%4“</translation>
+    </message>
+    <message>
+        <source>%1: %2 is shown over the map</source>
+        <translation>%1: %2 wird über der Karte gezeigt</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::HandInFeature</name>
     <message>
         <source>R&amp;eport into a folder…</source>
@@ -4512,6 +4547,18 @@ Apache License 2.0</translation>
         <source>fixed transforms</source>
         <translation>feste Transformationen</translation>
     </message>
+    <message>
+        <source>its own map</source>
+        <translation>eigene Karte</translation>
+    </message>
+    <message>
+        <source>changes of its map</source>
+        <translation>Änderungen seiner Karte</translation>
+    </message>
+    <message>
+        <source>its planned path</source>
+        <translation>geplanter Weg</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinksOnMap</name>
@@ -5046,6 +5093,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>moved by hand</source>
         <translation>von Hand geschoben</translation>
+    </message>
+    <message>
+        <source>occupied</source>
+        <translation>belegt</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
     </message>
 </context>
 <context>
@@ -6400,6 +6455,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>STOP is a zero command: it has no stop of its own, and obeys others, too</source>
         <translation>STOP ist ein Nullbefehl: er hat keinen eigenen Halt und gehorcht auch anderen</translation>
+    </message>
+    <message>
+        <source>STOP also locks %1</source>
+        <translation>STOP sperrt auch %1</translation>
+    </message>
+    <message>
+        <source>nobody listens to %1: STOP does not hold off what others send</source>
+        <translation>niemand hört auf %1: STOP hält nicht ab, was andere senden</translation>
     </message>
 </context>
 <context>
@@ -8520,6 +8583,14 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>The robot knows no stops: it is held by drive commands of zero and by its lock.</source>
+        <translation>Der Roboter kennt kein STOP: Fahrbefehle von null und seine Sperre halten ihn.</translation>
+    </message>
+    <message>
+        <source>The robot knows no stops: it is held by drive commands of zero. Nobody listens to its lock.</source>
+        <translation>Der Roboter kennt kein STOP: Fahrbefehle von null halten ihn. Niemand hört auf seine Sperre.</translation>
     </message>
 </context>
 <context>

@@ -3768,6 +3768,41 @@ Link: %4 %5</source>
     </message>
 </context>
 <context>
+    <name>leitstand::GridOnMap</name>
+    <message>
+        <source>Next map of the &amp;robot&apos;s own</source>
+        <translation>ロボット自身の次の地図(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Grid maps and costmaps of the selected robot over the map, one after the other, then none</source>
+        <translation>選択したロボットの格子地図とコストマップを地図に重ねて順に表示し、最後は非表示にします</translation>
+    </message>
+    <message>
+        <source>%1 sends no map of its own</source>
+        <translation>%1 は自身の地図を送信していません</translation>
+    </message>
+    <message>
+        <source>%1: no map of its own is shown</source>
+        <translation>%1：自身の地図は表示していません</translation>
+    </message>
+    <message>
+        <source>%1: %2 is shown once the robot is in the map</source>
+        <translation>%1：%2 はロボットが地図に入ると表示されます</translation>
+    </message>
+    <message>
+        <source>%1: %2 is empty so far</source>
+        <translation>%1：%2 はまだ空です</translation>
+    </message>
+    <message>
+        <source>%1: %2 cannot be placed: no tf leads from &quot;%3&quot; to &quot;%4&quot;</source>
+        <translation>%1：%2 を配置できません：「%3」から「%4」への tf がありません</translation>
+    </message>
+    <message>
+        <source>%1: %2 is shown over the map</source>
+        <translation>%1：%2 を地図に重ねて表示しています</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::HandInFeature</name>
     <message>
         <source>R&amp;eport into a folder…</source>
@@ -4512,6 +4547,18 @@ Apache License 2.0</translation>
         <source>fixed transforms</source>
         <translation>固定の座標変換</translation>
     </message>
+    <message>
+        <source>its own map</source>
+        <translation>自身の地図</translation>
+    </message>
+    <message>
+        <source>changes of its map</source>
+        <translation>自身の地図の変更</translation>
+    </message>
+    <message>
+        <source>its planned path</source>
+        <translation>計画経路</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinksOnMap</name>
@@ -5046,6 +5093,14 @@ F1 でキー一覧</translation>
     <message>
         <source>moved by hand</source>
         <translation>手で動かす部分</translation>
+    </message>
+    <message>
+        <source>occupied</source>
+        <translation>占有</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>空き</translation>
     </message>
 </context>
 <context>
@@ -6400,6 +6455,14 @@ F1 でキー一覧</translation>
     <message>
         <source>STOP is a zero command: it has no stop of its own, and obeys others, too</source>
         <translation>STOP は速度ゼロの指令です。独自の停止機能はなく、他の指令にも従います</translation>
+    </message>
+    <message>
+        <source>STOP also locks %1</source>
+        <translation>STOP は %1 もロックします</translation>
+    </message>
+    <message>
+        <source>nobody listens to %1: STOP does not hold off what others send</source>
+        <translation>%1 を受信する相手がいません：STOP は他からの指令を止められません</translation>
     </message>
 </context>
 <context>
@@ -8520,6 +8583,14 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>The robot knows no stops: it is held by drive commands of zero and by its lock.</source>
+        <translation>このロボットは停止指令を解しません：ゼロの走行指令とロックで停止を保ちます。</translation>
+    </message>
+    <message>
+        <source>The robot knows no stops: it is held by drive commands of zero. Nobody listens to its lock.</source>
+        <translation>このロボットは停止指令を解しません：ゼロの走行指令で停止を保ちます。ロックを受信する相手がいません。</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,12 @@ struct StopCommandSample {
     std::uint64_t releases = 0;  ///< for a release: StopStateSample::stops that the operator saw last
 };
 
+/// Locks or frees a robot's multiplexer of drive commands (std_msgs/msg/Bool), as twist_mux has it: while it
+/// is locked, no source below the lock's priority drives the robot, whoever sends.
+struct DriveLockSample {
+    bool locked = false;
+};
+
 /// Requests another mode of a robot.
 struct ModeCommandSample {
     Time stamp{};  ///< station's clock

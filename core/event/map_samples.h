@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -10,6 +11,7 @@
 #include "core/base/pose.h"
 #include "core/base/time.h"
 #include "core/cloud/scan.h"
+#include "core/event/sample_header.h"
 #include "core/event/scan_pose.h"
 
 namespace leitstand {
@@ -63,6 +65,33 @@ struct RobotPlaceSample {
     double overlap = 0.0;    ///< share of what the robot sees that fits the map
     bool certain = false;    ///< false: from here on, only odometry moves the robot
     std::string how;         ///< why it is certain or not, as a code (placement_format.h)
+};
+
+/// A grid map or costmap of a robot's own navigation (nav_msgs/msg/OccupancyGrid).
+struct OccupancyGridSample {
+    static constexpr std::size_t MostCells = 16'000'000;  ///< of 5 cm: 200 m x 200 m
+    static constexpr std::int8_t UnknownCell = -1, Occupied = 100;
+
+    SampleHeader header;      ///< its frame is often "map", which the robot's localisation moves
+    Time loaded{};            ///< when the robot loaded it from a file; epoch: it did not
+    double resolution = 0.0;  ///< edge of a cell [m]; above 0 where there are cells
+    int width = 0;            ///< number of cells along x
+    int height = 0;           ///< number of cells along y
+    /// Pose of the grid in the header's frame: the outer corner of cell (0, 0), x and y along its edges.
+    Pose gridInFrame = Pose::Identity();
+    /// Cell (x, y) is at y * width + x. From 0, free, to Occupied; UnknownCell and everything else: unknown.
+    std::vector<std::int8_t> cells;
+};
+
+/// A rectangle of cells that changed in a grid (map_msgs/msg/OccupancyGridUpdate). Its topic is that of the
+/// grid, with "_updates" behind.
+struct GridUpdateSample {
+    SampleHeader header;
+    int x = 0;                       ///< its first column in the grid
+    int y = 0;                       ///< its first row in the grid
+    int width = 0;                   ///< number of cells along x
+    int height = 0;                  ///< number of cells along y
+    std::vector<std::int8_t> cells;  ///< as OccupancyGridSample::cells
 };
 
 }  // namespace leitstand

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -70,6 +71,14 @@ struct TwistSample {
     std::string frame;          ///< for TwistStamped; may be empty
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< in the robot's base frame [m/s]
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
+};
+
+/// The way that a robot plans to take (nav_msgs/msg/Path).
+struct PathSample {
+    static constexpr std::size_t MostPoses = 100'000;
+
+    SampleHeader header;
+    std::vector<Pose> posesInFrame;  ///< from its beginning to its end; empty: no way was found
 };
 
 }  // namespace leitstand

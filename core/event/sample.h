@@ -19,9 +19,11 @@ struct ClockOffsetSample;
 struct ClockSample;
 struct CloudSample;
 struct DiagnosticsSample;
+struct DriveLockSample;
 struct FindSample;
 struct GasSample;
 struct GrantSample;
+struct GridUpdateSample;
 struct ImuSample;
 struct JointSample;
 struct KeyScanSample;
@@ -30,7 +32,9 @@ struct MissionInfoSample;
 struct ModeCommandSample;
 struct ModeSample;
 struct NoteSample;
+struct OccupancyGridSample;
 struct OdometrySample;
+struct PathSample;
 struct PictureSample;
 struct PingSample;
 struct PongSample;
@@ -70,7 +74,8 @@ using SampleTypes =
              ModeCommandSample, PoseSample, StreamCommandSample, PingSample, GrantSample, FindSample,
              KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
              CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample, MissionInfoSample,
-             MapCropSample, ScanLinksSample, ScanBodiesSample>;
+             MapCropSample, ScanLinksSample, ScanBodiesSample, OccupancyGridSample, GridUpdateSample,
+             PathSample, DriveLockSample>;
 
 template <class Type>
 concept IsSample = (SampleTypes::indexOf<Type>() < SampleTypes::Size);

@@ -30,6 +30,9 @@ enum class StreamRole : std::uint8_t {
     Sightings = 15,
     StopState = 16,
     Pong = 17,
+    Grid = 26,
+    GridUpdate = 27,
+    Path = 28,
     // to the robot
     DriveCommand = 18,
     TrackCommand = 19,
@@ -39,6 +42,7 @@ enum class StreamRole : std::uint8_t {
     PanTiltCommand = 23,
     StreamCommand = 24,
     Ping = 25,
+    StopLock = 29,
 };
 
 /// The name of @p role in robot files: "points", "drive_command"; empty if the number is no role.
@@ -80,6 +84,12 @@ enum class StreamRole : std::uint8_t {
             return "stop_state";
         case StreamRole::Pong:
             return "pong";
+        case StreamRole::Grid:
+            return "grid";
+        case StreamRole::GridUpdate:
+            return "grid_update";
+        case StreamRole::Path:
+            return "path";
         case StreamRole::DriveCommand:
             return "drive_command";
         case StreamRole::TrackCommand:
@@ -96,14 +106,17 @@ enum class StreamRole : std::uint8_t {
             return "stream_command";
         case StreamRole::Ping:
             return "ping";
+        case StreamRole::StopLock:
+            return "stop_lock";
     }
     return {};
 }
 
 /// Roles of the topics that the station sends.
-inline constexpr auto CommandRoles = std::to_array<StreamRole>(
-    {StreamRole::DriveCommand, StreamRole::TrackCommand, StreamRole::StopCommand, StreamRole::ModeCommand,
-     StreamRole::GoalPose, StreamRole::PanTiltCommand, StreamRole::StreamCommand, StreamRole::Ping});
+inline constexpr auto CommandRoles =
+    std::to_array<StreamRole>({StreamRole::DriveCommand, StreamRole::TrackCommand, StreamRole::StopCommand,
+                               StreamRole::ModeCommand, StreamRole::GoalPose, StreamRole::PanTiltCommand,
+                               StreamRole::StreamCommand, StreamRole::Ping, StreamRole::StopLock});
 
 /// Whether the station sends topics of @p role.
 [[nodiscard]] bool isCommand(StreamRole role);

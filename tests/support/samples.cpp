@@ -237,6 +237,12 @@ std::vector<SampleCase> robotCases() {
         {"leitstand_msgs/msg/StreamCommand", R::StreamCommand,
          StreamCommandSample{at(1'700'000'008, 6), "station-1", "/kurt3d/left", true, 7.5, 60, 640}},
         {"leitstand_msgs/msg/Ping", R::Ping, PingSample{20, "station-1", at(1'700'000'009, 7)}},
+        {"std_msgs/msg/Bool", R::StopLock, DriveLockSample{true}},
+        {"nav_msgs/msg/OccupancyGrid", R::Grid,
+         OccupancyGridSample{header(), at(1'700'000'010, 2), 0.25, 3, 2, pose(7.0), {0, 100, -1, 50, 1, 99}}},
+        {"map_msgs/msg/OccupancyGridUpdate", R::GridUpdate,
+         GridUpdateSample{header(), 4, 5, 2, 1, {100, -1}}},
+        {"nav_msgs/msg/Path", R::Path, PathSample{header(), {pose(8.0), pose(9.0)}}},
     };
 }
 

@@ -12,10 +12,10 @@ namespace leitstand {
 
 /// What a station passes to the `leitstand-guard` that it starts.
 struct GuardArguments {
-    NodeSettings network = {};        ///< only domain, interfaces, peers, multicast, discovery server
-    std::filesystem::path keys = {};  ///< folder with the keys of the station's identity; empty: no security
+    NodeSettings network;        ///< only domain, interfaces, peers, multicast, discovery server
+    std::filesystem::path keys;  ///< folder with the keys of the station's identity; empty: no security
     /// All except own name, timing and track distance; of the QoS, only reliability and lifespan.
-    DriveGuardSettings guard = {};
+    DriveGuardSettings guard;
 };
 
 /// Convert the arguments to words of a command line, and back. Errors name the word and what was expected.

@@ -3,6 +3,8 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -10,6 +12,7 @@
 #include <pthread.h>
 
 #include "core/base/time.h"
+#include "core/event/command_samples.h"
 #include "core/event/motion_samples.h"
 #include "core/event/stream_role.h"
 #include "transport/convert/decode.h"
@@ -26,6 +29,28 @@ StopStatus reported(StopStatus status) {
     return status;
 }
 
+/// When a lock is set and freed. A multiplexer may forget a lock that is not set again and again, so it is
+/// repeated. Freeing it is repeated a few times, since a message may be lost. Then it is somebody else's.
+class LockPulse {
+public:
+    /// Returns what must be written now; empty: nothing.
+    [[nodiscard]] std::optional<DriveLockSample> due(bool wanted, SteadyTime now) {
+        if (wanted) m_toFree = Frees;
+        if (std::exchange(m_locked, wanted) != wanted) m_next = now;
+        if (now < m_next || (!wanted && m_toFree == 0)) return std::nullopt;
+        m_next = now + Period;
+        if (!wanted) --m_toFree;
+        return DriveLockSample{wanted};
+    }
+
+private:
+    static constexpr int Frees = 5;
+    static constexpr milliseconds Period{100};
+    bool m_locked = false;
+    int m_toFree = 0;
+    SteadyTime m_next = {};
+};
+
 }  // namespace
 
 struct StopSender::State {
@@ -33,8 +58,19 @@ struct StopSender::State {
         StreamDescription command = {}, state = {}, odometry = {};
         StopControl control;
         std::unique_ptr<Publisher> publisher = {};
+        std::string lockType = {};
+        std::unique_ptr<Publisher> lock = {};  ///< null: the robot has none
+        LockPulse pulse = {};                  ///< of the sender's own thread
+        bool lockHeard = false;
         StopStatus reported = {};  ///< of the sender's own thread
         std::vector<std::unique_ptr<Subscription>> subscriptions = {};
+
+        [[nodiscard]] StopStatus status() const {
+            StopStatus all = control.status(steadyNow());
+            all.locks = lock != nullptr;
+            all.lockHeard = lockHeard;
+            return all;
+        }
     };
     using Robots = std::map<std::string, Robot>;
 
@@ -57,8 +93,8 @@ struct StopSender::State {
     auto ask(const std::string& robot, Question question) const {
         const std::lock_guard lock(mutex);
         const auto found = robots.find(robot);
-        using Answer = decltype(question(found->second.control));
-        return found == robots.end() ? Answer{} : question(found->second.control);
+        using Answer = decltype(question(found->second));
+        return found == robots.end() ? Answer{} : question(found->second);
     }
     void receive(const std::string& robot, const StreamDescription& stream, const ReceivedSample& sample);
     void step();
@@ -108,6 +144,14 @@ Result<void> StopSender::State::add(Node& node, const RobotDescription& descript
         robot.subscriptions.push_back(std::move(subscribed).value());
         return {};
     };
+    if (const StreamDescription* const lock = description.stream(StreamRole::StopLock)) {
+        if (const auto tried = encode(DriveLockSample{}, lock->type); !tried)
+            return Error{fmt::format("{}: {}", lock->topic, tried.error().text)};
+        robot.lockType = lock->type;
+        auto writer = node.publisher({lock->topic, lock->type, lock->qos, Flow::Immediate});
+        if (!writer) return writer.error();
+        robot.lock = std::move(writer).value();
+    }
     if (command != nullptr) {
         robot.command = *command;
         if (const auto tried = encode(StopCommandSample{{}, settings.station, 1, true, 0}, command->type);
@@ -128,15 +172,22 @@ void StopSender::State::step() {
     for (auto& [name, robot] : robots) {
         std::optional<StopCommandSample> command;
         StopStatus status;
+        bool wanted = false;
+        const bool lockHeard = robot.lock && robot.lock->matched() > 0;
         {
             const std::lock_guard lock(mutex);
             command = robot.control.due(steadyNow(), std::chrono::system_clock::now());
-            status = reported(robot.control.status(steadyNow()));
+            wanted = robot.control.isWanted();
+            robot.lockHeard = lockHeard;
+            status = reported(robot.status());
         }
         if (command && robot.publisher) {
             // What is not written now is written with the next repetition.
             if (const auto cdr = encode(*command, robot.command.type))
                 static_cast<void>(robot.publisher->write(*cdr));
+        }
+        if (const auto lock = robot.lock ? robot.pulse.due(wanted, steadyNow()) : std::nullopt) {
+            if (const auto cdr = encode(*lock, robot.lockType)) static_cast<void>(robot.lock->write(*cdr));
         }
         if (std::exchange(robot.reported, status) != status && settings.onChange) settings.onChange(name);
     }
@@ -190,15 +241,15 @@ Result<void> StopSender::release(const std::string& robot) {
 }
 
 StopStatus StopSender::status(const std::string& robot) const {
-    return m_state->ask(robot, [](const StopControl& control) { return control.status(steadyNow()); });
+    return m_state->ask(robot, [](const State::Robot& one) { return one.status(); });
 }
 
 bool StopSender::allowsDriving(const std::string& robot) const {
-    return m_state->ask(robot, [](const StopControl& control) { return control.allowsDriving(); });
+    return m_state->ask(robot, [](const State::Robot& one) { return one.control.allowsDriving(); });
 }
 
 bool StopSender::holdsByZeros(const std::string& robot) const {
-    return m_state->ask(robot, [](const StopControl& control) { return control.holdsByZeros(); });
+    return m_state->ask(robot, [](const State::Robot& one) { return one.control.holdsByZeros(); });
 }
 
 }  // namespace leitstand

@@ -27,8 +27,9 @@ struct StopSenderSettings {
 
 /// STOP over DDS (StopControl): stops any robot, repeats each stop until the robot has acknowledged it, and
 /// reports the state of each robot. Only releases need the grant, so viewers may have a StopSender, too. It
-/// sends nothing to robots without a stop_command; DriveStreamer holds those with zeros. Any thread; nothing
-/// waits for the network or anything else.
+/// sends nothing to robots without a stop_command; DriveStreamer holds those with zeros. A robot's stop_lock
+/// is set ten times a second while a stop of this station is in force, and freed by the release; that fails
+/// or waits for nothing else. Any thread; nothing waits for the network or anything else.
 class StopSender {
 public:
     /// Errors name the topic (wrong type, or the node may not use it), or say that two robots have the same

@@ -23,6 +23,7 @@ void MapOverlay::paint(QPainter& painter, const MapProjection& projection, const
         gridStep = paintGroundGrid(painter, projection, content, style);
     }
     floor.paint(painter, projection, style);
+    grid.paint(painter, projection, style);
     paintScanOutlines(painter, projection, content, style);
     const bool trails = std::any_of(robots.begin(), robots.end(), [](const auto& one) { return one.trail; });
     paintScanPositions(painter, projection, content, !trails, style);
@@ -30,6 +31,7 @@ void MapOverlay::paint(QPainter& painter, const MapProjection& projection, const
     if (highlighted != 0) paintHighlight(painter, projection, content, highlighted, style);
     paintArea(painter, projection, area, ground, style);
     paintTrails(painter, projection, robots, style);
+    paintPlans(painter, projection, robots, style);
     paintRobots(painter, projection, robots, style);
     paintVictims(painter, projection, finds, chosenFind, style);
     tools.paint(painter, projection, style);
@@ -41,8 +43,9 @@ void MapOverlay::paint(QPainter& painter, const MapProjection& projection, const
     if (const auto from = ruler.from(content))
         paintMeasurement(painter, projection, *from, ruler.to(content), style);
     const QRect scaleBar = paintScaleBar(painter, projection, gridStep, style);
-    const QRect legend = paintLegend(painter, content, projection.size(), scaleBar, style);
-    if (floor.tint()) paintFloorLegend(painter, *floor.tint(), projection.size(), legend, style);
+    QRect legend = paintLegend(painter, content, projection.size(), scaleBar, style);
+    if (floor.tint()) legend = paintFloorLegend(painter, *floor.tint(), projection.size(), legend, style);
+    if (grid.grid()) paintGridLegend(painter, *grid.grid(), projection.size(), legend, style);
     paintAxes(painter, projection, style);
     if (!hint.isEmpty()) paintHint(painter, hint, projection.size(), style);
 }

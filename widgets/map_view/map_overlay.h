@@ -10,9 +10,10 @@
 #include "widgets/map_view/gestures/ground_tools.h"
 #include "widgets/map_view/map_ruler.h"
 #include "widgets/map_view/map_view.h"
-#include "widgets/map_view/overlays/floor_overlay.h"
+#include "widgets/map_view/overlays/floor/floor_overlay.h"
+#include "widgets/map_view/overlays/floor/grid_overlay.h"
 #include "widgets/map_view/overlays/overlay_style.h"
-#include "widgets/models/map/robot_marks.h"
+#include "widgets/models/map/robots/robot_marks.h"
 
 namespace leitstand {
 
@@ -22,6 +23,7 @@ struct MapOverlay {
     std::vector<VictimRow> finds;
     std::optional<FindKey> chosenFind;
     FloorOverlay floor;
+    GridOverlay grid;
     std::vector<Eigen::Vector2d> area;  ///< outlined on the floor, map frame [m]
     double ground = 0.0;                ///< height of the floor, map frame [m]
     QString hint;

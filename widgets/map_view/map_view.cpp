@@ -141,6 +141,10 @@ void MapView::setFloorTint(FloorTintPtr tint) {
     update();
 }
 
+void MapView::setGrid(std::optional<RobotGrid> grid) {
+    if (m_state->overlay.grid.setGrid(std::move(grid))) update();
+}
+
 void MapView::setMeasuring(bool on) {
     m_state->pointer.setMeasuring(on);
 }

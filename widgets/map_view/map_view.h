@@ -21,6 +21,7 @@
 namespace leitstand {
 
 struct MapChanges;
+struct RobotGrid;
 struct RobotMark;
 
 /// A point of the map under the cursor.
@@ -74,6 +75,8 @@ public:
     void setFinds(std::vector<VictimRow> finds, const std::optional<FindKey>& chosen);
     /// Tints searched floor and hatches missed floor; null: neither.
     void setFloorTint(FloorTintPtr tint);
+    /// Shows a robot's own grid over the map; empty: none.
+    void setGrid(std::optional<RobotGrid> grid);
     /// Highlights the scan of this MapScan::id; 0: none.
     void setHighlighted(std::uint64_t id);
     /// Also shows scans at poses that they may get, in a single colour. @p scansInMap: these poses by

@@ -222,9 +222,18 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
         return std::nullopt;
     }
     if (!role) {
-        remark = findMessageType(topic.type) != nullptr
-                     ? "nothing in the station shows it"
-                     : fmt::format("type {} is not known: it can be recorded, not shown", topic.type);
+        const auto rows = streamTable();
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const StreamFacts& one) {
+            return !isCommand(one.role) &&
+                   std::find(one.types.begin(), one.types.end(), topic.type) != one.types.end();
+        });
+        if (row != rows.end()) {
+            remark = fmt::format("role {} takes it, if the robot's file names it", nameOf(row->role));
+        } else {
+            remark = findMessageType(topic.type) != nullptr
+                         ? "nothing in the station shows it"
+                         : fmt::format("type {} is not known: it can be recorded, not shown", topic.type);
+        }
         return std::nullopt;
     }
     if (*role == StreamRole::Thermal)

@@ -15,6 +15,7 @@
 #include "app/services/mapping/live_mapping.h"
 #include "app/services/mapping/loop_previews.h"
 #include "app/services/mapping/mapping_text.h"
+#include "app/services/mapping/station_scanners.h"
 #include "app/services/places/mission_map.h"
 #include "core/base/words.h"
 #include "core/event/scan_bodies.h"
@@ -42,8 +43,8 @@ struct StationMapping::State {
     LiveMapPtr scans = std::make_shared<const LiveMap>();
     std::set<std::string> robots;  ///< names; fixed
     LoopPreviews previews;
-    ScannerAdvice scanners;
     MapLog log;
+    StationScanners scanners;
     std::unique_ptr<LiveMapping> mapping;  ///< last: its thread ends first
 
     State(LiveMission& recorded, std::function<bool()> may, const StationMappingSetup& setup,
@@ -52,8 +53,11 @@ struct StationMapping::State {
           mayMap(std::move(may)),
           station(setup.station),
           listener(std::move(listening)),
-          scanners(setup.robots, setup.mission),
-          log(recorded, logSetup(setup)) {
+          log(recorded, logSetup(setup)),
+          scanners(
+              setup.robots, setup.mission,
+              {[this] { return granted(); }, [this](const std::string& robot) { return log.titleOf(robot); },
+               [this](const std::string& text) { notify(text); }}) {
         for (const RobotDescription& robot : setup.robots) robots.insert(robot.name);
     }
 
@@ -142,18 +146,7 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     listening.onLookedFor = [&state](const std::string& robot, std::size_t alike) {
         state.notify(mapping_words::lookedFor(state.log.titleOf(robot), alike));
     };
-    listening.onScanner = [&state](const std::string& robot, const ScannerFinding& finding) {
-        if (state.scanners.follow(robot, finding))
-            state.notify(mapping_words::scannerIsOff(state.log.titleOf(robot)));
-    };
-    listening.onMapsWith = [&state](const std::string& robot, const std::string& topic) {
-        const auto kept = state.scanners.mapWith(robot, topic);
-        const std::string title = state.log.titleOf(robot);
-        const bool plane = state.scanners.mappingRole(robot, topic) == StreamRole::Ranges;
-        state.notify(plane ? mapping_words::mapsByLaser(title, topic)
-                           : mapping_words::mapsWith(title, topic));
-        if (!kept) state.notify(kept.error().text);
-    };
+    state.scanners.listen(listening);
     listening.makesMap = [&state] { return state.mayMap(); };
     listening.onPlace = [&state](const RobotPlaceSample& place) { state.log.publish(place); };
     listening.onMap = [&state](const LiveMapPtr& map) { state.show(map); };
@@ -179,6 +172,7 @@ StationMapping::StationMapping(LiveMission& mission, std::function<bool()> mayMa
     }
     state.mapping = std::make_unique<LiveMapping>(setup.robots, setup.station, setup.settings,
                                                   std::move(listening), earlier);
+    state.scanners.attach(*state.mapping);
     state.log.follow(*state.mapping);
 }
 
@@ -376,38 +370,8 @@ Result<void> StationMapping::lookFor(const std::string& robot) {
     return {};
 }
 
-std::optional<ScannerQuestion> StationMapping::scannerQuestion() const {
-    return m_state->mayMap() ? m_state->scanners.question() : std::nullopt;
-}
-
-Result<void> StationMapping::answerScanner(const ScannerQuestion& asked, bool correct) {
-    if (auto may = m_state->granted(); !may) return may;
-    const auto question = m_state->scanners.question();
-    if (!question || !question->asksAs(asked))
-        return Error{translate("leitstand::Station", "nothing is asked about the scanner any more")};
-    if (!correct) {
-        m_state->scanners.leave(asked);
-        m_state->mapping->leaveAsIs(asked.robot, faultOf(asked.more));
-        return {};
-    }
-    const ScannerAdvice::Used used = m_state->scanners.use(asked);
-    m_state->mapping->correct(asked.robot, used.total);
-    m_state->notify(mapping_words::scannerCorrected(m_state->log.titleOf(asked.robot), used.file));
-    if (!used.notWritten.empty()) m_state->notify(used.notWritten);
-    return {};
-}
-
-Result<void> StationMapping::mapWith(const std::string& robot, const std::string& topic) {
-    if (auto may = m_state->granted(); !may) return may;
-    if (!m_state->scanners.mappingRole(robot, topic))
-        return Error{leitstand::fill(
-            translate("leitstand::Station", "{}: expected a topic of its scanners, found {}"), robot, topic)};
-    m_state->mapping->mapWith(robot, topic);
-    return {};
-}
-
-std::string StationMapping::mapsWith(const std::string& robot) const {
-    return m_state->scanners.mapsWith(robot);
+StationScanners& StationMapping::scanners() const {
+    return m_state->scanners;
 }
 
 LiveMapPtr StationMapping::scans() const {

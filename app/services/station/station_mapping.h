@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,7 +11,6 @@
 
 #include "app/services/log/event_sink.h"
 #include "app/services/mapping/map_log.h"
-#include "app/services/mapping/scanner_advice.h"
 #include "core/base/result.h"
 #include "core/base/time.h"
 #include "core/mapping/live/live_mapper.h"
@@ -20,11 +20,13 @@
 #include "core/mapping/map.h"
 #include "core/mission/loops/open_loops.h"
 #include "core/mission/state/undo.h"
+#include "core/robot/robot_description.h"
 
 namespace leitstand {
 
 struct Event;
 class LiveMission;
+class StationScanners;
 
 /// Functions that are called on threads of the station and must not block them. Each may be empty.
 struct StationMappingListener {
@@ -120,20 +122,8 @@ public:
     /// result.
     Result<void> lookFor(const std::string& robot);
 
-    /// Makes the map with the scanner of @p robot whose clouds are on @p topic, from its next cloud on.
-    /// Errors, in words: another station has the map, or the robot has no such clouds.
-    Result<void> mapWith(const std::string& robot, const std::string& topic);
-    /// Returns the topic of the clouds that make the map, for a @p robot with several scanners; empty: they
-    /// are still being compared.
-    [[nodiscard]] std::string mapsWith(const std::string& robot) const;
-
-    /// Returns a question about a scanner in which the map shows an error. Empty: there is none, the operator
-    /// has answered, or another station has the map.
-    [[nodiscard]] std::optional<ScannerQuestion> scannerQuestion() const;
-    /// Answers @p asked. @p correct: the scanner is corrected from its next scan on, and in the robot's file.
-    /// Otherwise it is not corrected, and the question is not asked again. The result is reported as a
-    /// message. Errors: another station has the map, or by now there is another question.
-    Result<void> answerScanner(const ScannerQuestion& asked, bool correct);
+    /// The scanners that make the map, and the errors that it shows of them.
+    [[nodiscard]] StationScanners& scanners() const;
 
     [[nodiscard]] LiveMapPtr scans() const;       ///< never null
     [[nodiscard]] RobotsInMapPtr robots() const;  ///< present places of the robots; never null

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <concepts>
+#include <cstddef>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -168,6 +171,47 @@ private:
         for (const DiagnosticStatus& status : sample.statuses) mergeStatus(merged.statuses, status);
         kept = latest(std::move(merged));
     }
+    /// Keeps the transforms that lead from the odometry's frame upwards. All others are only counted.
+    void handle(const TransformsSample& sample) {
+        if (m_event.robot.empty()) return;
+        RobotState& state = robot();
+        if (!state.odometry) return;
+        auto& above = state.framesAbove;
+        const auto isParent = [&](const std::string& frame) {
+            return std::any_of(above.begin(), above.end(),
+                               [&](const auto& known) { return known.second.parent == frame; });
+        };
+        for (const FrameTransform& one : sample.transforms) {
+            const bool leadsUp =
+                one.childFrame == state.odometry->sample.header.frame || isParent(one.childFrame);
+            if (!leadsUp) continue;
+            if (above.size() >= RobotState::MostFramesAbove && !above.contains(one.childFrame)) continue;
+            above[one.childFrame] = {one.header.frame, one.childInParent};
+        }
+    }
+    void handle(const OccupancyGridSample& sample) {
+        if (!m_event.robot.empty()) robot().grids[m_event.topic] = latest(sample);
+    }
+    /// Changes a copy of the grid. What does not fit the grid belongs to one that was not received.
+    void handle(const GridUpdateSample& update) {
+        constexpr std::string_view Ending = "_updates";
+        if (m_event.robot.empty() || !m_event.topic.ends_with(Ending)) return;
+        auto& grids = robot().grids;
+        const auto found = grids.find(m_event.topic.substr(0, m_event.topic.size() - Ending.size()));
+        if (found == grids.end()) return;
+        OccupancyGridSample grid = found->second->sample;
+        if (update.x > grid.width - update.width || update.y > grid.height - update.height) return;
+        grid.header.stamp = update.header.stamp;
+        for (int row = 0; row < update.height; ++row) {
+            const auto from = update.cells.begin() + std::ptrdiff_t(row) * update.width;
+            const auto to = grid.cells.begin() + std::ptrdiff_t(update.y + row) * grid.width + update.x;
+            std::copy_n(from, update.width, to);
+        }
+        found->second = latest(std::move(grid));
+    }
+    void handle(const PathSample& sample) {
+        if (!m_event.robot.empty()) robot().paths[m_event.topic] = latest(sample);
+    }
     void handle(const StopStateSample& sample) { keep(&RobotState::stop, sample); }
     void handle(const StopCommandSample& sample) { keep(&RobotState::stopCommand, sample); }
     void handle(const ClockOffsetSample& sample) {
@@ -270,7 +314,6 @@ private:
     void handle(const CloudSample&) {}
     void handle(const RangesSample&) {}
     void handle(const JointSample&) {}
-    void handle(const TransformsSample&) {}
     void handle(const PictureSample&) {}
     void handle(const CameraInfoSample&) {}
     void handle(const PongSample&) {}
@@ -279,6 +322,7 @@ private:
     void handle(const PoseSample&) {}
     void handle(const StreamCommandSample&) {}
     void handle(const PingSample&) {}
+    void handle(const DriveLockSample&) {}
     void handle(const CheckpointSample&) {}
 
     MissionState& m_state;

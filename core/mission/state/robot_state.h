@@ -21,7 +21,9 @@ struct DiagnosticsSample;
 struct GasSample;
 struct ImuSample;
 struct ModeSample;
+struct OccupancyGridSample;
 struct OdometrySample;
+struct PathSample;
 struct RobotPlaceSample;
 struct SightingSample;
 struct StopCommandSample;
@@ -71,6 +73,12 @@ struct BatteryLoad {
     static constexpr double AtFirst = 5.0, Longest = 60.0;
 };
 
+/// Where a frame lies in its parent.
+struct FrameInParent {
+    std::string parent;
+    Pose inParent = Pose::Identity();
+};
+
 /// The newest samples of a robot. Scans and pictures are not kept; StreamState says which event has the
 /// newest.
 struct RobotState {
@@ -90,8 +98,14 @@ struct RobotState {
     LatestPtr<ClockOffsetSample> clockOffset;
     LatestPtr<RobotPlaceSample> place;           ///< of robots that were placed in another robot's map
     std::map<std::string, StreamState> streams;  ///< by topic
+    /// The frames above that of the odometry, as its localisation knows them: of each but the highest, where
+    /// it lies in its parent. At most MostFramesAbove.
+    std::map<std::string, FrameInParent> framesAbove;
+    std::map<std::string, LatestPtr<OccupancyGridSample>> grids;  ///< by topic, with their updates
+    std::map<std::string, LatestPtr<PathSample>> paths;           ///< by topic
 
     static constexpr std::size_t MostContacts = 10'000;
+    static constexpr std::size_t MostFramesAbove = 8;
 };
 
 }  // namespace leitstand

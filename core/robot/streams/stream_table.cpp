@@ -33,6 +33,10 @@ constexpr Type Stop[] = {"leitstand_msgs/msg/StopCommand"};
 constexpr Type ModeRequest[] = {"leitstand_msgs/msg/ModeCommand"};
 constexpr Type Goal[] = {"geometry_msgs/msg/PoseStamped"};
 constexpr Type StreamOrder[] = {"leitstand_msgs/msg/StreamCommand"};
+constexpr Type Occupancy[] = {"nav_msgs/msg/OccupancyGrid"};
+constexpr Type OccupancyChange[] = {"map_msgs/msg/OccupancyGridUpdate"};
+constexpr Type Flag[] = {"std_msgs/msg/Bool"};
+constexpr Type PlannedPath[] = {"nav_msgs/msg/Path"};
 constexpr Type Question[] = {"leitstand_msgs/msg/Ping"};
 
 constexpr std::string_view OfHeat[] = {"ir", "thermal", "lepton", "flir"};
@@ -300,6 +304,44 @@ constexpr StreamFacts Table[] = {
      .qos = Command,
      .single = true,
      .thinnedAs = ThinnedAs::Other,
+     .guessedBy = GuessedBy::Name},
+    // from the robot's navigation
+    {.role = StreamRole::Grid,
+     .title = translatable("leitstand::LinkStatus", "its own map"),
+     .types = Occupancy,
+     .topic = "map",
+     .qos = qos(Reliable, Stays, 1),
+     .thinRank = ThinRank::Scans,
+     .usualMegabits = 0.5,
+     .thinnedAs = ThinnedAs::Other,
+     .inLog = "grid maps",
+     .guessedBy = GuessedBy::Name},
+    {.role = StreamRole::GridUpdate,
+     .title = translatable("leitstand::LinkStatus", "changes of its map"),
+     .types = OccupancyChange,
+     .topic = "map_updates",
+     .qos = qos(Reliable, Volatile, 10),
+     .thinRank = ThinRank::Scans,
+     .usualMegabits = 0.1,
+     .thinnedAs = ThinnedAs::Other,
+     .inLog = "changes of grid maps",
+     .guessedBy = GuessedBy::Name},
+    {.role = StreamRole::Path,
+     .title = translatable("leitstand::LinkStatus", "its planned path"),
+     .types = PlannedPath,
+     .topic = "plan",
+     .qos = qos(Reliable, Volatile, 10),
+     .thinRank = ThinRank::Telemetry,
+     .usualMegabits = 0.05,
+     .thinnedAs = ThinnedAs::Other,
+     .inLog = "planned paths",
+     .guessedBy = GuessedBy::Name},
+    // to the robot
+    {.role = StreamRole::StopLock,
+     .types = Flag,
+     .topic = "stop_lock",
+     .qos = Command,
+     .single = true,
      .guessedBy = GuessedBy::Name},
 };
 

@@ -107,6 +107,11 @@ void judgeDriving(Page& page, const RobotFacts& facts) {
     if (!view.drive.drivable) return;
     if (!view.drive.reachable) page.add(Kind::Deaf, CheckState::Fail);
     if (facts.robot.stream(StreamRole::StopCommand) == nullptr) page.add(Kind::NotBound, CheckState::Note);
+    if (const StreamDescription* const lock = facts.robot.stream(StreamRole::StopLock)) {
+        const bool heard = view.stop.lockHeard;
+        page.add(heard ? Kind::LockHeard : Kind::LockUnheard, heard ? CheckState::Ok : CheckState::Attention,
+                 lock->topic);
+    }
     if (view.stop.stopped) page.add(Kind::Stopped, CheckState::Attention);
     if (view.grant.mine) {
         page.add(Kind::Grant, CheckState::Ok);

@@ -76,6 +76,8 @@ struct PreflightCheck {
         GrantOthers,  ///< detail: station that holds it
         Deaf,         ///< the robot receives no drive commands
         NotBound,     ///< the robot has no stop of its own and knows no grants: others may drive it
+        LockHeard,    ///< detail: topic of the lock by which STOP also holds off what others send
+        LockUnheard,  ///< detail: as LockHeard, but nobody listens to it
         Stopped,      ///< a stop is in force
         BrakePassed,  ///< number: time until it stood [s]; other: distance [m]; brake
         BrakeOld,     ///< as BrakePassed, more than a day ago

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <unistd.h>
 
@@ -28,6 +29,7 @@
 #include "robots/simulation/process/pace.h"
 #include "robots/simulation/process/truth_exchange.h"
 #include "robots/simulation/simulated_hardware.h"
+#include "robots/simulation/stock/stock_localisation.h"
 #include "robots/simulation/stock/stock_others.h"
 #include "robots/simulation/stock/stock_profile.h"
 #include "robots/wire/robot_wire.h"
@@ -129,12 +131,13 @@ struct Life {
     RobotAgent& agent;
     RobotWire& wire;
     StockOthers& others;
+    StockLocalisation& localisation;
     TruthExchange& truth;
     FrozenPictures& cameras;
 };
 
 void turn(const Life& life) {
-    auto& [world, agent, wire, others, truth, cameras] = life;
+    auto& [world, agent, wire, others, localisation, truth, cameras] = life;
     truth.take(world);
     world.advance(Pace::Step);
     for (const ReceivedCommand& command : wire.take()) {
@@ -144,7 +147,9 @@ void turn(const Life& life) {
             agent.receive(command.role, command.sample, command.from);
         }
     }
-    for (HardwareSample& sample : agent.step()) {
+    std::vector<HardwareSample> samples = agent.step();
+    for (HardwareSample& added : localisation.step(world, samples)) samples.push_back(std::move(added));
+    for (HardwareSample& sample : samples) {
         cameras.pass(sample, frozen != 0);
         wire.publish(sample);
         if (const auto* cloud = sample.sample.as<CloudSample>()) truth.publishLabels(world, *cloud);
@@ -231,7 +236,8 @@ Result<void> runRobot(const RobotOptions& options) {
                 domain->domain);
     std::fflush(stdout);
     FrozenPictures cameras;
-    live({world, **agent, **wire, others, **truth, cameras}, pace);
+    StockLocalisation localisation(world, number, *robot);
+    live({world, **agent, **wire, others, localisation, **truth, cameras}, pace);
     return {};
 }
 

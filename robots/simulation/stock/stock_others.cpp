@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/event/map_samples.h"
 #include "core/event/motion_samples.h"
 #include "core/event/picture_samples.h"
 #include "core/event/sample.h"
@@ -17,7 +18,8 @@ namespace {
 /// Returns a message of @p type without content. Of a type that the station does not know: the encapsulation
 /// of XCDR1, little endian, and zeros, which are empty strings and sequences in whatever message has them.
 Payload nothingOf(std::string_view type) {
-    const Sample known[] = {JointSample{}, OdometrySample{}, ImuSample{}, CameraInfoSample{}};
+    const Sample known[] = {JointSample{},         OdometrySample{},   ImuSample{}, CameraInfoSample{},
+                            OccupancyGridSample{}, GridUpdateSample{}, PathSample{}};
     for (const Sample& sample : known) {
         if (auto payload = encode(sample, type)) return std::move(payload).value();
     }

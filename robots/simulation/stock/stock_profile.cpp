@@ -47,7 +47,6 @@ constexpr StockTopic Turtlebot4[] = {
     {"oakd/stereo/image_raw", "sensor_msgs/msg/Image", Default, 5.0},
     {"oakd/stereo/image_raw/compressedDepth", "sensor_msgs/msg/CompressedImage", Default, 5.0},
     {"oakd/stereo/camera_info", "sensor_msgs/msg/CameraInfo", Default, 5.0},
-    {"map", "nav_msgs/msg/OccupancyGrid", Latched, 0.0},
     {"map_updates", "map_msgs/msg/OccupancyGridUpdate", Default, 0.0},
     {"plan", "nav_msgs/msg/Path", Default, 0.0},
     {"global_costmap/costmap", "nav_msgs/msg/OccupancyGrid", Latched, 0.0},

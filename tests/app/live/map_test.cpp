@@ -22,7 +22,7 @@
 #include "core/mapping/placement/placement.h"
 #include "core/mission/state/mission_state.h"
 #include "tests/app/live/map_on_screen.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 
 namespace leitstand::test {
 namespace {

@@ -1,20 +1,35 @@
 // A stock robot that has a plane laser only: its map in the window.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include <QAction>
+#include <QStringList>
 
 #include <gtest/gtest.h>
 
 #include "app/services/log/live_mission.h"
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/layouts/layout_feature.h"
 #include "core/cloud/labels.h"
+#include "core/event/map_samples.h"
+#include "core/event/motion_samples.h"
+#include "core/event/stream_role.h"
 #include "core/mapping/live/map/live_map.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"
+#include "tests/transport/dds/test_node.h"
+#include "transport/convert/encode.h"
 #include "widgets/drive/mode_cell.h"
+#include "widgets/map_view/map_view.h"
+#include "widgets/models/map/robots/robot_grid.h"
+#include "widgets/painting/theme.h"
 
 namespace leitstand::test {
 namespace {
@@ -31,8 +46,97 @@ protected:
         const LiveMapPtr map = station().mapping().scans();
         return map->scans.size();
     }
+    void trigger(const char* id) {
+        QAction* const action = m_window->commands().find(id);
+        ASSERT_NE(action, nullptr) << id;
+        action->trigger();
+    }
+    [[nodiscard]] bool isSaid(const char* text) const {
+        return !m_window->recent().filter(QLatin1String(text)).isEmpty();
+    }
+    /// Number of the map's pixels that are nearly in the colour of the robot.
+    [[nodiscard]] int inItsColour() const {
+        const QImage image = m_window->mapView().grab().toImage();
+        const QColor robot = coloursOf(m_window->mapView().settings().theme).robot(0);
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor pixel = image.pixelColor(x, y);
+                const int off = std::abs(pixel.red() - robot.red()) +
+                                std::abs(pixel.green() - robot.green()) +
+                                std::abs(pixel.blue() - robot.blue());
+                count += off < 90 ? 1 : 0;
+            }
+        }
+        return count;
+    }
     std::unique_ptr<ChildProcess> m_robot;
 };
+
+/// Returns the share of @p cloud, in the map's frame, that lies within 15 cm of an occupied cell of @p grid.
+double shareOn(const RobotGrid& grid, const std::vector<Eigen::Vector3d>& cloud) {
+    constexpr int Around = 3;  // [cells]
+    const OccupancyGridSample& cells = grid.grid->sample;
+    const auto isOn = [&](const Eigen::Vector3d& point) {
+        const Eigen::Vector3d in = grid.gridInMap.inverse() * point / cells.resolution;
+        const int x = int(std::floor(in.x())), y = int(std::floor(in.y()));
+        for (int row = std::max(0, y - Around); row <= std::min(cells.height - 1, y + Around); ++row) {
+            for (int column = std::max(0, x - Around); column <= std::min(cells.width - 1, x + Around);
+                 ++column) {
+                const auto at = std::size_t(row) * std::size_t(cells.width) + std::size_t(column);
+                if (cells.cells[at] == OccupancyGridSample::Occupied) return true;
+            }
+        }
+        return false;
+    };
+    return double(std::count_if(cloud.begin(), cloud.end(), isOn)) / double(cloud.size());
+}
+
+TEST_F(TurtleBotPage, ItsOwnMapLiesOnOursAndItsPlanIsDrawn) {
+    ASSERT_TRUE(soon([&] { return keyScans() > 0 && m_window->missing().isEmpty(); })) << m_robot->out();
+    const auto state = [&]() -> const RobotState& { return m_bridge->moment().reported("turtlebot4"); };
+    const auto grid = [&]() -> std::optional<RobotGrid> {
+        for (const RobotInMap& place : *m_bridge->moment().places)
+            if (place.robot == "turtlebot4") return robotGridOf("/map", state(), place);
+        return std::nullopt;
+    };
+    ASSERT_TRUE(soon([&] { return grid().has_value(); }))
+        << state().grids.size() << state().framesAbove.size();
+    const LiveMapPtr ours = station().mapping().scans();
+    const LiveKeyScan& scan = ours->scans.front();
+    std::vector<Eigen::Vector3d> cloud;
+    for (const Eigen::Vector3f& point : scan.scan->points)
+        cloud.emplace_back(scan.pose.scanInMap * point.cast<double>());
+    ASSERT_GT(cloud.size(), 100U);
+    EXPECT_GT(shareOn(*grid(), cloud), 0.9);
+    RobotGrid turned = *grid();
+    turned.gridInMap = poseFrom({0.0, 0.0, 0.0}, 0.0, 0.0, degrees(30)) * turned.gridInMap;
+    EXPECT_LT(shareOn(turned, cloud), 0.6) << "as it would lie without tf";
+
+    m_window->layouts().use("map");
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); }));
+    const int bare = inItsColour();
+    trigger("map.robotGrid");
+    EXPECT_TRUE(soon([&] { return isSaid("/map is shown over the map"); }));
+    EXPECT_TRUE(soon([&] { return inItsColour() > bare + 500; })) << bare << ", " << inItsColour();
+    lookAt("robot_grid");
+    trigger("map.robotGrid");
+    EXPECT_TRUE(soon([&] { return isSaid("no map of its own is shown"); }));
+    EXPECT_TRUE(soon([&] { return inItsColour() < bare + 100; })) << bare << ", " << inItsColour();
+
+    const auto node = nodeIn(m_domain);
+    const StreamDescription plan = *shippedRobot("turtlebot4").stream(StreamRole::Path);
+    const auto planner = must(node->publisher({plan.topic, plan.type, plan.qos}));
+    PathSample path{{{}, "base_link"}, {}};
+    for (int i = 0; i < 60; ++i) path.posesInFrame.push_back(poseFrom({0.05 * i, 0.0, 0.0}, 0.0, 0.0, 0.0));
+    EXPECT_TRUE(soon([&] {
+        (void)planner->write(must(encode(path, plan.type)));
+        QTest::qWait(100);
+        return inItsColour() > bare + 150;
+    })) << bare
+        << ", " << inItsColour();
+    lookAt("robot_plan");
+}
 
 TEST_F(TurtleBotPage, IsMappedWhileItDrives) {
     ASSERT_TRUE(soon([&] { return keyScans() > 0; })) << m_robot->out();

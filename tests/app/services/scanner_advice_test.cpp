@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/services/mapping/station_scanners.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/app/services/mapped_station.h"
 
@@ -21,7 +22,7 @@ protected:
         m_circles = true;
         begin();
         std::uint64_t newest = 0;
-        while (newest < 30 && !m_mapping->scannerQuestion()) {
+        while (newest < 30 && !m_mapping->scanners().question()) {
             scan();
             if (!scans(++newest)) break;
         }
@@ -49,26 +50,26 @@ TEST_F(ScannerAdviceTest, AScannerThatMeasuresTooFarIsAskedAboutAndCorrectedForG
         "    position: [0, 0, 0.9]  # measured\nstreams: [{role: points, sensor: laser}]\n";
     std::ofstream(m_robotFile) << head << tail;
     const std::uint64_t asked = driveUntilAsked();
-    const auto question = m_mapping->scannerQuestion();
+    const auto question = m_mapping->scanners().question();
     ASSERT_TRUE(question.has_value()) << words();
     EXPECT_THAT(words(), HasSubstr("what its 3D scanner measures does not fit together"));
     EXPECT_EQ(question->robot, "kurt3d");
     EXPECT_NEAR(question->more.range, -0.04, 0.008);
     EXPECT_NEAR(heightAboveFloor(*m_mapping, asked), 0.936, 0.005) << "nothing changes before the answer";
-    ASSERT_TRUE(m_mapping->answerScanner(*question, true).ok());
+    ASSERT_TRUE(m_mapping->scanners().answer(*question, true).ok());
     EXPECT_THAT(words(),
                 HasSubstr("its 3D scanner is corrected from its next scan on, and from now on by its "
                           "file " +
                           m_robotFile.string()));
-    EXPECT_EQ(m_mapping->scannerQuestion(), std::nullopt);
-    EXPECT_FALSE(m_mapping->answerScanner(*question, true).ok()) << "nothing is asked any more";
+    EXPECT_EQ(m_mapping->scanners().question(), std::nullopt);
+    EXPECT_FALSE(m_mapping->scanners().answer(*question, true).ok()) << "nothing is asked any more";
     for (std::uint64_t more = asked + 1; more <= asked + 16; ++more) {
         scan();
         ASSERT_TRUE(scans(more)) << words();
         EXPECT_NEAR(heightAboveFloor(*m_mapping, more), 0.9, 0.01) << more;
         EXPECT_EQ(trust(more), ScanTrust::Certain) << more;
     }
-    EXPECT_EQ(m_mapping->scannerQuestion(), std::nullopt) << "what is right is not asked about";
+    EXPECT_EQ(m_mapping->scanners().question(), std::nullopt) << "what is right is not asked about";
     const auto file = readRobot(m_robotFile);
     ASSERT_TRUE(file.ok()) << file.error().text;
     EXPECT_NEAR(file->sensors.at("laser").correction.range, question->more.range, 1e-4);
@@ -93,20 +94,20 @@ TEST_F(ScannerAdviceTest, AFindingThatWasOnItsWayDuringTheAnswerDoesNotAskAgain)
 
 TEST_F(ScannerAdviceTest, AScannerThatIsLeftAsItIsIsNotAskedAboutAgain) {
     const std::uint64_t asked = driveUntilAsked();
-    const auto question = m_mapping->scannerQuestion();
+    const auto question = m_mapping->scanners().question();
     ASSERT_TRUE(question.has_value()) << words();
     ScannerQuestion other = *question;
     other.more = {0.0, degrees(1), 0.0};
-    EXPECT_FALSE(m_mapping->answerScanner(other, true).ok()) << "its lean is not asked about";
+    EXPECT_FALSE(m_mapping->scanners().answer(other, true).ok()) << "its lean is not asked about";
     m_granted = false;
-    EXPECT_FALSE(m_mapping->answerScanner(*question, false).ok()) << "the map is another station's";
+    EXPECT_FALSE(m_mapping->scanners().answer(*question, false).ok()) << "the map is another station's";
     m_granted = true;
-    ASSERT_TRUE(m_mapping->answerScanner(*question, false).ok());
+    ASSERT_TRUE(m_mapping->scanners().answer(*question, false).ok());
     for (int i = 1; i <= 3; ++i) {
         scan();
         ASSERT_TRUE(scans(asked + static_cast<std::uint64_t>(i))) << words();
     }
-    EXPECT_EQ(m_mapping->scannerQuestion(), std::nullopt);
+    EXPECT_EQ(m_mapping->scanners().question(), std::nullopt);
     EXPECT_NEAR(heightAboveFloor(*m_mapping, asked + 3), 0.936, 0.005);
 }
 

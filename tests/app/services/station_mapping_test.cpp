@@ -1,4 +1,5 @@
 #include "app/services/station/station_mapping.h"
+#include "app/services/mapping/station_scanners.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +102,7 @@ TEST_F(TwoScanners, OneMakesTheMapWhichIsSaidAndKeptAndTheOtherNeverEnters) {
     begin();
     for (int i = 0; i < 5; ++i) scanWithBoth();
     ASSERT_TRUE(scans(2)) << words();
-    EXPECT_EQ(m_mapping->mapsWith("kurt3d"), "/kurt3d/points");
+    EXPECT_EQ(m_mapping->scanners().mapsWith("kurt3d"), "/kurt3d/points");
     EXPECT_THAT(words(), HasSubstr("/kurt3d/points"));
     EXPECT_EQ(mapsInFile(), "/kurt3d/points");
     const LiveMapPtr map = m_mapping->scans();
@@ -115,12 +116,13 @@ TEST_F(TwoScanners, TheOperatorChoosesAnotherWhichStaysChosen) {
     begin();
     for (int i = 0; i < 4; ++i) scanWithBoth();
     ASSERT_TRUE(scans(1)) << words();
-    EXPECT_THAT(m_mapping->mapWith("kurt3d", "/kurt3d/odom").error().text, HasSubstr("/kurt3d/odom"));
+    EXPECT_THAT(m_mapping->scanners().mapWith("kurt3d", "/kurt3d/odom").error().text,
+                HasSubstr("/kurt3d/odom"));
     m_granted = false;
-    EXPECT_THAT(m_mapping->mapWith("kurt3d", Front).error().text, HasSubstr("another station"));
+    EXPECT_THAT(m_mapping->scanners().mapWith("kurt3d", Front).error().text, HasSubstr("another station"));
     m_granted = true;
-    ASSERT_TRUE(m_mapping->mapWith("kurt3d", Front).ok());
-    ASSERT_TRUE(waitUntil([&] { return m_mapping->mapsWith("kurt3d") == Front; }));
+    ASSERT_TRUE(m_mapping->scanners().mapWith("kurt3d", Front).ok());
+    ASSERT_TRUE(waitUntil([&] { return m_mapping->scanners().mapsWith("kurt3d") == Front; }));
     const std::size_t before = m_mapping->scans()->scans.size();
     for (int i = 0; i < 3; ++i) scanWithBoth();
     ASSERT_TRUE(scans(before + 1)) << words();
@@ -128,11 +130,11 @@ TEST_F(TwoScanners, TheOperatorChoosesAnotherWhichStaysChosen) {
     EXPECT_TRUE(isOfCamera(map->scans.back()));
     end();
     begin();
-    EXPECT_EQ(m_mapping->mapsWith("kurt3d"), Front) << "the mission goes on with it";
+    EXPECT_EQ(m_mapping->scanners().mapsWith("kurt3d"), Front) << "the mission goes on with it";
     end();
     m_robot.streams.back().maps = true;
     begin();
-    EXPECT_EQ(m_mapping->mapsWith("kurt3d"), Front) << "whatever the robot's file names";
+    EXPECT_EQ(m_mapping->scanners().mapsWith("kurt3d"), Front) << "whatever the robot's file names";
 }
 
 TEST_F(StationMappingTest, TheTrailFollowsWhatIsDecidedOfScans) {

@@ -5,6 +5,7 @@
 #include "core/event/sample.h"
 #include "messages/diagnostic_msgs.h"
 #include "messages/leitstand_msgs.h"
+#include "messages/map_msgs.h"
 #include "messages/nav_msgs.h"
 #include "messages/sensor_msgs.h"
 #include "messages/tf2_msgs.h"
@@ -44,6 +45,7 @@ const std::vector<Entry>& allEntries() {
                 geometry_msgs::Pose, geometry_msgs::PoseStamped, geometry_msgs::PoseWithCovariance,
                 geometry_msgs::Twist, geometry_msgs::TwistStamped, geometry_msgs::TwistWithCovariance,
                 geometry_msgs::Transform, geometry_msgs::TransformStamped, nav_msgs::Odometry,
+                nav_msgs::MapMetaData, nav_msgs::OccupancyGrid, nav_msgs::Path, map_msgs::OccupancyGridUpdate,
                 tf2_msgs::TFMessage, diagnostic_msgs::KeyValue, diagnostic_msgs::DiagnosticStatus,
                 diagnostic_msgs::DiagnosticArray, sensor_msgs::PointField, sensor_msgs::PointCloud2,
                 sensor_msgs::LaserScan, sensor_msgs::Image, sensor_msgs::CompressedImage,

@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/event/map_samples.h"
 #include "core/event/motion_samples.h"
 #include "core/event/sample.h"
 #include "core/event/status_samples.h"
 #include "core/event/stream_role.h"
 #include "core/robot/frame_names.h"
 #include "messages/diagnostic_msgs.h"
+#include "messages/map_msgs.h"
 #include "messages/nav_msgs.h"
 #include "messages/sensor_msgs.h"
 #include "messages/tf2_msgs.h"
@@ -245,6 +247,58 @@ TEST(Odometry, MustBeNumbers) {
     wrong = message;
     wrong.header.stamp.sec = -5;
     EXPECT_THAT(errorOf(wrong, StreamRole::Odometry), HasSubstr("header.stamp"));
+}
+
+TEST(Grids, MustFitTheirSizes) {
+    wire::nav_msgs::OccupancyGrid message;
+    EXPECT_EQ(errorOf(message, StreamRole::Grid), "none") << "before the first map";
+    message.info.width = 3;
+    message.info.height = 2;
+    message.info.resolution = 0.05F;
+    message.data.assign(6, 0);
+    const auto grid = decoded(message, StreamRole::Grid);
+    ASSERT_TRUE(grid) << grid.error().text;
+    EXPECT_TRUE(grid->get<OccupancyGridSample>().gridInFrame.isApprox(Pose::Identity()))
+        << "whoever sets no rotation means none";
+    const auto changed = [&](auto change) {
+        auto wrong = message;
+        change(wrong);
+        return errorOf(wrong, StreamRole::Grid);
+    };
+    EXPECT_THAT(changed([](auto& one) { one.data.pop_back(); }), HasSubstr("3 x 2 cells, found 5"));
+    EXPECT_THAT(changed([](auto& one) { one.info.width = 0xffff'ffff; }), HasSubstr("width"));
+    EXPECT_THAT(changed([](auto& one) { one.info.width = one.info.height = 65'536; }),
+                HasSubstr("at most 16000000 cells"));
+    EXPECT_THAT(changed([](auto& one) { one.info.width = 0x8000'0000, one.info.height = 2; }),
+                HasSubstr("width"));
+    for (const float bad : {0.0F, -1.0F, 1e9F, NaN, std::numeric_limits<float>::infinity()})
+        EXPECT_THAT(changed([bad](auto& one) { one.info.resolution = bad; }), HasSubstr("resolution")) << bad;
+    EXPECT_THAT(changed([](auto& one) { one.info.origin.position.x = Infinity; }), HasSubstr("origin"));
+}
+
+TEST(Grids, UpdatesLieWithinThem) {
+    wire::map_msgs::OccupancyGridUpdate message;
+    message.width = message.height = 2;
+    message.data.assign(4, 100);
+    EXPECT_EQ(errorOf(message, StreamRole::GridUpdate), "none");
+    message.x = -1;
+    EXPECT_THAT(errorOf(message, StreamRole::GridUpdate), HasSubstr("x, y"));
+    message.x = std::numeric_limits<std::int32_t>::max();
+    EXPECT_THAT(errorOf(message, StreamRole::GridUpdate), HasSubstr("x, y"));
+    message.x = 0;
+    message.data.push_back(0);
+    EXPECT_THAT(errorOf(message, StreamRole::GridUpdate), HasSubstr("2 x 2 cells, found 5"));
+}
+
+TEST(Paths, HavePosesThatAreNumbers) {
+    wire::nav_msgs::Path message;
+    EXPECT_EQ(errorOf(message, StreamRole::Path), "none") << "no way was found";
+    message.poses.resize(2);
+    EXPECT_EQ(errorOf(message, StreamRole::Path), "none") << "places without rotations";
+    message.poses[1].pose.position.y = Infinity;
+    EXPECT_THAT(errorOf(message, StreamRole::Path), HasSubstr("poses"));
+    message.poses.assign(PathSample::MostPoses + 1, {});
+    EXPECT_THAT(errorOf(message, StreamRole::Path), HasSubstr("at most 100000"));
 }
 
 TEST(Images, MustFitTheirSizes) {

@@ -1,17 +1,24 @@
+#include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <memory>
 #include <optional>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/event/command_samples.h"
 #include "core/event/station_topics.h"
 #include "core/event/stream_role.h"
+#include "core/robot/streams/stream_defaults.h"
 #include "tests/support/child_process.h"
 #include "tests/support/net/radio_link.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/transport/link/control_robot.h"
 #include "tests/transport/link/control_station.h"
+#include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 #include "transport/security/enclave.h"
 #include "transport/security/keys.h"
@@ -326,6 +333,69 @@ TEST_F(StopSecured, AViewerMayStopButNotDrive) {
     ASSERT_TRUE(station.stops().release("kurt3d").ok());
     station.push(0.0);
     EXPECT_TRUE(station.driveUntil(0.2, [&] { return robot.speed() > 0.0; }));
+}
+
+/// A stock robot: it knows no stops, and has a lock as twist_mux has it.
+class StopByLock : public testing::Test {
+protected:
+    static RobotDescription stockRobot() {
+        RobotDescription robot = drivenRobot();
+        std::erase_if(robot.streams, [](const StreamDescription& stream) {
+            return stream.role == StreamRole::StopCommand || stream.role == StreamRole::StopState;
+        });
+        robot.streams.push_back(defaultStream(StreamRole::StopLock, robot.name, {}));
+        return robot;
+    }
+    /// Number of messages so far that set the lock, or that freed it.
+    [[nodiscard]] int count(bool locked) const { return locked ? m_set : m_freed; }
+
+    const TestDomain m_domain;
+    const RobotDescription m_description = stockRobot();
+    const StreamDescription m_lock = *m_description.stream(StreamRole::StopLock);
+    std::atomic<int> m_set = 0, m_freed = 0;
+    std::unique_ptr<Node> m_robotNode = nodeIn(m_domain), m_node = nodeIn(m_domain);
+    std::unique_ptr<StopSender> m_stops =
+        must(StopSender::create(*m_node, std::vector{m_description},
+                                {.station = "a", .mayRelease = [](const std::string&) { return true; }}));
+    std::unique_ptr<Subscription> m_mux;
+    void listen() {
+        m_mux = must(m_robotNode->subscribe({m_lock.topic, m_lock.type, m_lock.qos, Lane::Small},
+                                            [this](const ReceivedSample& sample) {
+                                                const auto lock = decode(sample.event, m_lock);
+                                                if (!lock) return;
+                                                ++(lock->get<DriveLockSample>().locked ? m_set : m_freed);
+                                            }));
+        ASSERT_TRUE(waitUntil([&] { return m_stops->status("kurt3d").lockHeard; }));
+    }
+};
+
+TEST_F(StopByLock, IsSetAgainAndAgainUntilTheReleaseFreesIt) {
+    EXPECT_TRUE(m_stops->status("kurt3d").locks);
+    EXPECT_FALSE(m_stops->status("kurt3d").lockHeard) << "nobody listens yet";
+    ASSERT_NO_FATAL_FAILURE(listen());
+    std::this_thread::sleep_for(300ms);
+    EXPECT_EQ(count(true) + count(false), 0) << "nobody stopped it: the lock is somebody else's";
+    m_stops->stopAll();
+    EXPECT_TRUE(m_stops->holdsByZeros("kurt3d")) << "besides";
+    ASSERT_TRUE(waitUntil([&] { return count(true) >= 5; })) << "a multiplexer may forget it";
+    EXPECT_EQ(count(false), 0);
+    ASSERT_TRUE(m_stops->release("kurt3d").ok());
+    ASSERT_TRUE(waitUntil([&] { return count(false) > 0; }));
+    std::this_thread::sleep_for(1s);
+    const int set = count(true), freed = count(false);
+    EXPECT_GE(freed, 2) << "one may be lost";
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(count(false), freed) << "then it is somebody else's again";
+    EXPECT_EQ(count(true), set);
+    m_stops->stop("kurt3d");
+    ASSERT_TRUE(waitUntil([&] { return count(true) > set; }));
+}
+
+TEST_F(StopByLock, AMultiplexerThatStartsLaterIsLockedAsWell) {
+    m_stops->stopAll();
+    std::this_thread::sleep_for(300ms);
+    ASSERT_NO_FATAL_FAILURE(listen());
+    EXPECT_TRUE(waitUntil([&] { return count(true) >= 2; }));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/mapping/map.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 
 namespace leitstand::test {
 

@@ -1,4 +1,4 @@
-#include "widgets/models/map/robot_marks.h"
+#include "widgets/models/map/robots/robot_marks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

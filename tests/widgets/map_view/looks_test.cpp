@@ -9,7 +9,7 @@
 #include "tests/widgets/map_view/golden.h"
 #include "tests/widgets/map_view/maps.h"
 #include "tests/widgets/map_view/shown_view.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 #include "widgets/painting/theme.h"
 
 namespace leitstand::test {

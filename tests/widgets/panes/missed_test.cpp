@@ -9,7 +9,7 @@
 #include "tests/widgets/panes/shown.h"
 #include "widgets/coverage/missed_panel.h"
 #include "widgets/map_view/camera/map_camera.h"
-#include "widgets/map_view/overlays/floor_overlay.h"
+#include "widgets/map_view/overlays/floor/floor_overlay.h"
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/painting/theme.h"
 

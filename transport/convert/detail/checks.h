@@ -52,6 +52,10 @@ public:
     Eigen::Vector3d vector(const char* field, const Xyz& from) {
         return {finite(field, from.x), finite(field, from.y), finite(field, from.z)};
     }
+    /// Whether nobody set @p rotation, which then is no rotation.
+    [[nodiscard]] static bool isUnset(const wire::geometry_msgs::Quaternion& rotation) {
+        return rotation.x == 0.0 && rotation.y == 0.0 && rotation.z == 0.0 && rotation.w == 0.0;
+    }
     Eigen::Quaterniond rotation(const char* field, const wire::geometry_msgs::Quaternion& from);
     Pose pose(const char* field, const wire::geometry_msgs::Pose& from);
 

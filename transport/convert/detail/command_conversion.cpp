@@ -1,5 +1,6 @@
 #include "core/event/all_samples.h"
 #include "messages/leitstand_msgs.h"
+#include "messages/std_msgs.h"
 #include "transport/convert/detail/conversion.h"
 
 namespace leitstand::detail {
@@ -58,12 +59,21 @@ void toWire(const PingSample& from, wire::leitstand_msgs::Ping& to, Buffer&, Che
     to = {from.number, from.station, checks.wireTime("sent", from.sent)};
 }
 
+DriveLockSample fromWire(const wire::std_msgs::Bool& from, const Source&, Checks&) {
+    return {from.data};
+}
+
+void toWire(const DriveLockSample& from, wire::std_msgs::Bool& to, Buffer&, Checks&) {
+    to.data = from.locked;
+}
+
 std::vector<Conversion> commandConversions() {
     return {
         conversion<wire::leitstand_msgs::StopCommand, StopCommandSample>(),
         conversion<wire::leitstand_msgs::ModeCommand, ModeCommandSample>(),
         conversion<wire::leitstand_msgs::StreamCommand, StreamCommandSample>(),
         conversion<wire::leitstand_msgs::Ping, PingSample>(),
+        conversion<wire::std_msgs::Bool, DriveLockSample>(),
     };
 }
 

@@ -28,10 +28,6 @@ TwistSample twist(const wire::geometry_msgs::Twist& from, Checks& checks) {
     return to;
 }
 
-bool allZero(const wire::geometry_msgs::Quaternion& from) {
-    return from.x == 0.0 && from.y == 0.0 && from.z == 0.0 && from.w == 0.0;
-}
-
 }  // namespace
 
 OdometrySample fromWire(const wire::nav_msgs::Odometry& from, const Source&, Checks& checks) {
@@ -60,7 +56,7 @@ void toWire(const OdometrySample& from, wire::nav_msgs::Odometry& to, Buffer&, C
 ImuSample fromWire(const wire::sensor_msgs::Imu& from, const Source&, Checks& checks) {
     ImuSample to;
     to.header = checks.header(from.header);
-    if (from.orientation_covariance[0] != -1.0 && !allZero(from.orientation)) {
+    if (from.orientation_covariance[0] != -1.0 && !Checks::isUnset(from.orientation)) {
         to.orientation = checks.rotation("orientation", from.orientation);
         to.orientationCovariance = covariance(from.orientation_covariance);
     }

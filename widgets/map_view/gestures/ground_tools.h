@@ -6,7 +6,7 @@
 #include <QPointF>
 
 #include "widgets/map_view/gestures/ground_pose.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 
 class QPainter;
 

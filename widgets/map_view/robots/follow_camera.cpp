@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/rotation/heading.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 
 namespace leitstand {
 namespace {

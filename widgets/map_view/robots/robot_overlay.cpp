@@ -12,7 +12,7 @@
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/map_view/overlays/painted_cells.h"
 #include "widgets/map_view/robots/robot_shape.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 #include "widgets/painting/pane_paint.h"
 
 namespace leitstand {
@@ -272,6 +272,31 @@ void paintTrails(QPainter& painter, const MapProjection& projection, const std::
         painter.setFont(sized(style.font, 11, true));
         painter.drawText(QRectF(*began + QPointF(-16, 4), QSizeF(14, 14)), Qt::AlignCenter,
                          robot.face.letter);
+    }
+}
+
+void paintPlans(QPainter& painter, const MapProjection& projection, const std::vector<RobotMark>& robots,
+                const OverlayStyle& style) {
+    constexpr double LeastStep = 3.0, Width = 2.5, Edge = 5.0;  // [px]
+    painter.setBrush(Qt::NoBrush);
+    for (const RobotMark& robot : robots) {
+        if (!robot.plans) continue;
+        for (const std::vector<Eigen::Vector3d>& path : *robot.plans) {
+            QVector<QLineF> lines;
+            std::optional<QPointF> last;
+            for (std::size_t i = 0; i < path.size(); ++i) {
+                const auto at = seen(projection, path[i]);
+                const bool skipped = at && last && (*at - *last).manhattanLength() < LeastStep;
+                if (skipped && i + 1 < path.size()) continue;
+                if (at && last) lines << QLineF(*last, *at);
+                last = at;
+            }
+            for (const auto& [colour, width] : {std::pair(asColour(style.colours.markerEdge), Edge),
+                                                std::pair(colourOf(robot, style), Width)}) {
+                painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+                painter.drawLines(lines);
+            }
+        }
     }
 }
 

@@ -14,6 +14,10 @@ struct RobotMark;
 void paintTrails(QPainter& painter, const MapProjection& projection, const std::vector<RobotMark>& robots,
                  const OverlayStyle& style);
 
+/// Paints where robots plan to go: their paths, in the robots' colours.
+void paintPlans(QPainter& painter, const MapProjection& projection, const std::vector<RobotMark>& robots,
+                const OverlayStyle& style);
+
 /// Paints robots with attitude and letter, farthest first, on top of everything, so that the operator also
 /// sees them through walls. Distant robots become arrows. Robots with an uncertain position are dashed,
 /// inside a ring as large as the uncertainty. Robots not heard lately are dashed and grey. Goals are targets

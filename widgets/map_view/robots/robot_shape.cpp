@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 
 namespace leitstand {
 namespace {

@@ -10,8 +10,9 @@ namespace leitstand {
 namespace {
 
 bool isCommandWord(std::string_view word) {
-    constexpr std::array<std::string_view, 9> Words = {"cmd",      "cmds", "command", "commands", "goal",
-                                                       "setpoint", "stop", "ping",    "teleop"};
+    constexpr std::array<std::string_view, 12> Words = {"cmd",      "cmds", "command", "commands",
+                                                        "goal",     "stop", "ping",    "teleop",
+                                                        "setpoint", "lock", "locks",   "pause"};
     return std::find(Words.begin(), Words.end(), word) != Words.end();
 }
 

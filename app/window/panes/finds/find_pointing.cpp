@@ -20,7 +20,7 @@
 #include "app/window/source/moment_source.h"
 #include "core/event/find_sample.h"
 #include "core/mission/finds/find_book.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 
 namespace leitstand {
 

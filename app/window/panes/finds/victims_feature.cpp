@@ -21,7 +21,7 @@
 #include "app/window/source/moment_source.h"
 #include "core/mission/finds/find_book.h"
 #include "widgets/map_view/map_view.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/victims/merge_text.h"
 #include "widgets/models/victims/move_text.h"

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMainWindow>
 
+#include "app/services/mapping/station_scanners.h"
 #include "app/services/station/station.h"
 #include "app/services/station/station_mapping.h"
 #include "app/services/station/station_streams.h"
@@ -46,7 +47,8 @@ LinkFeature::LinkFeature(const LiveContext& context)
                 if (!done) m_context.notify(QString::fromStdString(done.error().text));
             });
     connect(m_pane, &LinkPane::mapChosen, this, [this](const QString& robot, const QString& topic) {
-        const auto done = m_context.station.mapping().mapWith(robot.toStdString(), topic.toStdString());
+        const auto done =
+            m_context.station.mapping().scanners().mapWith(robot.toStdString(), topic.toStdString());
         if (!done) m_context.notify(QString::fromStdString(done.error().text));
     });
     connect(m_pane, &LinkPane::budgetChosen, this, [&streams](double megabits) {
@@ -84,7 +86,7 @@ void LinkFeature::show(const LiveMoment& moment) {
             return StreamSetting{streams.own(robot.name, topic), streams.effective(robot.name, topic)};
         };
         appendStreamRows(rows, m_context.selection.faceOfRobot(robot), robot, link,
-                         m_context.station.mapping().mapsWith(robot.name), settings);
+                         m_context.station.mapping().scanners().mapsWith(robot.name), settings);
     }
     m_pane->show(std::move(rows), megabits, streams.isThin({}), streams.thinSettings().budget);
 }

@@ -12,6 +12,7 @@
 #include "app/window/input/selection.h"
 #include "app/window/map/map_pane.h"
 #include "app/window/map/view_commands.h"
+#include "app/window/panes/map/grid_on_map.h"
 #include "app/window/panes/map/links_on_map.h"
 #include "app/window/panes/map/map_gestures.h"
 #include "app/window/panes/map/robots_on_map.h"
@@ -62,6 +63,7 @@ MapFeature::MapFeature(const ViewContext& context, const MapViewSettings& view)
     m_pane->view().setSettings(m_view.settings());
     m_gestures = new MapGestures(m_pane->view(), this);
     m_robots = new RobotsOnMap(m_context, m_view, m_pane->view(), *m_gestures, this);
+    new GridOnMap(m_context, m_pane->view(), this);
     new StoreysFeature(m_context, m_view, *m_pane, this);
     new LinksOnMap(m_context, m_pane->view(), this);
 }

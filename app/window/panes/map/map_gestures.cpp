@@ -5,7 +5,7 @@
 #include <QAction>
 
 #include "widgets/map_view/map_view.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 
 namespace leitstand {
 

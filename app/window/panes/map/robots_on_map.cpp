@@ -14,7 +14,7 @@
 #include "app/window/panes/map/map_gestures.h"
 #include "app/window/source/moment_source.h"
 #include "widgets/map_view/map_view.h"
-#include "widgets/models/map/robot_marks.h"
+#include "widgets/models/map/robots/robot_marks.h"
 
 namespace leitstand {
 namespace {
@@ -119,13 +119,13 @@ void RobotsOnMap::show(const LiveMoment& moment) {
                                         [&robot](const RobotInMap& one) { return one.robot == robot.name; });
         if (place == places->end()) continue;
         const auto goal = m_goals.find(robot.name);
-        const auto mark =
-            robotMarkOf(face, robot, *place, moment.view(robot.name).link, robot.name == selected,
-                        goal == m_goals.end() ? std::nullopt : std::optional(goal->second));
+        auto mark = robotMarkOf(face, robot, *place, moment.view(robot.name).link, robot.name == selected,
+                                goal == m_goals.end() ? std::nullopt : std::optional(goal->second));
         if (!mark) {
             unplaced.push_back(face);
             continue;
         }
+        mark->plans = m_plans[robot.name].at(moment.reported(robot.name), *place, moment.now);
         m_marks.emplace(robot.name, *mark);
         marks.push_back(*mark);
     }

@@ -9,7 +9,8 @@
 
 #include "app/window/panes/view_context.h"
 #include "widgets/models/map/map_view_settings.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
+#include "widgets/models/map/robots/robot_plans.h"
 
 class QAction;
 
@@ -53,6 +54,7 @@ private:
     std::map<MapFollow, QAction*> m_follow;
     std::map<std::string, RobotMark> m_marks;  ///< marks of robots that are in the map
     std::map<std::string, Pose> m_goals;
+    std::map<std::string, RobotPlans> m_plans;
     QString m_details;
 };
 

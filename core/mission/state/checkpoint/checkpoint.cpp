@@ -13,6 +13,35 @@
 
 namespace leitstand {
 
+std::string runsOf(const std::vector<std::int8_t>& cells) {
+    constexpr std::ptrdiff_t Longest = 0xffff;
+    std::string runs;
+    for (auto begin = cells.begin(); begin != cells.end();) {
+        const auto limit = begin + std::min(Longest, cells.end() - begin);
+        const auto end = std::find_if(begin, limit, [&](std::int8_t cell) { return cell != *begin; });
+        const auto count = static_cast<std::uint16_t>(end - begin);
+        runs += static_cast<char>(*begin);
+        runs += static_cast<char>(count & 0xff);
+        runs += static_cast<char>(count >> 8);
+        begin = end;
+    }
+    return runs;
+}
+
+std::optional<std::vector<std::int8_t>> cellsOf(const std::string& runs, std::size_t count) {
+    constexpr std::size_t Run = 3;
+    std::vector<std::int8_t> cells;
+    for (std::size_t i = 0; i + Run <= runs.size(); i += Run) {
+        const auto low = static_cast<unsigned char>(runs[i + 1]),
+                   high = static_cast<unsigned char>(runs[i + 2]);
+        const std::size_t length = low + 256U * high;
+        if (length == 0 || length > count - cells.size()) return std::nullopt;
+        cells.insert(cells.end(), length, static_cast<std::int8_t>(runs[i]));
+    }
+    if (runs.size() % Run != 0 || cells.size() != count) return std::nullopt;
+    return cells;
+}
+
 namespace {
 
 constexpr std::uint32_t Magic = 0x534d534c;  // "LSMS"

@@ -3,6 +3,13 @@
 // The fields of a checkpoint, in the order of its bytes. A change here needs a new CheckpointVersion; a new
 // field is described by since<N>(a, v.field), so that older checkpoints are read.
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "core/event/all_samples.h"
 #include "core/event/stream_role.h"
 #include "core/mission/state/checkpoint/checkpoint.h"
@@ -144,10 +151,39 @@ template <class A>
 void describe(A& a, BatteryLoad& v) {
     a(v.current, v.seconds);
 }
+/// Cells as runs of equal ones, of which maps are made: the value and how often it comes, 3 bytes each.
+[[nodiscard]] std::string runsOf(const std::vector<std::int8_t>& cells);
+/// Returns @p count cells from @p runs; empty: these are no runs of so many cells.
+[[nodiscard]] std::optional<std::vector<std::int8_t>> cellsOf(const std::string& runs, std::size_t count);
+
+template <class A>
+void describe(A& a, OccupancyGridSample& v) {
+    std::string runs;
+    if constexpr (A::Writes) runs = runsOf(v.cells);
+    a(v.header, v.loaded, v.resolution, v.width, v.height, v.gridInFrame, runs);
+    if constexpr (!A::Writes) {
+        constexpr auto Most = OccupancyGridSample::MostCells;
+        const bool sane = v.width >= 0 && v.height >= 0 && std::size_t(v.width) <= Most &&
+                          std::size_t(v.height) <= Most &&
+                          std::size_t(v.width) * std::size_t(v.height) <= Most;
+        auto cells = sane ? cellsOf(runs, std::size_t(v.width) * std::size_t(v.height)) : std::nullopt;
+        if (!cells) return a.fail();
+        v.cells = std::move(*cells);
+    }
+}
+template <class A>
+void describe(A& a, PathSample& v) {
+    a(v.header, v.posesInFrame);
+}
+template <class A>
+void describe(A& a, FrameInParent& v) {
+    a(v.parent, v.inParent);
+}
 template <class A>
 void describe(A& a, RobotState& v) {
     a(v.odometry, v.imu, v.mode, v.battery, v.load, v.gas, v.bumps, v.contacts, v.sightings, v.diagnostics,
       v.stop, v.stopCommand, v.clockOffset, v.place, v.streams);
+    since<9>(a, v.framesAbove, v.grids, v.paths);
 }
 template <class A>
 void describe(A& a, VictimSign& v) {

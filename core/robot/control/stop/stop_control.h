@@ -54,6 +54,8 @@ public:
     [[nodiscard]] bool allowsDriving() const;
     /// Whether the robot ignores stop commands and must be held by drive commands of zero.
     [[nodiscard]] bool holdsByZeros() const { return !m_supported && m_wanted; }
+    /// Whether a stop of this station is in force.
+    [[nodiscard]] bool isWanted() const { return m_wanted; }
 
 private:
     void send(bool stop, SteadyTime now, Time wall);

@@ -8,7 +8,9 @@ namespace leitstand {
 /// State of one robot's stop, as its operator sees it.
 struct StopStatus {
     bool supported = true;  ///< whether the robot obeys stop commands; if not, drive commands of zero hold it
-    bool sent = false;      ///< whether a stop of this station is in force ...
+    bool locks = false;     ///< whether a lock of its drive commands is set, too (StreamRole::StopLock)
+    bool lockHeard = false;      ///< whether anybody listens to that lock
+    bool sent = false;           ///< whether a stop of this station is in force ...
     bool acknowledged = false;   ///< ... and the robot has acknowledged it
     bool stopped = false;        ///< whether any station stopped it, as the robot reports
     bool standing = false;       ///< the robot does not move

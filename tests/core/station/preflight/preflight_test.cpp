@@ -210,6 +210,14 @@ TEST_F(Preflight, OfAStockRobotIsSaidWhatStopIsToItAndThatOthersMayDriveIt) {
     EXPECT_FALSE(has(Kind::NotBound));
     facts.robots.front().robot.streams.clear();
     expect(Kind::NotBound, CheckState::Note);
+    EXPECT_FALSE(has(Kind::LockHeard) || has(Kind::LockUnheard));
+    StreamDescription lock;
+    lock.role = StreamRole::StopLock;
+    lock.topic = "/rover/lock";
+    facts.robots.front().robot.streams.push_back(lock);
+    expect(Kind::LockUnheard, CheckState::Attention);
+    facts.robots.front().view.stop.lockHeard = true;
+    expect(Kind::LockHeard, CheckState::Ok);
     facts.robots.front().view.drive.drivable = false;
     EXPECT_FALSE(has(Kind::NotBound)) << "nobody drives it";
 }

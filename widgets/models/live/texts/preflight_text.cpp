@@ -139,6 +139,10 @@ QString checkText(const PreflightCheck& check) {
             return Words::tr("hears no drive commands");
         case Kind::NotBound:
             return Words::tr("STOP is a zero command: it has no stop of its own, and obeys others, too");
+        case Kind::LockHeard:
+            return Words::tr("STOP also locks %1").arg(detail);
+        case Kind::LockUnheard:
+            return Words::tr("nobody listens to %1: STOP does not hold off what others send").arg(detail);
         case Kind::Stopped:
             return Words::tr("stopped");
         case Kind::BrakePassed:
@@ -242,6 +246,8 @@ QString remedyText(const PreflightCheck& check) {
         case Kind::PicturesFresh:
         case Kind::ClockSteady:
         case Kind::NotBound:
+        case Kind::LockHeard:
+        case Kind::LockUnheard:
         case Kind::Grant:
         case Kind::GrantFree:
         case Kind::BrakePassed:

@@ -83,6 +83,14 @@ QString briefOf(StopStage stage, const StopStatus& stop) {
 QString detailsOf(const StopStatus& stop, bool mine) {
     if (!stop.refused.empty())
         return StopTexts::tr("The release did nothing: %1").arg(othersText(stop.refused));
+    if (!stop.supported && stop.locks) {
+        return stop.lockHeard
+                   ? StopTexts::tr(
+                         "The robot knows no stops: it is held by drive commands of zero and by its lock.")
+                   : StopTexts::tr(
+                         "The robot knows no stops: it is held by drive commands of zero. Nobody listens "
+                         "to its lock.");
+    }
     if (!stop.supported)
         return StopTexts::tr("The robot knows no stops: it is held by drive commands of zero.");
     if (stop.stopped && !stop.sent) {

@@ -2,6 +2,7 @@
 
 #include <QAction>
 
+#include "app/services/mapping/station_scanners.h"
 #include "app/services/station/station.h"
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
@@ -37,12 +38,12 @@ ScannerFeature::ScannerFeature(const LiveContext& context, MapView& view, QObjec
 
 void ScannerFeature::answer(bool correct) {
     if (!m_asked) return;
-    const auto done = m_context.station.mapping().answerScanner(*m_asked, correct);
+    const auto done = m_context.station.mapping().scanners().answer(*m_asked, correct);
     if (!done) m_context.notify(QString::fromStdString(done.error().text));
 }
 
 void ScannerFeature::follow(const LiveMoment& moment) {
-    auto asked = m_context.station.mapping().scannerQuestion();
+    auto asked = m_context.station.mapping().scanners().question();
     if (openLoop(*moment.mission)) asked.reset();  // one question at a time
     if (asked == m_asked) return;
     m_asked = std::move(asked);

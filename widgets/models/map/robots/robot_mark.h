@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "core/base/rotation/heading.h"
 #include "core/mapping/live/trail.h"
 #include "widgets/models/live/robots/robot_face.h"
+#include "widgets/models/map/robots/robot_plans.h"
 #include "widgets/models/tone.h"
 
 namespace leitstand {
@@ -23,7 +25,8 @@ struct RobotMark {
     Pose baseInMap = Pose::Identity();
     TrailPtr trail = {};    ///< in the map's frame; may be null
     bool afterGap = false;  ///< whether the path from the end of the trail to baseInMap is unknown
-    std::optional<Pose> goalInMap = {};  ///< where it was sent; empty: nowhere
+    std::shared_ptr<const PlannedPaths> plans = {};  ///< ways that it plans to take; null: none
+    std::optional<Pose> goalInMap = {};              ///< where it was sent; empty: nowhere
     /// The robot is within this distance [m]; empty: its place is certain.
     std::optional<double> doubtRadius = {};
     QString note = {};         ///< text beside it: "place uncertain"; may be empty

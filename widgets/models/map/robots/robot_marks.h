@@ -4,7 +4,7 @@
 
 #include "core/mapping/live/robot_in_map.h"
 #include "core/station/robot_view.h"
-#include "widgets/models/map/robot_mark.h"
+#include "widgets/models/map/robots/robot_mark.h"
 
 namespace leitstand {
 

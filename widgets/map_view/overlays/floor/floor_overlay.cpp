@@ -1,14 +1,15 @@
-#include "widgets/map_view/overlays/floor_overlay.h"
+#include "widgets/map_view/overlays/floor/floor_overlay.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include <QCoreApplication>
-#include <QFontMetrics>
 #include <QPainter>
 #include <QPainterPath>
 
+#include "widgets/map_view/camera/map_camera.h"
+#include "widgets/map_view/overlays/floor/legend_squares.h"
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/painting/theme.h"
 
@@ -71,58 +72,26 @@ void paintPatches(QPainter& painter, const MapProjection& projection, const Floo
 
 void FloorOverlay::setTint(FloorTintPtr tint) {
     m_tint = std::move(tint);
-    m_picture = {};
-}
-
-void FloorOverlay::make(const MapProjection& projection, double ratio, const OverlayStyle& style) {
-    m_picture = QImage(projection.size() * ratio, QImage::Format_ARGB32_Premultiplied);
-    m_picture.setDevicePixelRatio(ratio);
-    m_picture.fill(Qt::transparent);
-    m_camera = projection.camera();
-    m_colours = style.window;
-    ++m_made;
-    QPainter painter(&m_picture);  // without antialiasing: patches meet without seams
-    paintPatches(painter, projection, *m_tint, *m_colours);
+    m_picture.drop();
 }
 
 void FloorOverlay::paint(QPainter& painter, const MapProjection& projection, const OverlayStyle& style) {
-    if (!m_tint || projection.size().isEmpty()) return;
-    const double ratio = painter.device()->devicePixelRatioF();
-    const bool same = m_picture.size() == projection.size() * ratio &&
-                      qFuzzyCompare(m_picture.devicePixelRatio(), ratio) && m_camera == projection.camera() &&
-                      m_colours == style.window;
-    if (!same) make(projection, ratio, style);
-    painter.drawImage(QPoint(0, 0), m_picture);
+    if (!m_tint) return;
+    m_picture.paint(painter, projection, style, [&](QPainter& making) {  // patches meet without seams
+        paintPatches(making, projection, *m_tint, *style.window);
+    });
 }
 
-void paintFloorLegend(QPainter& painter, const FloorTint& tint, QSize size, const QRect& below,
-                      const OverlayStyle& style) {
-    constexpr int Margin = 12, Padding = 9, Square = 14, Gap = 6, Space = 14;
-    painter.setFont(style.font);
-    const QFontMetrics metrics = painter.fontMetrics();
-    const QString seen = legendText(tint.sensor, true), missed = legendText(tint.sensor, false);
-    const int height = metrics.height() + 10;
-    const int bottom = below.isNull() ? size.height() - Margin : below.top() - Gap;
-    const int width = 2 * (Padding + Square + Gap) + Space + metrics.horizontalAdvance(seen) +
-                      metrics.horizontalAdvance(missed) + 4;
-    const QRect box(Margin, bottom - height, width, height);
-    paintPanel(painter, box, style);
-    int x = box.left() + Padding;
-    for (const bool one : {true, false}) {
-        const QRect square(x, box.center().y() - Square / 2 + 1, Square, Square);
-        QPainterPath path;
-        path.addRect(square);
-        fill(painter, path, one, *style.window);
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(asColour(style.colours.muted));
-        painter.drawRect(square);
-        x += Square + Gap;
-        painter.setPen(asColour(style.colours.text));
-        const QString& text = one ? seen : missed;
-        painter.drawText(QRect(x, box.top(), metrics.horizontalAdvance(text) + 2, box.height()),
-                         Qt::AlignVCenter, text);
-        x += metrics.horizontalAdvance(text) + Space;
+QRect paintFloorLegend(QPainter& painter, const FloorTint& tint, QSize size, const QRect& below,
+                       const OverlayStyle& style) {
+    std::vector<LegendSquare> squares;
+    for (const bool seen : {true, false}) {
+        squares.push_back({[&style, seen](QPainter& one, const QPainterPath& square) {
+                               fill(one, square, seen, *style.window);
+                           },
+                           legendText(tint.sensor, seen)});
     }
+    return paintLegendSquares(painter, squares, size, below, style);
 }
 
 }  // namespace leitstand

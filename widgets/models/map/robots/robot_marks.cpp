@@ -1,4 +1,4 @@
-#include "widgets/models/map/robot_marks.h"
+#include "widgets/models/map/robots/robot_marks.h"
 
 #include <algorithm>
 
@@ -53,8 +53,9 @@ bool sameMark(const RobotMark& a, const RobotMark& b) {
         return x.has_value() == y.has_value() && (!x || x->matrix() == y->matrix());
     };
     return a.face == b.face && a.baseInMap.matrix() == b.baseInMap.matrix() && a.trail == b.trail &&
-           a.afterGap == b.afterGap && sameGoal(a.goalInMap, b.goalInMap) && a.doubtRadius == b.doubtRadius &&
-           a.note == b.note && a.tone == b.tone && a.selected == b.selected && a.stale == b.stale;
+           a.afterGap == b.afterGap && a.plans == b.plans && sameGoal(a.goalInMap, b.goalInMap) &&
+           a.doubtRadius == b.doubtRadius && a.note == b.note && a.tone == b.tone &&
+           a.selected == b.selected && a.stale == b.stale;
 }
 
 QString detailsOf(const std::vector<RobotMark>& marks) {
