@@ -192,13 +192,15 @@ private:
     void handle(const OccupancyGridSample& sample) {
         if (!m_event.robot.empty()) robot().grids[m_event.topic] = latest(sample);
     }
-    /// Changes a copy of the grid. What does not fit the grid belongs to one that was not received.
+    /// Changes a copy of the grid. What does not fit the grid belongs to one that was not received. Of a huge
+    /// grid, only whole ones count: each update copies it, however small it is.
     void handle(const GridUpdateSample& update) {
         constexpr std::string_view Ending = "_updates";
+        constexpr std::size_t MostCopied = 4'000'000;  // cells
         if (m_event.robot.empty() || !m_event.topic.ends_with(Ending)) return;
         auto& grids = robot().grids;
         const auto found = grids.find(m_event.topic.substr(0, m_event.topic.size() - Ending.size()));
-        if (found == grids.end()) return;
+        if (found == grids.end() || found->second->sample.cells.size() > MostCopied) return;
         OccupancyGridSample grid = found->second->sample;
         if (update.x > grid.width - update.width || update.y > grid.height - update.height) return;
         grid.header.stamp = update.header.stamp;

@@ -69,6 +69,28 @@ TEST(NavigationFold, UpdatesChangeTheGridOfTheirTopic) {
     EXPECT_THAT(robotOf(fold).grids.at("/map")->sample.cells, ElementsAre(0, 100, 100, -1, 100, 100));
 }
 
+TEST(NavigationFold, AHugeGridIsNotCopiedForEachOfItsUpdates) {
+    OccupancyGridSample huge = smallGrid();
+    huge.width = 3'000;
+    huge.height = 2'000;
+    huge.cells.assign(6'000'000, 0);
+    Fold fold;
+    fold.add(on("/map", 1, huge));
+    fold.add(on("/map_updates", 2, update(0, 0, 1, 1, 100)));
+    EXPECT_EQ(robotOf(fold).grids.at("/map")->sequence, 1U);
+}
+
+TEST(NavigationFold, ACheckpointWithoutTheGridThatItNamesIsNone) {
+    Fold fold;
+    fold.add(on("/map", 1, smallGrid()));
+    MissionState state = fold.state();
+    state.robots["turtlebot4"].edit().grids["/costmap"] = nullptr;
+    EXPECT_FALSE(deserialised(serialised(state)));
+    state.robots["turtlebot4"].edit().grids.erase("/costmap");
+    state.robots["turtlebot4"].edit().paths["/plan"] = nullptr;
+    EXPECT_FALSE(deserialised(serialised(state)));
+}
+
 TEST(NavigationFold, OfTransformsThoseAboveTheOdometryAreKept) {
     Fold fold;
     fold.add(on("/tf", 1, transform("map", "odom", 1.0)));  // nobody knows yet that it is the odometry's

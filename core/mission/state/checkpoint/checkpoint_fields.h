@@ -3,6 +3,7 @@
 // The fields of a checkpoint, in the order of its bytes. A change here needs a new CheckpointVersion; a new
 // field is described by since<N>(a, v.field), so that older checkpoints are read.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -184,6 +185,12 @@ void describe(A& a, RobotState& v) {
     a(v.odometry, v.imu, v.mode, v.battery, v.load, v.gas, v.bumps, v.contacts, v.sightings, v.diagnostics,
       v.stop, v.stopCommand, v.clockOffset, v.place, v.streams);
     since<9>(a, v.framesAbove, v.grids, v.paths);
+    if constexpr (!A::Writes) {
+        const auto isThere = [](const auto& one) { return one.second != nullptr; };
+        if (!std::all_of(v.grids.begin(), v.grids.end(), isThere) ||
+            !std::all_of(v.paths.begin(), v.paths.end(), isThere))
+            a.fail();
+    }
 }
 template <class A>
 void describe(A& a, VictimSign& v) {
