@@ -29,7 +29,7 @@ constexpr bool allReturn(TypeList<Types...> /*types*/) {
 
 template <class Returned, class Visitor, class Given, class... Types>
 Returned visitOneOf(TypeList<Types...> /*types*/, Visitor& visitor, Given& sample) {
-    static_assert(((sizeof(Types) > 0) && ...), "each of SampleTypes has its header here");
+    static_assert((requires { sizeof(Types); } && ...), "each of SampleTypes has its header here");
     using Call = Returned (*)(Visitor&, Given&);
     static constexpr std::array<Call, sizeof...(Types)> Calls = {[](Visitor& one, Given& given) -> Returned {
         if constexpr (std::is_const_v<Given>) {

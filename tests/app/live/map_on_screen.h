@@ -154,7 +154,7 @@ protected:
 private:
     static QString hall() {
         static const QTemporaryDir folder;
-        const QString file = folder.filePath(QStringLiteral("hall.yaml"));
+        QString file = folder.filePath(QStringLiteral("hall.yaml"));
         writeText(file.toStdString(), R"(name: empty_hall
 from: [-3, -2]
 to: [9, 2]

@@ -65,7 +65,7 @@ RobotDescription robot(TfPrefix prefix) {
     return robot;
 }
 
-wire::tf2_msgs::TFMessage transforms(std::vector<std::pair<std::string, std::string>> frames) {
+wire::tf2_msgs::TFMessage transforms(const std::vector<std::pair<std::string, std::string>>& frames) {
     wire::tf2_msgs::TFMessage message;
     for (const auto& [parent, child] : frames) {
         auto& one = message.transforms.emplace_back();
@@ -302,7 +302,7 @@ TEST(Paths, HavePosesThatAreNumbers) {
 }
 
 TEST(Images, MustFitTheirSizes) {
-    const std::vector<std::byte> data(12 * 4);
+    const std::vector<std::byte> data(48);
     wire::sensor_msgs::Image message;
     message.width = 4;
     message.height = 4;

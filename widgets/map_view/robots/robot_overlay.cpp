@@ -303,6 +303,7 @@ void paintPlans(QPainter& painter, const MapProjection& projection, const std::v
 void paintRobots(QPainter& painter, const MapProjection& projection, const std::vector<RobotMark>& robots,
                  const OverlayStyle& style) {
     std::vector<const RobotMark*> order;
+    order.reserve(robots.size());
     for (const RobotMark& robot : robots) order.push_back(&robot);
     const auto depth = [&projection](const RobotMark* robot) {
         return robot->baseInMap.translation().dot(projection.camera().forward());

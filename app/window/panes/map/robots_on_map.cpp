@@ -94,7 +94,7 @@ RobotMark RobotsOnMap::placeMark(const std::string& robot) const {
 }
 
 std::string RobotsOnMap::toPlace() const {
-    const std::string selected = m_context.selection.name().toStdString();
+    std::string selected = m_context.selection.name().toStdString();
     if (!placed(selected)) return selected;
     for (const RobotDescription& robot : m_context.selection.robots()) {
         if (!placed(robot.name)) return robot.name;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/event/motion_samples.h"
 #include "core/mapping/live/robot_in_map.h"
 #include "core/station/robot_frames.h"
 #include "widgets/models/map/robots/drawn_alike.h"
