@@ -8457,6 +8457,10 @@ F1 listet alle Tasten</translation>
         <source>{}: expected a topic of its scanners, found {}</source>
         <translation>{}: erwartet wurde ein Topic seiner Scanner, gefunden wurde {}</translation>
     </message>
+    <message>
+        <source>{} is stopped: it is sent nowhere before its release</source>
+        <translation>{} ist gestoppt: vor der Freigabe wird er nirgendwohin geschickt</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>

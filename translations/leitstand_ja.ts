@@ -8457,6 +8457,10 @@ F1 でキー一覧</translation>
         <source>{}: expected a topic of its scanners, found {}</source>
         <translation>{}: スキャナーのトピックが必要ですが、{} です</translation>
     </message>
+    <message>
+        <source>{} is stopped: it is sent nowhere before its release</source>
+        <translation>{} は停止中です：解除するまでどこへも送れません</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>

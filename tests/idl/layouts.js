@@ -5,6 +5,13 @@ const { ros2humble } = require("@foxglove/rosmsg-msgs-common");
 const { parseOurs, short } = require("./definitions.js");
 
 const catalog = JSON.parse(fs.readFileSync(process.argv[2], "utf8"));
+// Messages of packages that it does not have, with their fields as ROS's documentation lists them.
+const field = (type, name, more) => ({ type, name, ...more });
+const elsewhere = {
+  "map_msgs/msg/OccupancyGridUpdate": { definitions: [field("std_msgs/Header", "header"), field("int32", "x"),
+    field("int32", "y"), field("uint32", "width"), field("uint32", "height"),
+    field("int8", "data", { isArray: true })] },
+};
 const faults = [];
 let compared = 0;
 
@@ -21,7 +28,7 @@ for (const [rosName, text] of Object.entries(catalog)) {
     if (field.isComplex && !held_names.includes(field.type)) faults.push(`${rosName}: ${field.type} is missing`);
   }
   if (rosName.startsWith("leitstand_msgs/")) continue;
-  const theirs = ros2humble[short(rosName)];
+  const theirs = ros2humble[short(rosName)] ?? elsewhere[rosName];
   if (!theirs) {
     faults.push(`${rosName}: the package does not know it`);
     continue;

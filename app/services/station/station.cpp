@@ -171,6 +171,10 @@ Result<void> Station::maySend(const std::string& robot) const {
 
 Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
     if (auto may = maySend(robot); !may) return may;
+    // Here and not by what views last saw: a map that moves as STOP is pressed would send the robot on.
+    if (!m_state->stops->allowsDriving(robot))
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "{} is stopped: it is sent nowhere before its release"), robot)};
     PoseSample stamped = goal;
     stamped.header.stamp = stationTime();
     return m_state->request(robot, StreamRole::GoalPose, stamped);

@@ -129,7 +129,7 @@ public:
     /// Error when @p robot may not be sent anywhere: during its brake test, or while it may not be driven
     /// after one.
     [[nodiscard]] Result<void> maySend(const std::string& robot) const;
-    /// Sends @p robot to @p goal. Errors include those of maySend().
+    /// Sends @p robot to @p goal. Errors include those of maySend(), and that a stop of it is in force.
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
     [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do when commands end
     [[nodiscard]] StationGuards& guards();    ///< guards of robots that continue to drive when commands end

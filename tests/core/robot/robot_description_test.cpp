@@ -25,7 +25,8 @@ TEST(RobotDescription, HasAWordTypesAndATopicForEveryRole) {
         EXPECT_TRUE(topics.insert(stream.topic).second) << stream.topic;
         EXPECT_THAT(typesOf(role), testing::Contains(std::string_view(stream.type)));
         const std::string name = toString(role);
-        const bool ends = name.ends_with("_command") || name.ends_with("_pose") || name == "ping";
+        const bool ends =
+            name.ends_with("_command") || name.ends_with("_pose") || name == "ping" || name == "stop_lock";
         EXPECT_EQ(isCommand(role), ends) << name;
     }
     EXPECT_EQ(words.size(), allStreamRoles().size());
