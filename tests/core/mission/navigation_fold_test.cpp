@@ -91,6 +91,27 @@ TEST(NavigationFold, ACheckpointWithoutTheGridThatItNamesIsNone) {
     EXPECT_FALSE(deserialised(serialised(state)));
 }
 
+TEST(NavigationFold, ASmallCheckpointDoesNotFillTheMemory) {
+    OccupancyGridSample huge = smallGrid();
+    huge.width = 4'000;
+    huge.height = 4'000;
+    huge.cells.assign(16'000'000, 0);
+    Fold fold;
+    fold.add(on("/map", 1, huge));
+    MissionState state = fold.state();
+    const auto grid = robotOf(fold).grids.at("/map");
+    const auto hold = [&](int grids) {
+        auto& all = state.robots["turtlebot4"].edit().grids;
+        all.clear();
+        for (int i = 0; i < grids; ++i) all["/map" + std::to_string(i)] = grid;
+        return serialised(state);
+    };
+    EXPECT_TRUE(deserialised(hold(16)));
+    const auto many = hold(40);
+    EXPECT_LT(many.size(), 100'000U);
+    EXPECT_FALSE(deserialised(many));
+}
+
 TEST(NavigationFold, OfTransformsThoseAboveTheOdometryAreKept) {
     Fold fold;
     fold.add(on("/tf", 1, transform("map", "odom", 1.0)));  // nobody knows yet that it is the odometry's

@@ -34,6 +34,7 @@ template <bool Writing>
 class Archive {
 public:
     static constexpr bool Writes = Writing;
+    static constexpr std::size_t MostUnpacked = std::size_t{256} << 20U;
 
     Archive() requires Writing = default;
     explicit Archive(std::span<const std::byte> bytes) requires(!Writing) : m_rest(bytes) {}
@@ -42,6 +43,13 @@ public:
     [[nodiscard]] std::span<const std::byte> rest() const { return m_rest; }
     [[nodiscard]] std::vector<std::byte> take() { return std::move(m_bytes); }
     void fail() { m_ok = false; }
+    /// Call before @p size bytes are unpacked from fewer bytes. Fails when all that was unpacked from these
+    /// bytes takes more than MostUnpacked.
+    [[nodiscard]] bool mayUnpack(std::size_t size) {
+        m_unpacked += size;
+        if (m_unpacked > MostUnpacked) fail();
+        return m_ok;
+    }
     /// The format version of the bytes. Bytes of an older version lack newer fields; see since() in
     /// checkpoint_fields.h.
     [[nodiscard]] std::uint32_t version() const { return m_version; }
@@ -212,6 +220,7 @@ private:
     std::vector<std::byte> m_bytes;     // written
     std::span<const std::byte> m_rest;  // to be read
     bool m_ok = true;
+    std::size_t m_unpacked = 0;
     std::uint32_t m_version = 0;
 };
 

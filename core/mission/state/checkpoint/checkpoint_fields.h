@@ -167,7 +167,8 @@ void describe(A& a, OccupancyGridSample& v) {
         const bool sane = v.width >= 0 && v.height >= 0 && std::size_t(v.width) <= Most &&
                           std::size_t(v.height) <= Most &&
                           std::size_t(v.width) * std::size_t(v.height) <= Most;
-        auto cells = sane ? cellsOf(runs, std::size_t(v.width) * std::size_t(v.height)) : std::nullopt;
+        if (!sane || !a.mayUnpack(std::size_t(v.width) * std::size_t(v.height))) return a.fail();
+        auto cells = cellsOf(runs, std::size_t(v.width) * std::size_t(v.height));
         if (!cells) return a.fail();
         v.cells = std::move(*cells);
     }
