@@ -97,6 +97,18 @@ elements:
 )";
 }
 
+namespace {
+
+/// Whether the end of the recording cut the last of @p scans off: it sees too little to be held against the
+/// truth.
+bool lastIsCutOff(const std::vector<std::shared_ptr<const Scan>>& scans) {
+    std::size_t most = 0;
+    for (const auto& scan : scans) most = std::max(most, scan->points.size());
+    return !scans.empty() && scans.back()->points.size() < most - most / 50;
+}
+
+}  // namespace
+
 Registered registerAgainst(const Truth& truth, const std::filesystem::path& mission,
                            const RobotDescription& robot, const std::vector<std::string>& more) {
     Registered result;
@@ -116,7 +128,8 @@ Registered registerAgainst(const Truth& truth, const std::filesystem::path& miss
     }
     const Pose laserInBase = robot.sensors.at(robot.mappingStream()->sensor).sensorInBase;
     std::optional<Pose> first;
-    for (std::size_t i = 0; i < registered.size(); ++i) {
+    const std::size_t whole = registered.size() - (lastIsCutOff(read->scans) ? 1 : 0);
+    for (std::size_t i = 0; i < whole; ++i) {
         const auto base = truth.baseInArena("kurt3d", robot.name, read->scans[i]->end);
         if (!base) {
             // Scans before the first that the truth's listener heard of are left out.

@@ -91,7 +91,8 @@ struct Registered {
     std::vector<std::string> problems;
 };
 
-/// Runs `leitstandctl register` on @p mission, whose only 3D scans are of @p robot.
+/// Runs `leitstandctl register` on @p mission, whose only 3D scans are of @p robot. A last turn that the end
+/// of the recording cut off is not held against the truth: half a turn may have seen no floor.
 [[nodiscard]] Registered registerAgainst(const Truth& truth, const std::filesystem::path& mission,
                                          const RobotDescription& robot,
                                          const std::vector<std::string>& more = {});
