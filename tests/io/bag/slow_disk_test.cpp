@@ -228,7 +228,7 @@ TEST_F(SlowDisk, TheAlarmTellsTheMinutesLeft) {
     m_disk->freeBytes = 3'000'000;
     std::optional<BagAlarm> filling;
     std::jthread asks([&] { filling = alarm(BagAlarm::Kind::DiskFilling, true); });
-    std::jthread writes([&](std::stop_token stop) {
+    std::jthread writes([&](const std::stop_token& stop) {
         while (!stop.stop_requested()) {
             write("/kurt3d/points", 10'000);
             (void)m_writer->flush();
