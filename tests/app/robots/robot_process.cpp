@@ -35,6 +35,14 @@ Pose poseOf(const nlohmann::json& scan) {
     return Pose(matrix);
 }
 
+/// Whether the end of the recording cut the last of @p scans off: it sees too little to be held against the
+/// truth.
+bool lastIsCutOff(const std::vector<ScanPtr>& scans) {
+    std::size_t most = 0;
+    for (const ScanPtr& scan : scans) most = std::max(most, scan->points.size());
+    return !scans.empty() && scans.back()->points.size() < most - most / 50;
+}
+
 }  // namespace
 
 Truth::Truth(const TestDomain& domain, const std::string& arena, const std::string& robot) : m_arena(arena) {
@@ -96,18 +104,6 @@ elements:
   - {kind: victim, name: in the corner, position: [1.2, 1.6, 0], victim: {tag: V-01, temperature: 35}}
 )";
 }
-
-namespace {
-
-/// Whether the end of the recording cut the last of @p scans off: it sees too little to be held against the
-/// truth.
-bool lastIsCutOff(const std::vector<std::shared_ptr<const Scan>>& scans) {
-    std::size_t most = 0;
-    for (const auto& scan : scans) most = std::max(most, scan->points.size());
-    return !scans.empty() && scans.back()->points.size() < most - most / 50;
-}
-
-}  // namespace
 
 Registered registerAgainst(const Truth& truth, const std::filesystem::path& mission,
                            const RobotDescription& robot, const std::vector<std::string>& more) {
