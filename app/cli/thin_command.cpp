@@ -17,7 +17,7 @@ namespace {
 
 struct ThinArguments {
     std::string mission, out;
-    ThinSettings settings;
+    ThinningSettings settings;
     bool json = false;
 };
 

@@ -59,7 +59,7 @@ std::set<std::uint64_t> evidenceOf(BagReader& bag, const std::vector<RobotDescri
 }
 
 /// Returns how often a topic of @p role is kept [1/s]; negative: always.
-double rateOf(StreamRole role, const ThinSettings& settings) {
+double rateOf(StreamRole role, const ThinningSettings& settings) {
     switch (streamFacts(role).thinnedAs) {
         case ThinnedAs::Kept:
             return -1.0;
@@ -81,7 +81,7 @@ double rateOf(StreamRole role, const ThinSettings& settings) {
 class Sieve {
 public:
     Sieve(const std::vector<RobotDescription>& robots, std::set<std::uint64_t> evidence,
-          const ThinSettings& settings)
+          const ThinningSettings& settings)
         : m_evidence(std::move(evidence)) {
         for (const RobotDescription& robot : robots) {
             for (const StreamDescription& stream : robot.streams)
@@ -112,7 +112,7 @@ private:
 }  // namespace
 
 Result<ThinOutcome> thinMission(const std::filesystem::path& mission, const std::filesystem::path& out,
-                                const ThinSettings& settings, const Progress& progress) {
+                                const ThinningSettings& settings, const Progress& progress) {
     std::error_code none;
     if (std::filesystem::exists(out, none))
         return Error{out.string() + ": is there already; expected a folder to be made"};

@@ -11,7 +11,7 @@
 namespace leitstand {
 
 /// Highest rates at which samples of robots are kept, per topic [1/s].
-struct ThinSettings {
+struct ThinningSettings {
     double pictures = 1.0;  ///< of each camera
     double clouds = 0.0;    ///< clouds of robots; key scans of the map are always kept
     double ranges = 2.0;    ///< turns of plane lasers
@@ -32,7 +32,8 @@ struct ThinOutcome {
 /// change, so that evidence is found. Error when the mission cannot be read, @p out cannot be written, or it
 /// is cancelled; then nothing of @p out remains.
 [[nodiscard]] Result<ThinOutcome> thinMission(const std::filesystem::path& mission,
-                                              const std::filesystem::path& out, const ThinSettings& settings,
+                                              const std::filesystem::path& out,
+                                              const ThinningSettings& settings,
                                               const Progress& progress = {});
 
 }  // namespace leitstand

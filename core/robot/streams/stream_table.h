@@ -13,7 +13,7 @@ enum class StreamRole : std::uint8_t;
 /// Order in which streams are reduced on a thin link: the last rank first (thinRequests()).
 enum class ThinRank : std::uint8_t { Kept, Telemetry, Scans, Pictures };
 
-/// What a thinned mission keeps of a stream (ThinSettings of thinMission()).
+/// What a thinned mission keeps of a stream (ThinningSettings of thinMission()).
 enum class ThinnedAs : std::uint8_t { Kept, Cloud, Ranges, Picture, Motion, Other };
 
 /// How the role of a topic is guessed when no robot's file names the topic.

@@ -53,7 +53,7 @@ protected:
 TEST_F(FullOutputs, ThinLeavesNothingBehind) {
     const std::set<std::string> before = left();
     for (const char* out : {"thin", "new/folders/thin"}) {
-        ThinSettings settings;
+        ThinningSettings settings;
         settings.pictures = settings.clouds = settings.motion = 1'000.0;  // more than there is space for
         const auto done = thinMission(m_folder / "whole", m_disk / out, settings);
         ASSERT_FALSE(done.ok()) << done->kept;
