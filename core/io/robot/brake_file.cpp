@@ -12,7 +12,7 @@
 
 #include "core/base/words.h"
 #include "core/io/detail/output_file.h"
-#include "core/io/robot/yaml_document.h"
+#include "core/io/yaml/yaml_document.h"
 
 namespace leitstand {
 namespace {

@@ -6,9 +6,10 @@
 #include "core/base/words.h"
 #include "core/io/robot/robot_keys.h"
 #include "core/io/robot/robot_names.h"
+#include "core/io/robot/service_reader.h"
 #include "core/io/robot/stream_reader.h"
-#include "core/io/robot/yaml_document.h"
-#include "core/io/robot/yaml_fields.h"
+#include "core/io/yaml/yaml_document.h"
+#include "core/io/yaml/yaml_fields.h"
 #include "core/robot/default_body.h"
 #include "core/robot/footprint.h"
 
@@ -221,6 +222,7 @@ RobotDescription readAll(const YAML::Node& root, YamlErrors& errors) {
     if (fields.has("limits")) readLimits(fields.at("limits"), robot, errors);
     readSensors(fields, robot, errors);
     detail::readStreams(fields, robot, errors);
+    detail::readServices(fields, robot, errors);
     readBindings(fields, robot, errors);
     readLinkLoss(fields, robot, errors);
     return robot;

@@ -18,6 +18,7 @@ std::vector<std::string> allRobotKeys() {
     add("streams[].", StreamKeys);
     add("streams[].qos.", QosKeys);
     add("streams[].thermal.", ThermalKeys);
+    add("services[].", ServiceKeys);
     all.emplace_back("sensors.NAME");
     all.emplace_back("bindings.ACTION");
     all.emplace_back("link_loss.MODE");

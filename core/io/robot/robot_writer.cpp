@@ -97,6 +97,20 @@ void writeStream(YAML::Emitter& out, const StreamDescription& stream, const std:
     out << YAML::EndMap;
 }
 
+void writeServices(YAML::Emitter& out, const std::vector<ServiceDescription>& services) {
+    if (services.empty()) return;
+    out << YAML::Key << "services" << YAML::Value << YAML::BeginSeq;
+    for (const ServiceDescription& service : services) {
+        out << YAML::Flow << YAML::BeginMap;
+        entry(out, "name", service.name);
+        entry(out, "type", service.type);
+        if (!service.title.empty()) entry(out, "title", service.title);
+        if (service.stop) entry(out, "stop", *service.stop ? "true" : "false");
+        out << YAML::EndMap;
+    }
+    out << YAML::EndSeq;
+}
+
 void writeBody(YAML::Emitter& out, const RobotDescription& robot) {
     out << YAML::Key << "footprint" << YAML::Value << YAML::Flow << YAML::BeginSeq;
     for (const Eigen::Vector2d& corner : robot.footprint) {
@@ -166,6 +180,7 @@ std::string writeRobot(const RobotDescription& given) {
     out << YAML::Key << "streams" << YAML::Value << YAML::BeginSeq;
     for (const StreamDescription& stream : robot.streams) writeStream(out, stream, robot.name);
     out << YAML::EndSeq;
+    writeServices(out, robot.services);
     writeMaps(out, robot);
     out << YAML::EndMap;
     return std::string(out.c_str()) + "\n";

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "core/base/words.h"
-#include "core/io/robot/yaml_errors.h"
 #include "core/io/settings/folders.h"
+#include "core/io/yaml/yaml_errors.h"
 
 namespace leitstand {
 namespace fs = std::filesystem;

@@ -1,7 +1,6 @@
 #include "core/io/robot/stream_reader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "core/base/words.h"
@@ -16,22 +15,6 @@ namespace {
 
 constexpr double LongestTime = 86'400.0;  ///< [s]
 constexpr int DeepestHistory = 100'000;
-constexpr std::size_t LongestTopic = 240;  ///< [B]; DDS allows 255 with its own prefix
-
-/// Whether @p text is like "/kurt3d/left/image": words of letters, digits and _, with no digit first.
-bool isTopic(std::string_view text) {
-    if (text.size() < 2 || text.size() > LongestTopic || text.front() != '/' || text.back() == '/')
-        return false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        const char before = i == 0 ? 'x' : text[i - 1];
-        if (c >= 0x80 || (std::isalnum(c) == 0 && c != '_' && c != '/')) return false;
-        if (before == '/' && (c == '/' || std::isdigit(c) != 0)) return false;
-        if (before == '_' && c == '_') return false;  // reserved by ROS 2
-    }
-    return true;
-}
-
 class StreamReader {
 public:
     StreamReader(RobotDescription& robot, YamlErrors& errors) : m_robot(robot), m_errors(errors) {
@@ -122,7 +105,7 @@ private:
     void readTopic(const YamlFields& fields, StreamDescription& stream) const {
         std::string topic = stream.topic;
         if (!fields.has("topic") || !fields.text("topic", topic)) return;
-        if (!isTopic(topic)) {
+        if (!isRosName(topic)) {
             fields.fail("topic",
                         leitstand::fill(translate("leitstand::Error",
                                                   "expected a topic such as /kurt3d/odom (words of letters, "

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/robot/yaml_fields.h"
+#include "core/io/yaml/yaml_fields.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand::detail {

@@ -7,8 +7,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/base/words.h"
-#include "core/io/robot/yaml_document.h"
-#include "core/io/robot/yaml_fields.h"
+#include "core/io/yaml/yaml_document.h"
+#include "core/io/yaml/yaml_fields.h"
 
 namespace leitstand {
 namespace {

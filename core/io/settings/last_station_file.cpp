@@ -8,7 +8,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/io/detail/output_file.h"
-#include "core/io/robot/yaml_document.h"
+#include "core/io/yaml/yaml_document.h"
 
 namespace leitstand {
 namespace {

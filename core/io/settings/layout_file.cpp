@@ -12,8 +12,8 @@
 
 #include "core/base/words.h"
 #include "core/io/detail/output_file.h"
-#include "core/io/robot/yaml_document.h"
-#include "core/io/robot/yaml_fields.h"
+#include "core/io/yaml/yaml_document.h"
+#include "core/io/yaml/yaml_fields.h"
 
 namespace leitstand {
 namespace {

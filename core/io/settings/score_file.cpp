@@ -7,9 +7,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/base/words.h"
-#include "core/io/robot/yaml_document.h"
-#include "core/io/robot/yaml_fields.h"
 #include "core/io/settings/folders.h"
+#include "core/io/yaml/yaml_document.h"
+#include "core/io/yaml/yaml_fields.h"
 
 namespace leitstand {
 namespace {

@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "core/io/robot/yaml_document.h"
-#include "core/io/robot/yaml_errors.h"
-#include "core/io/robot/yaml_fields.h"
+#include "core/io/yaml/yaml_document.h"
+#include "core/io/yaml/yaml_errors.h"
+#include "core/io/yaml/yaml_fields.h"
 
 namespace leitstand {
 namespace {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include "core/io/robot/yaml_document.h"
-#include "core/io/robot/yaml_fields.h"
+#include "core/io/yaml/yaml_document.h"
+#include "core/io/yaml/yaml_fields.h"
 #include "robots/simulation/arena/arena_file.h"
 #include "robots/simulation/arena/element_reader.h"
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/io/robot/yaml_fields.h"
+#include "core/io/yaml/yaml_fields.h"
 #include "robots/simulation/arena/arena.h"
 
 namespace leitstand::simulation {

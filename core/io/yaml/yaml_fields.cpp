@@ -1,4 +1,4 @@
-#include "core/io/robot/yaml_fields.h"
+#include "core/io/yaml/yaml_fields.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +13,7 @@ namespace leitstand::detail {
 namespace {
 
 constexpr std::size_t LongestText = 128, LongestName = 64;  ///< [B]
+constexpr std::size_t LongestRosName = 240;                 ///< [B]; DDS allows 255 with its own prefix
 
 bool isLetterOrDigit(char c) {
     return c == '_' ||
@@ -47,6 +48,18 @@ bool isName(std::string_view text) {
     return !text.empty() && text.size() <= LongestName && isLetterOrDigit(text.front()) &&
            text.front() != '_' && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&
            std::all_of(text.begin(), text.end(), isLetterOrDigit);
+}
+
+bool isRosName(std::string_view text) {
+    if (text.size() < 2 || text.size() > LongestRosName || text.front() != '/' || text.back() == '/')
+        return false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char before = i == 0 ? 'x' : text[i - 1];
+        if (!isLetterOrDigit(text[i]) && text[i] != '/') return false;
+        if (before == '/' && (text[i] == '/' || (text[i] >= '0' && text[i] <= '9'))) return false;
+        if (before == '_' && text[i] == '_') return false;  // reserved by ROS 2
+    }
+    return true;
 }
 
 YamlFields::YamlFields(const YamlPlace& place, std::span<const std::string_view> keys, YamlErrors& errors)

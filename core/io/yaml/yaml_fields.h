@@ -10,7 +10,7 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "core/io/robot/yaml_errors.h"
+#include "core/io/yaml/yaml_errors.h"
 
 namespace leitstand::detail {
 
@@ -81,5 +81,8 @@ private:
 /// Whether @p text can name a robot, sensor, mode or action: 1 to 64 letters, digits and _, beginning with a
 /// letter.
 [[nodiscard]] bool isName(std::string_view text);
+/// Whether @p text can name a topic or service, such as "/kurt3d/left/image": up to 240 bytes; words of
+/// letters, digits and _, with no digit first.
+[[nodiscard]] bool isRosName(std::string_view text);
 
 }  // namespace leitstand::detail

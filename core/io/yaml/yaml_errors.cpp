@@ -1,4 +1,4 @@
-#include "core/io/robot/yaml_errors.h"
+#include "core/io/yaml/yaml_errors.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "core/io/robot/yaml_document.h"
+#include "core/io/yaml/yaml_document.h"
 
 #include <algorithm>
 #include <sstream>
@@ -8,7 +8,7 @@
 #include <yaml-cpp/parser.h>
 
 #include "core/base/words.h"
-#include "core/io/robot/yaml_errors.h"
+#include "core/io/yaml/yaml_errors.h"
 
 namespace leitstand::detail {
 namespace {
