@@ -3267,6 +3267,22 @@ Funk: %4 %5</translation>
         <source>{}: is a copy of a mission in MCAP, for other programs: expected the mission itself</source>
         <translation>{}: ist die Kopie eines Einsatzes in MCAP, für andere Programme: erwartet wurde der Einsatz selbst</translation>
     </message>
+    <message>
+        <source>expected a service such as /kurt3d/e_stop, found nothing</source>
+        <translation>erwartet wurde ein Dienst wie /kurt3d/e_stop, gefunden nichts</translation>
+    </message>
+    <message>
+        <source>expected a service such as /kurt3d/e_stop (words of letters, digits and _ that begin with no digit), found {}</source>
+        <translation>erwartet wurde ein Dienst wie /kurt3d/e_stop (Wörter aus Buchstaben, Ziffern und _, die mit keiner Ziffer beginnen), gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected true, since a release gives no goals back, found false</source>
+        <translation>erwartet wurde true, denn das Freigeben bringt keine Ziele zurück, gefunden false</translation>
+    </message>
+    <message>
+        <source>expected a service of its own, found {} of line {} again</source>
+        <translation>erwartet wurde ein eigener Dienst, gefunden noch einmal {} aus Zeile {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -6464,6 +6480,14 @@ F1 listet alle Tasten</translation>
         <source>nobody listens to %1: STOP does not hold off what others send</source>
         <translation>niemand hört auf %1: STOP hält nicht ab, was andere senden</translation>
     </message>
+    <message>
+        <source>STOP also calls %1</source>
+        <translation>STOP ruft auch %1 auf</translation>
+    </message>
+    <message>
+        <source>nobody offers %1: STOP cannot call it</source>
+        <translation>niemand bietet %1 an: STOP kann es nicht aufrufen</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PreflightPage</name>
@@ -8595,6 +8619,38 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>The robot knows no stops: it is held by drive commands of zero. Nobody listens to its lock.</source>
         <translation>Der Roboter kennt kein STOP: Fahrbefehle von null halten ihn. Niemand hört auf seine Sperre.</translation>
+    </message>
+    <message>
+        <source>%1 refuses.</source>
+        <translation>%1 weigert sich.</translation>
+    </message>
+    <message>
+        <source>%1 refuses: %2.</source>
+        <comment>a service, its own words</comment>
+        <translation>%1 weigert sich: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has not confirmed yet.</source>
+        <translation>%1 hat noch nicht bestätigt.</translation>
+    </message>
+    <message>
+        <source>Nobody offers %1.</source>
+        <translation>Niemand bietet %1 an.</translation>
+    </message>
+    <message>
+        <source>%1 has not released yet.</source>
+        <translation>%1 hat noch nicht freigegeben.</translation>
+    </message>
+    <message>
+        <source>%1 confirmed it.</source>
+        <translation>%1 hat bestätigt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n services confirmed it.</source>
+        <translation>
+            <numerusform>%n Dienst hat bestätigt.</numerusform>
+            <numerusform>%n Dienste haben bestätigt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -3267,6 +3267,22 @@ Link: %4 %5</source>
         <source>{}: is a copy of a mission in MCAP, for other programs: expected the mission itself</source>
         <translation>{}: 他のプログラム向けに MCAP に変換した任務のコピーです。元の任務を指定してください</translation>
     </message>
+    <message>
+        <source>expected a service such as /kurt3d/e_stop, found nothing</source>
+        <translation>/kurt3d/e_stop のようなサービス名が必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected a service such as /kurt3d/e_stop (words of letters, digits and _ that begin with no digit), found {}</source>
+        <translation>/kurt3d/e_stop のようなサービス名（英字、数字、_ の語で、数字では始まらない）が必要ですが、{} でした</translation>
+    </message>
+    <message>
+        <source>expected true, since a release gives no goals back, found false</source>
+        <translation>解除しても目標は戻らないので true が必要ですが、false でした</translation>
+    </message>
+    <message>
+        <source>expected a service of its own, found {} of line {} again</source>
+        <translation>固有のサービスが必要ですが、{} は {} 行目と重複しています</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -6464,6 +6480,14 @@ F1 でキー一覧</translation>
         <source>nobody listens to %1: STOP does not hold off what others send</source>
         <translation>%1 を受信する相手がいません：STOP は他からの指令を止められません</translation>
     </message>
+    <message>
+        <source>STOP also calls %1</source>
+        <translation>STOP は %1 も呼び出します</translation>
+    </message>
+    <message>
+        <source>nobody offers %1: STOP cannot call it</source>
+        <translation>%1 を提供するノードがありません。STOP は呼び出せません</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::PreflightPage</name>
@@ -8595,6 +8619,37 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>The robot knows no stops: it is held by drive commands of zero. Nobody listens to its lock.</source>
         <translation>このロボットは停止指令を解しません：ゼロの走行指令で停止を保ちます。ロックを受信する相手がいません。</translation>
+    </message>
+    <message>
+        <source>%1 refuses.</source>
+        <translation>%1 が拒否しています。</translation>
+    </message>
+    <message>
+        <source>%1 refuses: %2.</source>
+        <comment>a service, its own words</comment>
+        <translation>%1 が拒否しています：%2。</translation>
+    </message>
+    <message>
+        <source>%1 has not confirmed yet.</source>
+        <translation>%1 はまだ確認していません。</translation>
+    </message>
+    <message>
+        <source>Nobody offers %1.</source>
+        <translation>%1 を提供するノードがありません。</translation>
+    </message>
+    <message>
+        <source>%1 has not released yet.</source>
+        <translation>%1 はまだ解除していません。</translation>
+    </message>
+    <message>
+        <source>%1 confirmed it.</source>
+        <translation>%1 が確認しました。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n services confirmed it.</source>
+        <translation>
+            <numerusform>%n 個のサービスが確認しました。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 
 #include "core/base/pose.h"
 #include "core/robot/scanner_correction.h"
+#include "core/robot/services/service_description.h"
 #include "core/robot/streams/qos.h"
 
 namespace leitstand {
@@ -86,6 +87,7 @@ struct RobotDescription {
     std::string name;       ///< "kurt3d": lower case, as in topics
     std::string title;      ///< name for the operator, "Kurt3D"
     std::vector<StreamDescription> streams;
+    std::vector<ServiceDescription> services;
     std::map<std::string, SensorDescription> sensors;
     std::string baseFrame, odomFrame;
     TfPrefix tfPrefix = TfPrefix::Topic;

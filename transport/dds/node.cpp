@@ -26,6 +26,12 @@ Subscription::~Subscription() {
 SubscriptionCounts Subscription::counts() const {
     return m_impl->reader->counts();
 }
+std::vector<Guid> Subscription::writers() const {
+    return m_impl->participant->discovery().matchedWith(guid());
+}
+Guid Subscription::guid() const {
+    return m_impl->reader->guid();
+}
 
 struct Publisher::Impl {
     std::shared_ptr<detail::Participant> participant;
@@ -38,6 +44,9 @@ Publisher::~Publisher() {
 }
 Result<void> Publisher::write(const Payload& cdr) {
     return m_impl->writer->write(cdr);
+}
+Result<std::uint64_t> Publisher::write(const Payload& cdr, const SampleIdentity& related) {
+    return m_impl->writer->write(cdr, related);
 }
 int Publisher::matched() const {
     return m_impl->writer->matched();

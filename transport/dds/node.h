@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct ReceivedSample {
     Guid writer;      ///< who wrote it
     Time sourceTime;  ///< when it was written, writer's clock; 0 when unknown
     std::uint64_t writerSequence = 0;  ///< the writer's number for the sample, from 1; gaps are losses
+    /// The other sample that this one names in its inline QoS, if any: an answer names its request.
+    std::optional<SampleIdentity> related = {};
 };
 using SampleCallback = std::function<void(ReceivedSample)>;
 
@@ -62,6 +65,8 @@ public:
     Subscription& operator=(const Subscription&) = delete;
 
     [[nodiscard]] SubscriptionCounts counts() const;
+    [[nodiscard]] std::vector<Guid> writers() const;  ///< identities of the matched writers
+    [[nodiscard]] Guid guid() const;
 
 private:
     friend class Node;
@@ -81,6 +86,9 @@ public:
     /// is keep_last. Error: the bytes are no sample, the node is gone, or a keep_all history stays full for
     /// 0.1 s.
     Result<void> write(const Payload& cdr);
+    /// Writes @p cdr as write() does, with @p related in its inline QoS; a number of 0 is unknown. Returns
+    /// the writer's number for the sample. Fails also while the node joins its domain again.
+    Result<std::uint64_t> write(const Payload& cdr, const SampleIdentity& related);
     [[nodiscard]] int matched() const;                ///< number of readers that receive what is written
     [[nodiscard]] std::vector<Guid> readers() const;  ///< identities of those readers
     /// Waits until all matched reliable readers have received everything. Returns false if that takes longer

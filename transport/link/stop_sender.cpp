@@ -17,6 +17,7 @@
 #include "core/event/stream_role.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
+#include "transport/link/stop_services.h"
 
 namespace leitstand {
 namespace {
@@ -64,11 +65,16 @@ struct StopSender::State {
         bool lockHeard = false;
         StopStatus reported = {};  ///< of the sender's own thread
         std::vector<std::unique_ptr<Subscription>> subscriptions = {};
+        std::unique_ptr<StopServices> services = {};
 
         [[nodiscard]] StopStatus status() const {
             StopStatus all = control.status(steadyNow());
             all.locks = lock != nullptr;
             all.lockHeard = lockHeard;
+            if (services) {
+                all.services = services->status();
+                all.releasing = all.releasing || services->isReleasing();
+            }
             return all;
         }
     };
@@ -77,17 +83,29 @@ struct StopSender::State {
     explicit State(StopSenderSettings given) : settings(std::move(given)) {}
 
     Result<void> add(Node& node, const RobotDescription& description);
-    /// Calls @p doIt with the control of @p robot; does nothing when it is unknown.
+    /// Calls @p doIt with @p robot; does nothing when it is unknown.
     template <class Change>
     void change(const std::string& robot, Change doIt) {
         {
             const std::lock_guard lock(mutex);
             const auto found = robots.find(robot);
             if (found == robots.end()) return;
-            doIt(found->second.control);
+            doIt(found->second);
             changed = true;
         }
         woken.notify_all();
+    }
+    void wake() {
+        {
+            const std::lock_guard lock(mutex);
+            changed = true;
+        }
+        woken.notify_all();
+    }
+    /// Under the mutex.
+    static void stop(Robot& robot) {
+        robot.control.stop(steadyNow(), std::chrono::system_clock::now());
+        if (robot.services) robot.services->stop(steadyNow());
     }
     template <class Question>
     auto ask(const std::string& robot, Question question) const {
@@ -113,7 +131,7 @@ void StopSender::State::receive(const std::string& robot, const StreamDescriptio
     const auto decoded = decode(sample.event, stream);
     if (!decoded) return;
     if (const auto* state = decoded->as<StopStateSample>()) {
-        change(robot, [&](StopControl& control) { control.receive(*state); });
+        change(robot, [&](Robot& one) { one.control.receive(*state); });
     } else if (const auto* odometry = decoded->as<OdometrySample>()) {
         // Reported with the next tick: the thread is not woken 50 times a second for it.
         const std::lock_guard lock(mutex);
@@ -165,7 +183,12 @@ Result<void> StopSender::State::add(Node& node, const RobotDescription& descript
         robot.publisher = std::move(writer).value();
         if (auto subscribed = listen(StreamRole::StopState, robot.state); !subscribed) return subscribed;
     }
-    return listen(StreamRole::Odometry, robot.odometry);
+    if (auto subscribed = listen(StreamRole::Odometry, robot.odometry); !subscribed) return subscribed;
+    auto services = StopServices::create(node, description, [this] { wake(); });
+    if (!services) return services.error();
+    const std::lock_guard lock(mutex);
+    robot.services = std::move(services).value();
+    return {};
 }
 
 void StopSender::State::step() {
@@ -178,6 +201,7 @@ void StopSender::State::step() {
             const std::lock_guard lock(mutex);
             command = robot.control.due(steadyNow(), std::chrono::system_clock::now());
             wanted = robot.control.isWanted();
+            if (wanted && !robot.control.isWaiting()) robot.services->hold(steadyNow());
             robot.lockHeard = lockHeard;
             status = reported(robot.status());
         }
@@ -188,6 +212,10 @@ void StopSender::State::step() {
         }
         if (const auto lock = robot.lock ? robot.pulse.due(wanted, steadyNow()) : std::nullopt) {
             if (const auto cdr = encode(*lock, robot.lockType)) static_cast<void>(robot.lock->write(*cdr));
+        }
+        if (robot.services->step(steadyNow())) {
+            const std::lock_guard lock(mutex);
+            stop(robot);  // one service did not release: the rest is stopped again, too
         }
         if (std::exchange(robot.reported, status) != status && settings.onChange) settings.onChange(name);
     }
@@ -208,7 +236,10 @@ StopSender::StopSender(std::unique_ptr<State> state) : m_state(std::move(state))
 StopSender::~StopSender() {
     m_state->thread.request_stop();
     if (m_state->thread.joinable()) m_state->thread.join();
-    for (auto& [name, robot] : m_state->robots) robot.subscriptions.clear();
+    for (auto& [name, robot] : m_state->robots) {
+        robot.subscriptions.clear();
+        robot.services.reset();
+    }
 }
 
 Result<std::unique_ptr<StopSender>> StopSender::create(Node& node, std::span<const RobotDescription> robots,
@@ -227,15 +258,15 @@ void StopSender::stopAll() {
 }
 
 void StopSender::stop(const std::string& robot) {
-    m_state->change(
-        robot, [](StopControl& control) { control.stop(steadyNow(), std::chrono::system_clock::now()); });
+    m_state->change(robot, [](State::Robot& one) { State::stop(one); });
 }
 
 Result<void> StopSender::release(const std::string& robot) {
     const bool held = m_state->settings.mayRelease && m_state->settings.mayRelease(robot);
     Result<void> result = Error{fmt::format("release: no robot is called \"{}\"", robot)};
-    m_state->change(robot, [&](StopControl& control) {
-        result = control.release(held, steadyNow(), std::chrono::system_clock::now());
+    m_state->change(robot, [&](State::Robot& one) {
+        result = one.control.release(held, steadyNow(), std::chrono::system_clock::now());
+        if (result && one.services) one.services->release(steadyNow());
     });
     return result;
 }
@@ -245,7 +276,9 @@ StopStatus StopSender::status(const std::string& robot) const {
 }
 
 bool StopSender::allowsDriving(const std::string& robot) const {
-    return m_state->ask(robot, [](const State::Robot& one) { return one.control.allowsDriving(); });
+    return m_state->ask(robot, [](const State::Robot& one) {
+        return one.control.allowsDriving() && !(one.services && one.services->isReleasing());
+    });
 }
 
 bool StopSender::holdsByZeros(const std::string& robot) const {

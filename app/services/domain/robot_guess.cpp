@@ -12,11 +12,13 @@
 #include <fmt/format.h>
 
 #include "app/services/domain/robot_spaces.h"
+#include "app/services/domain/service_guess.h"
 #include "core/event/station_topics.h"
 #include "core/event/stream_role.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "core/robot/streams/stream_table.h"
 #include "transport/convert/message_catalog.h"
+#include "transport/services/service_messages.h"
 
 namespace leitstand {
 namespace {
@@ -139,6 +141,12 @@ void addTopic(RobotGuess& guess, const SeenTopic& topic, const std::string& spac
     constexpr std::string_view Compressed = "sensor_msgs/msg/CompressedImage";
     constexpr const char* Smaller = "the same pictures come compressed: {} is used";
     TopicVerdict verdict{.topic = topic, .role = {}, .remark = {}};
+    if (const auto service = guessService(topic)) {
+        guess.robot.services.push_back(*service);
+        verdict.remark = "a service that STOP calls";
+        guess.topics.push_back(std::move(verdict));
+        return;
+    }
     verdict.role = roleOf(topic, verdict.remark);
     if (verdict.role) {
         const StreamDescription stream = streamOf(topic, *verdict.role, guess, space);
@@ -192,7 +200,7 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
     const std::string_view name = topic.name, leaf = leafOf(name);
     if (name.starts_with("rq/") || name.starts_with("rr/") ||
         name.find("/_action/") != std::string_view::npos) {
-        remark = "a service or an action: the station uses topics only";
+        remark = "of a service or an action: the station calls what stops a robot only";
         return std::nullopt;
     }
     if (!name.starts_with('/')) {
@@ -284,7 +292,10 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
                                                   : nullptr;
     for (const SeenTopic& topic : topics) {
         if (topic.name.starts_with(station_topic::Prefix)) continue;
-        const auto own = guesses.find(spaceOf(topic));
+        // A service has the namespace of its own name, not of its DDS topic.
+        SeenTopic placed = topic;
+        if (const std::string service = serviceOf(topic.name); !service.empty()) placed.name = service;
+        const auto own = guesses.find(spaceOf(placed));
         const bool tree = topic.name == "/tf" || topic.name == "/tf_static";
         if (tree || topic.name == "/diagnostics") {
             for (auto& [space, guess] : guesses) {

@@ -112,6 +112,11 @@ void judgeDriving(Page& page, const RobotFacts& facts) {
         page.add(heard ? Kind::LockHeard : Kind::LockUnheard, heard ? CheckState::Ok : CheckState::Attention,
                  lock->topic);
     }
+    std::vector<std::string> offered, missing;
+    for (const StopServiceStatus& service : view.stop.services)
+        (service.offered ? offered : missing).push_back(service.title);
+    if (!offered.empty()) page.add(Kind::StopServices, CheckState::Ok, joined(offered));
+    if (!missing.empty()) page.add(Kind::StopServicesMissing, CheckState::Attention, joined(missing));
     if (view.stop.stopped) page.add(Kind::Stopped, CheckState::Attention);
     if (view.grant.mine) {
         page.add(Kind::Grant, CheckState::Ok);

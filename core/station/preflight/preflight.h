@@ -78,9 +78,12 @@ struct PreflightCheck {
         NotBound,     ///< the robot has no stop of its own and knows no grants: others may drive it
         LockHeard,    ///< detail: topic of the lock by which STOP also holds off what others send
         LockUnheard,  ///< detail: as LockHeard, but nobody listens to it
-        Stopped,      ///< a stop is in force
-        BrakePassed,  ///< number: time until it stood [s]; other: distance [m]; brake
-        BrakeOld,     ///< as BrakePassed, more than a day ago
+        /// detail: titles of services that STOP calls, too, and that somebody offers.
+        StopServices,
+        StopServicesMissing,  ///< detail: as StopServices, but nobody offers them
+        Stopped,              ///< a stop is in force
+        BrakePassed,          ///< number: time until it stood [s]; other: distance [m]; brake
+        BrakeOld,             ///< as BrakePassed, more than a day ago
         BrakeUntested,
         BrakeFailed,      ///< number, other, brake: as BrakePassed; guard; the robot may not be driven
         BrakeOverridden,  ///< as BrakeFailed, but the robot is driven all the same

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "core/base/printable.h"
+#include "core/event/motion_samples.h"
 #include "core/event/station_samples.h"
 #include "core/event/stream_role.h"
 #include "core/io/robot/robot_file.h"
@@ -32,6 +33,7 @@
 #include "robots/simulation/stock/stock_localisation.h"
 #include "robots/simulation/stock/stock_others.h"
 #include "robots/simulation/stock/stock_profile.h"
+#include "robots/simulation/stock/stock_services.h"
 #include "robots/wire/robot_wire.h"
 #include "transport/domain/join_settings.h"
 
@@ -131,22 +133,24 @@ struct Life {
     RobotAgent& agent;
     RobotWire& wire;
     StockOthers& others;
+    const StockServices& services;
     StockLocalisation& localisation;
     TruthExchange& truth;
     FrozenPictures& cameras;
 };
 
 void turn(const Life& life) {
-    auto& [world, agent, wire, others, localisation, truth, cameras] = life;
+    auto& [world, agent, wire, others, services, localisation, truth, cameras] = life;
     truth.take(world);
     world.advance(Pace::Step);
     for (const ReceivedCommand& command : wire.take()) {
         if (const auto* grant = command.sample.as<GrantSample>()) {
             agent.receive(*grant, command.from);
-        } else {
+        } else if (!services.motorsAreOff() || command.role != StreamRole::DriveCommand) {
             agent.receive(command.role, command.sample, command.from);
         }
     }
+    if (services.motorsAreOff()) agent.receive(StreamRole::DriveCommand, TwistSample{}, {});
     std::vector<HardwareSample> samples = agent.step();
     for (HardwareSample& added : localisation.step(world, samples)) samples.push_back(std::move(added));
     for (HardwareSample& sample : samples) {
@@ -228,6 +232,10 @@ Result<void> runRobot(const RobotOptions& options) {
         if (!made) return made.error();
         others = std::move(made).value();
     }
+    RobotDescription offering = *robot;
+    if (options.stock == nullptr) offering.services.clear();  // ours have topics for it
+    const auto services = StockServices::create(**node, offering);
+    if (!services) return services.error();
     const auto truth = TruthExchange::create(**truths, *arena, options.kind, *robot, number);
     if (!truth) return truth.error();
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, end);
@@ -237,7 +245,7 @@ Result<void> runRobot(const RobotOptions& options) {
     std::fflush(stdout);
     FrozenPictures cameras;
     StockLocalisation localisation(world, number, *robot);
-    live({world, **agent, **wire, others, localisation, **truth, cameras}, pace);
+    live({world, **agent, **wire, others, **services, localisation, **truth, cameras}, pace);
     return {};
 }
 

@@ -117,6 +117,10 @@ Result<RobotDescription> describe(const StockProfile& profile, const std::string
         if (stream.topic.starts_with(shipped))
             stream.topic = topicIn(nameSpace, stream.topic.substr(shipped.size()));
     }
+    for (ServiceDescription& service : robot.services) {
+        if (service.name.starts_with(shipped))
+            service.name = topicIn(nameSpace, service.name.substr(shipped.size()));
+    }
     if (nameSpace.empty()) return robot;
     robot.name = nameSpace;
     std::replace(robot.name.begin(), robot.name.end(), '/', '_');

@@ -18,6 +18,7 @@
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/temporary_folder.h"
 #include "transport/convert/encode.h"
+#include "transport/link/stop_sender.h"
 
 namespace leitstand::test {
 namespace {
@@ -68,6 +69,11 @@ TEST(StockRobots, ATurtleBot4IsOneRobotWithWhatTheStationCanUse) {
     EXPECT_EQ(written.stream(StreamRole::DriveCommand)->type, "geometry_msgs/msg/TwistStamped");
     EXPECT_GT(written.stream(StreamRole::DriveCommand)->qos.lifespan, 0.0);
     EXPECT_EQ(written.sensors.size(), 1U) << "one camera";
+    std::map<std::string, std::optional<bool>> services;
+    for (const ServiceDescription& service : written.services) services[service.name] = service.stop;
+    EXPECT_EQ(services.size(), 4U) << found.text;
+    EXPECT_EQ(services["/e_stop"], true);
+    EXPECT_EQ(services["/navigate_to_pose/_action/cancel_goal"], true);
 }
 
 TEST(StockRobots, TwoOfOneKindAreToldApartByTheirNamespaces) {
@@ -81,6 +87,8 @@ TEST(StockRobots, TwoOfOneKindAreToldApartByTheirNamespaces) {
     EXPECT_EQ(found.uses.at("/tb1/tf").first, "tb1");
     EXPECT_NE(found.uses.at("/scan").first, "tb1");
     EXPECT_EQ(found.uses.at("/scan").first, found.uses.at("/cmd_vel").first);
+    EXPECT_EQ(found.uses.at("rq/tb1/e_stopRequest").first, "tb1");
+    EXPECT_EQ(found.uses.at("rq/e_stopRequest").first, found.uses.at("/scan").first);
 }
 
 TEST(StockRobots, AHuskyIsMappedFromWhatProbeWroteOfIt) {
@@ -109,33 +117,69 @@ TEST(StockRobots, AHuskyIsMappedFromWhatProbeWroteOfIt) {
     EXPECT_LT(registered.worstTurn, degrees(1.0));
 }
 
+/// A node that drives a TurtleBot 4 without asking anybody, and sees it turn.
+class Driver {
+public:
+    Driver(Node& node, const RobotDescription& robot)
+        : m_listener(node, {*robot.stream(StreamRole::Odometry)}),
+          m_wheel(must(node.publisher({.topic = "/cmd_vel",
+                                       .type = "geometry_msgs/msg/TwistStamped",
+                                       .qos = robot.stream(StreamRole::DriveCommand)->qos}))) {
+        TwistSample turn;
+        turn.angular.z() = 0.6;
+        m_command = must(encode(turn, "geometry_msgs/msg/TwistStamped"));
+    }
+    [[nodiscard]] bool isConnected() {
+        return m_listener.receives("/odom") && waitUntil([&] { return m_wheel->matched() > 0; });
+    }
+    [[nodiscard]] OdometrySample newest() { return m_listener.all<OdometrySample>("/odom").back(); }
+    [[nodiscard]] bool isTurning() { return std::abs(newest().angular.z()) > 0.3; }
+    /// Drives until @p done, for 20 s at most.
+    template <class Done>
+    [[nodiscard]] bool until(Done done) {
+        return waitUntil([&] {
+            (void)m_wheel->write(m_command);
+            std::this_thread::sleep_for(50ms);
+            return done();
+        });
+    }
+
+private:
+    RobotListener m_listener;
+    std::unique_ptr<Publisher> m_wheel;
+    Payload m_command;
+};
+
+TEST(StockRobots, ItsEStopStopsItWhoeverDrivesOn) {
+    const TestDomain domain;
+    const RobotProcess process(domain, "stock", {"turtlebot4"});
+    const auto node = nodeIn(domain), station = nodeIn(domain);
+    const RobotDescription robot = shippedRobot("turtlebot4");
+    const auto stops = must(StopSender::create(*station, std::vector{robot},
+                                               {.mayRelease = [](const std::string&) { return true; }}));
+    Driver other(*node, robot);
+    ASSERT_TRUE(other.isConnected());
+    ASSERT_TRUE(other.until([&] { return other.isTurning(); }));
+    ASSERT_TRUE(waitUntil([&] { return stops->status(robot.name).services.front().offered; }));
+    stops->stopAll();
+    EXPECT_TRUE(other.until([&] { return stops->status(robot.name).standing; })) << "the other one drives on";
+    for (const StopServiceStatus& service : stops->status(robot.name).services)
+        EXPECT_EQ(service.stage, StopServiceStatus::Stage::Stopped) << service.title;
+    ASSERT_TRUE(stops->release(robot.name).ok());
+    EXPECT_TRUE(other.until([&] { return other.isTurning(); })) << "it may drive again";
+}
+
 TEST(StockRobots, ItObeysWhoeverDrivesItAndStopsHalfASecondAfterTheLastCommand) {
     const TestDomain domain;
     const RobotProcess robot(domain, "stock", {"turtlebot4"});
     const auto node = nodeIn(domain);
     const RobotDescription described = shippedRobot("turtlebot4");
-    RobotListener listener(*node, {*described.stream(StreamRole::Odometry)});
-    const auto wheel = must(node->publisher({.topic = "/cmd_vel",
-                                             .type = "geometry_msgs/msg/TwistStamped",
-                                             .qos = described.stream(StreamRole::DriveCommand)->qos}));
-    ASSERT_TRUE(listener.receives("/odom"));
-    ASSERT_TRUE(waitUntil([&] { return wheel->matched() > 0; }));
-    TwistSample turn;
-    turn.angular.z() = 0.6;
-    const Payload command = must(encode(turn, "geometry_msgs/msg/TwistStamped"));
-    const auto turning = [&] {
-        const auto odometry = listener.all<OdometrySample>("/odom");
-        return !odometry.empty() && std::abs(odometry.back().angular.z()) > 0.3;
-    };
-    const bool obeyed = waitUntil([&] {
-        (void)wheel->write(command);
-        std::this_thread::sleep_for(50ms);
-        return turning();
-    });
-    EXPECT_TRUE(obeyed);
-    const auto newest = [&] { return listener.all<OdometrySample>("/odom").back().header.stamp; };
+    Driver driver(*node, described);
+    ASSERT_TRUE(driver.isConnected());
+    EXPECT_TRUE(driver.until([&] { return driver.isTurning(); }));
+    const auto newest = [&] { return driver.newest().header.stamp; };
     const Time lastCommand = newest();
-    EXPECT_TRUE(waitUntil([&] { return !turning(); }, 5s)) << "nobody commands any more";
+    EXPECT_TRUE(waitUntil([&] { return !driver.isTurning(); }, 5s)) << "nobody commands any more";
     const double after = toSeconds(newest() - lastCommand);  // by the robot's own stamps
     std::printf("stands %.2f s after the last command\n", after);
     EXPECT_GT(after, 0.25);

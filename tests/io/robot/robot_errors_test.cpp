@@ -43,7 +43,7 @@ TEST(RobotErrors, TellKeysThatAreUnknownTwiceOrMissing) {
         top("hight: 0.5",
             "expected one of the keys letter, name, title, drive, frames, footprint, height, limits, "
             "sensors, "
-            "streams, bindings, link_loss or refine_turns, found \"hight\", did you mean height?"),
+            "streams, services, bindings, link_loss or refine_turns, found \"hight\", did you mean height?"),
         top("limits:\n  speeed: 1",
             "limits: expected one of the keys roll, pitch, speed, turn_rate, climb or step, found "
             "\"speeed\", did you mean speed?",
@@ -58,7 +58,7 @@ TEST(RobotErrors, TellKeysThatAreUnknownTwiceOrMissing) {
         top("? [1, 2]\n: 3",
             "expected one of the keys letter, name, title, drive, frames, footprint, height, limits, "
             "sensors, "
-            "streams, bindings, link_loss or refine_turns, found a list of 2"),
+            "streams, services, bindings, link_loss or refine_turns, found a list of 2"),
         top("sensors:\n  my camera: {}",
             "sensors: expected a name of at most 64 letters, digits and _ that begins with a letter, found "
             "\"my "
@@ -110,6 +110,32 @@ TEST(RobotErrors, TellWhatIsWrongWithTheRobot) {
             "link_loss.explore: expected stop, finish_and_wait or return_to_link, found \"finish\""),
         top("link_loss: {teleoperation: return_to_link}",
             "link_loss.teleoperation: expected stop, since nobody drives, found \"return_to_link\""),
+    });
+}
+
+TEST(RobotErrors, TellWhatIsWrongWithServices) {
+    const std::string known =
+        "expected std_srvs/srv/SetBool, std_srvs/srv/Trigger, irobot_create_msgs/srv/EStop or "
+        "action_msgs/srv/CancelGoal, found ";
+    expectErrors({
+        top("services: 5", "services: expected a list, found \"5\""),
+        top("services:\n  - {type: std_srvs/srv/Trigger}",
+            "services[0].name: expected a service such as /kurt3d/e_stop, found nothing", 5),
+        top("services:\n  - {name: e stop, type: std_srvs/srv/Trigger}",
+            "services[0].name: expected a service such as /kurt3d/e_stop (words of letters, digits and _ "
+            "that "
+            "begin with no digit), found \"e stop\"",
+            5),
+        top("services:\n  - {name: /e_stop, type: std_srvs/srv/Setbool}",
+            "services[0].type: " + known + "\"std_srvs/srv/Setbool\", did you mean std_srvs/srv/SetBool?", 5),
+        top("services:\n  - {name: /e_stop}", "services[0].type: " + known + "\"\"", 5),
+        top("services:\n  - {name: /e_stop, type: std_srvs/srv/SetBool, stop: yes please}",
+            "services[0].stop: expected true or false, found \"yes please\"", 5),
+        top("services:\n  - {name: /nav/cancel, type: action_msgs/srv/CancelGoal, stop: false}",
+            "services[0].stop: expected true, since a release gives no goals back, found false", 5),
+        top("services:\n  - {name: /e_stop, type: std_srvs/srv/Trigger}\n"
+            "  - {name: /e_stop, type: std_srvs/srv/SetBool}",
+            "services[1].name: expected a service of its own, found \"/e_stop\" of line 5 again", 6),
     });
 }
 

@@ -7,6 +7,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/missing_tool.h"
 #include "tests/support/places.h"
+#include "tests/transport/cyclone/loopback.h"
 #include "tests/transport/cyclone/our_types.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/message_catalog.h"
@@ -17,13 +18,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::uint32_t Seeds = 20;
-
-/// Cyclone DDS that speaks over the loopback interface only, without multicast.
-const char* const Loopback =
-    "CYCLONEDDS_URI=<CycloneDDS><Domain><General><Interfaces><NetworkInterface name=\"lo\" "
-    "multicast=\"false\"/>"
-    "</Interfaces><AllowMulticast>false</AllowMulticast></General><Discovery><ParticipantIndex>auto"
-    "</ParticipantIndex><Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery></Domain></CycloneDDS>";
 
 /// Built where Cyclone DDS is.
 std::string peer() {
@@ -40,7 +34,7 @@ protected:
         }
         m_peer = std::make_unique<ChildProcess>(
             peer(), std::vector{std::to_string(m_domain.number()), std::to_string(Seeds)},
-            std::vector<std::string>{Loopback});
+            std::vector<std::string>{LoopbackOnly});
         NodeSettings settings;
         settings.interfaces = {"lo"};
         settings.initialPeers = {"127.0.0.1"};

@@ -32,12 +32,20 @@ if(TARGET CycloneDDS::ddsc AND IDLC)
     target_include_directories(cyclone_peer PRIVATE ${cyclone_dir}/peer)
     add_executable(cyclone_robot ${cyclone_dir}/robot/main.c)
     target_link_libraries(cyclone_robot PRIVATE m)
-    foreach(program cyclone_peer cyclone_robot)
+    # A service, whose messages are laid out otherwise than ours.
+    add_custom_command(OUTPUT ${cyclone_out}/service/std_srvs.c ${cyclone_out}/service/std_srvs.h
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${cyclone_out}/service
+        COMMAND ${IDLC} -l c -x final -o ${cyclone_out}/service ${cyclone_dir}/service/std_srvs.idl
+        DEPENDS ${cyclone_dir}/service/std_srvs.idl COMMENT "idlc std_srvs" VERBATIM)
+    add_executable(cyclone_service ${cyclone_dir}/service/main.c ${cyclone_out}/service/std_srvs.c
+        ${cyclone_out}/service/std_srvs.h)
+    target_include_directories(cyclone_service PRIVATE ${cyclone_out}/service)
+    foreach(program cyclone_peer cyclone_robot cyclone_service)
         set_target_properties(${program} PROPERTIES C_STANDARD 11)
         target_compile_options(${program} PRIVATE -Wall)
         target_link_libraries(${program} PRIVATE cyclone_messages)
     endforeach()
-    add_dependencies(cyclone_tests cyclone_peer)
+    add_dependencies(cyclone_tests cyclone_peer cyclone_service)
 else()
     message(WARNING "Cyclone DDS was not found: the tests against it will be skipped")
 endif()

@@ -16,6 +16,7 @@
 #include "tests/support/missing_tool.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/transport/cyclone/loopback.h"
 #include "tests/transport/dds/test_node.h"
 #include "tests/transport/screen_wire/recorded_traffic.h"
 #include "transport/security/authorities.h"
@@ -174,13 +175,6 @@ TEST_F(RealTrafficLong, AMillionPacketsOfFastDdsWithKeysPass) {
     expectAllPass(secured("station1"), secured("kurt3d"), 1'000'000);
 }
 
-/// Cyclone DDS over loopback, without multicast.
-const char* const CycloneOnLoopback =
-    "CYCLONEDDS_URI=<CycloneDDS><Domain><General><Interfaces><NetworkInterface name=\"lo\" "
-    "multicast=\"false\"/></Interfaces><AllowMulticast>false</AllowMulticast></General><Discovery>"
-    "<ParticipantIndex>auto</ParticipantIndex><Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery>"
-    "</Domain></CycloneDDS>";
-
 TEST_F(RealTraffic, OfCycloneDdsPasses) {
     const std::string program = test::program("cyclone_peer");
     if (!std::filesystem::exists(program))
@@ -195,7 +189,7 @@ TEST_F(RealTraffic, OfCycloneDdsPasses) {
         type.replace(type.find('/'), 1, "/msg/");
         listener.listen(std::string("/cyclone/") + package, transientLocal(100), type);
     }
-    const ChildProcess peer(program, {std::to_string(m_domain.number()), "20"}, {CycloneOnLoopback});
+    const ChildProcess peer(program, {std::to_string(m_domain.number()), "20"}, {LoopbackOnly});
     EXPECT_TRUE(waitUntil([&] { return listener.arrived() > 150; }, 60s)) << listener.arrived();
     keepSeed("cyclone", listener, false);
     EXPECT_EQ(dropsOf(listener), "");

@@ -175,6 +175,34 @@ TEST_F(LiveWords, OnlyTheHolderReleasesAndIsToldWhyNot) {
     EXPECT_TRUE(stopLineOf(robot.face, robot.view).releasable);
 }
 
+TEST_F(LiveWords, AStopBySeveralServicesSaysWhichLags) {
+    using Stage = StopServiceStatus::Stage;
+    StopStatus& stop = robot.view.stop;
+    stop = {};
+    stop.supported = false;
+    stop.sent = true;
+    stop.services = {{.title = "E-stop", .stage = Stage::Asked, .offered = true},
+                     {.title = "Goals", .stage = Stage::Asked}};
+    const auto details = [this] { return stopLineOf(robot.face, robot.view).details.toStdString(); };
+    EXPECT_THAT(details(), HasSubstr("E-stop has not confirmed yet. Nobody offers Goals."));
+    EXPECT_THAT(details(), HasSubstr("drive commands of zero"));
+    stop.services[0].refused = true;
+    stop.services[0].message = "fuse blown";
+    EXPECT_THAT(details(), HasSubstr("E-stop refuses: fuse blown."));
+    EXPECT_EQ(stopLineOf(robot.face, robot.view).tone, Tone::Act);
+    for (StopServiceStatus& service : stop.services)
+        service = {.title = service.title, .stage = Stage::Stopped};
+    EXPECT_THAT(details(), HasSubstr("2 services confirmed it."));
+    stop.services.pop_back();
+    EXPECT_THAT(details(), HasSubstr("E-stop confirmed it."));
+    stop.sent = false;
+    stop.releasing = true;
+    stop.services[0].stage = Stage::Releasing;
+    EXPECT_EQ(stopLineOf(robot.face, robot.view).stage, StopStage::Releasing);
+    EXPECT_THAT(details(), HasSubstr("E-stop has not released yet."));
+    EXPECT_FALSE(stopLineOf(robot.face, robot.view).releasable);
+}
+
 TEST_F(LiveWords, TheHintSaysWhatKeepsItFromMoving) {
     EXPECT_EQ(stateOf(robot).hint.toStdString(), "you drive");
     robot.view.drive.needsNeutral = true;

@@ -12,8 +12,10 @@
 #include <fastdds/rtps/builtin/data/PublicationBuiltinTopicData.hpp>
 #include <fastdds/rtps/builtin/data/SubscriptionBuiltinTopicData.hpp>
 #include <fastdds/rtps/common/Guid.hpp>
+#include <fastdds/rtps/common/SampleIdentity.hpp>
 #include <fastdds/rtps/common/SequenceNumber.hpp>
 #include <fastdds/rtps/common/Time_t.hpp>
+#include <fastdds/rtps/common/WriteParams.hpp>
 #include <fastdds/rtps/transport/ChainingTransport.hpp>
 #include <fastdds/rtps/transport/ChainingTransportDescriptor.hpp>
 #include <fastdds/rtps/transport/NetworkBuffer.hpp>
@@ -30,8 +32,10 @@
 #include <fastdds/rtps/builtin/data/ReaderProxyData.h>
 #include <fastdds/rtps/builtin/data/WriterProxyData.h>
 #include <fastdds/rtps/common/Guid.h>
+#include <fastdds/rtps/common/SampleIdentity.h>
 #include <fastdds/rtps/common/SequenceNumber.h>
 #include <fastdds/rtps/common/Time_t.h>
+#include <fastdds/rtps/common/WriteParams.h>
 #include <fastdds/rtps/transport/ChainingTransport.h>
 #include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
 #include <fastdds/rtps/transport/TCPv4TransportDescriptor.h>
@@ -122,6 +126,15 @@ template <class Code>
     return succeeded(writer.write(sample));
 #else
     return writer.write(sample);
+#endif
+}
+
+/// Writes @p sample with @p parameters, which receive its number; returns whether the history accepted it.
+[[nodiscard]] inline bool write(dds::DataWriter& writer, void* sample, rtps::WriteParams& parameters) {
+#if LEITSTAND_FASTDDS_3
+    return succeeded(writer.write(sample, parameters));
+#else
+    return writer.write(sample, parameters);
 #endif
 }
 

@@ -30,6 +30,10 @@ Result<void> Reader::open() {
     if (!made) return made.error();
     m_reader = *made;
     if (m_reader == nullptr) return {};  // the participant opens it when it is back in its domain
+    {
+        const std::scoped_lock countsLock(m_countsMutex);
+        m_guid = guidOf(m_reader->guid());
+    }
     m_condition = &m_reader->get_statuscondition();
     m_condition->set_enabled_statuses(efd::StatusMask::data_available());
     m_participant.deliver(shared_from_this());
@@ -63,6 +67,7 @@ bool Reader::take(ReceivedSample& sample) {
         sample.writer = guidOf(info.sample_identity.writer_guid());
         sample.sourceTime = timeOf(info.source_timestamp);
         sample.writerSequence = numberOf(info.sample_identity.sequence_number());
+        sample.related = relatedOf(info.related_sample_identity);
         return true;
     }
     return false;
@@ -90,6 +95,11 @@ bool Reader::deliver() {
 bool Reader::hasReceived(const Guid& writer) const {
     const std::scoped_lock lock(m_countsMutex);
     return m_lastNumbers.contains(writer);
+}
+
+Guid Reader::guid() const {
+    const std::scoped_lock lock(m_countsMutex);
+    return m_guid;
 }
 
 SubscriptionCounts Reader::counts() const {

@@ -37,6 +37,7 @@ public:
     [[nodiscard]] bool deliver();
 
     [[nodiscard]] SubscriptionCounts counts() const;
+    [[nodiscard]] Guid guid() const;  ///< of the newest Fast DDS reader
     /// Whether a sample was received from @p writer since it matched.
     [[nodiscard]] bool hasReceived(const Guid& writer) const;
     [[nodiscard]] const ReaderSettings& settings() const { return m_settings; }
@@ -62,6 +63,7 @@ private:
     eprosima::fastdds::dds::StatusCondition* m_condition = nullptr;
     mutable std::mutex m_countsMutex;
     SubscriptionCounts m_counts;
+    Guid m_guid;
     std::map<Guid, std::uint64_t> m_lastNumbers;  // of each writer
 };
 

@@ -67,11 +67,26 @@ Result<void> Writer::send(const Payload& cdr) {
     return {};
 }
 
+Result<void> Writer::check(const Payload& cdr) const {
+    if (cdr && cdr->size() >= EncapsulationSize) return {};
+    return Error{fmt::format("{}: a sample begins with {} bytes of encapsulation", m_settings.topic,
+                             EncapsulationSize)};
+}
+
+Result<std::uint64_t> Writer::write(const Payload& cdr, const SampleIdentity& related) {
+    if (auto checked = check(cdr); !checked) return checked.error();
+    const std::shared_lock lock(m_use);
+    if (m_writer == nullptr) return Error{m_settings.topic + ": the node is outside its domain"};
+    RawSample sample{cdr};
+    rtps::WriteParams parameters;
+    parameters.related_sample_identity(fromIdentity(related));
+    if (!fastdds::write(*m_writer, &sample, parameters))
+        return Error{m_settings.topic + ": the history is full, nobody acknowledges"};
+    return numberOf(parameters.sample_identity().sequence_number());
+}
+
 Result<void> Writer::write(const Payload& cdr) {
-    if (!cdr || cdr->size() < EncapsulationSize) {
-        return Error{fmt::format("{}: a sample begins with {} bytes of encapsulation", m_settings.topic,
-                                 EncapsulationSize)};
-    }
+    if (auto checked = check(cdr); !checked) return checked;
     const std::shared_lock lock(m_use);
     if (m_closed) return Error{m_settings.topic + ": the node has left its domain"};
     if (isKept()) {

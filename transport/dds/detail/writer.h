@@ -27,6 +27,8 @@ public:
     void suspend();
     void close();
     Result<void> write(const Payload& cdr);
+    /// See Publisher::write().
+    Result<std::uint64_t> write(const Payload& cdr, const SampleIdentity& related);
     [[nodiscard]] int matched() const;
     [[nodiscard]] std::vector<Guid> readers() const;
     [[nodiscard]] bool waitForAcknowledgments(std::chrono::milliseconds atMost) const;
@@ -38,6 +40,7 @@ private:
     void on_publication_matched(DataWriter* writer,
                                 const eprosima::fastdds::dds::PublicationMatchedStatus& status) override;
 
+    [[nodiscard]] Result<void> check(const Payload& cdr) const;  // whether it is a sample
     Result<void> send(const Payload& cdr);
     [[nodiscard]] bool isKept() const;  // for readers that join later
 

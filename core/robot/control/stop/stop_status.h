@@ -1,9 +1,27 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace leitstand {
+
+/// State of a service that has a part in a robot's stop.
+struct StopServiceStatus {
+    enum class Stage : std::uint8_t {
+        Idle,      ///< no stop of this station is in force
+        Asked,     ///< it was asked to stop, but has not confirmed it yet
+        Stopped,   ///< it confirmed the stop, or has only a part in the release
+        Releasing  ///< it was asked to release, but has not confirmed it yet
+    };
+    std::string title = {};  ///< name for the operator
+    Stage stage = Stage::Idle;
+    bool offered = false;      ///< whether anybody offers the service
+    bool refused = false;      ///< whether it refused what it was asked last
+    std::string message = {};  ///< its own words, if it refused; may be empty
+    friend bool operator==(const StopServiceStatus&, const StopServiceStatus&) = default;
+};
 
 /// State of one robot's stop, as its operator sees it.
 struct StopStatus {
@@ -19,7 +37,8 @@ struct StopStatus {
     /// Sender of the command that the robot answered last; empty: its own stop button.
     std::string stoppedBy;
     std::string refused;  ///< why the last release had no effect; kept until the next command
-    std::chrono::nanoseconds unanswered{};  ///< how long the robot has not answered; 0 after an answer
+    std::vector<StopServiceStatus> services;  ///< in the order of the robot's file
+    std::chrono::nanoseconds unanswered{};    ///< how long the robot has not answered; 0 after an answer
     friend bool operator==(const StopStatus&, const StopStatus&) = default;
 };
 

@@ -218,6 +218,10 @@ TEST_F(Preflight, OfAStockRobotIsSaidWhatStopIsToItAndThatOthersMayDriveIt) {
     expect(Kind::LockUnheard, CheckState::Attention);
     facts.robots.front().view.stop.lockHeard = true;
     expect(Kind::LockHeard, CheckState::Ok);
+    EXPECT_FALSE(has(Kind::StopServices) || has(Kind::StopServicesMissing));
+    facts.robots.front().view.stop.services = {{.title = "E-stop", .offered = true}, {.title = "Goals"}};
+    expect(Kind::StopServices, CheckState::Ok);
+    expect(Kind::StopServicesMissing, CheckState::Attention);
     facts.robots.front().view.drive.drivable = false;
     EXPECT_FALSE(has(Kind::NotBound)) << "nobody drives it";
 }

@@ -143,6 +143,10 @@ QString checkText(const PreflightCheck& check) {
             return Words::tr("STOP also locks %1").arg(detail);
         case Kind::LockUnheard:
             return Words::tr("nobody listens to %1: STOP does not hold off what others send").arg(detail);
+        case Kind::StopServices:
+            return Words::tr("STOP also calls %1").arg(detail);
+        case Kind::StopServicesMissing:
+            return Words::tr("nobody offers %1: STOP cannot call it").arg(detail);
         case Kind::Stopped:
             return Words::tr("stopped");
         case Kind::BrakePassed:
@@ -248,6 +252,8 @@ QString remedyText(const PreflightCheck& check) {
         case Kind::NotBound:
         case Kind::LockHeard:
         case Kind::LockUnheard:
+        case Kind::StopServices:
+        case Kind::StopServicesMissing:
         case Kind::Grant:
         case Kind::GrantFree:
         case Kind::BrakePassed:

@@ -1,5 +1,7 @@
 #include "widgets/models/live/texts/stop_line.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 
 #include "core/base/time.h"
@@ -17,8 +19,8 @@ struct StopTexts {
 };
 
 StopStage stageOf(const StopStatus& stop) {
-    if (!stop.sent && !stop.stopped) return StopStage::None;
     if (stop.releasing) return StopStage::Releasing;
+    if (!stop.sent && !stop.stopped) return StopStage::None;
     // Robots that know no stops answer none: only their motion shows the stop.
     if (stop.supported && stop.sent && !stop.acknowledged) return StopStage::Sent;
     if (stop.standingKnown && stop.standing) return StopStage::Standing;
@@ -80,19 +82,56 @@ QString briefOf(StopStage stage, const StopStatus& stop) {
     return {};
 }
 
+/// What a service of the robot has done of the stop; empty: it confirmed it, or has no part in it now.
+QString serviceText(const StopServiceStatus& service) {
+    const QString title = othersText(service.title);
+    if (service.refused && service.message.empty()) return StopTexts::tr("%1 refuses.").arg(title);
+    if (service.refused)
+        return StopTexts::tr("%1 refuses: %2.", "a service, its own words")
+            .arg(title, othersText(service.message));
+    switch (service.stage) {
+        case StopServiceStatus::Stage::Asked:
+            return service.offered ? StopTexts::tr("%1 has not confirmed yet.").arg(title)
+                                   : StopTexts::tr("Nobody offers %1.").arg(title);
+        case StopServiceStatus::Stage::Releasing:
+            return StopTexts::tr("%1 has not released yet.").arg(title);
+        case StopServiceStatus::Stage::Idle:
+        case StopServiceStatus::Stage::Stopped:
+            return {};
+    }
+    return {};
+}
+
+QString servicesText(const StopStatus& stop) {
+    QStringList all;
+    for (const StopServiceStatus& service : stop.services) {
+        if (const QString text = serviceText(service); !text.isEmpty()) all += text;
+    }
+    if (!all.isEmpty()) return all.join(QLatin1Char(' '));
+    if (!stop.sent || stop.services.empty()) return {};
+    if (stop.services.size() == 1)
+        return StopTexts::tr("%1 confirmed it.").arg(othersText(stop.services.front().title));
+    return StopTexts::tr("%n services confirmed it.", nullptr, static_cast<int>(stop.services.size()));
+}
+
+/// What holds a robot that knows no stops.
+QString holdOf(const StopStatus& stop) {
+    if (!stop.locks) return StopTexts::tr("The robot knows no stops: it is held by drive commands of zero.");
+    return stop.lockHeard
+               ? StopTexts::tr(
+                     "The robot knows no stops: it is held by drive commands of zero and by its lock.")
+               : StopTexts::tr(
+                     "The robot knows no stops: it is held by drive commands of zero. Nobody listens "
+                     "to its lock.");
+}
+
 QString detailsOf(const StopStatus& stop, bool mine) {
     if (!stop.refused.empty())
         return StopTexts::tr("The release did nothing: %1").arg(othersText(stop.refused));
-    if (!stop.supported && stop.locks) {
-        return stop.lockHeard
-                   ? StopTexts::tr(
-                         "The robot knows no stops: it is held by drive commands of zero and by its lock.")
-                   : StopTexts::tr(
-                         "The robot knows no stops: it is held by drive commands of zero. Nobody listens "
-                         "to its lock.");
-    }
+    const QString services = servicesText(stop);
     if (!stop.supported)
-        return StopTexts::tr("The robot knows no stops: it is held by drive commands of zero.");
+        return services.isEmpty() ? holdOf(stop) : services + QLatin1Char(' ') + holdOf(stop);
+    if (!services.isEmpty()) return services;
     if (stop.stopped && !stop.sent) {
         return stop.stoppedBy.empty() ? StopTexts::tr("Stopped by the robot's own button.")
                                       : StopTexts::tr("Stopped by another station.");
@@ -115,6 +154,9 @@ StopLine stopLineOf(const RobotFace& face, const RobotView& robot) {
     const bool calm = line.stage == StopStage::Standing || line.stage == StopStage::Releasing;
     line.tone = calm ? Tone::Normal : Tone::Attention;
     if (line.stage == StopStage::Sent && stop.unanswered > std::chrono::seconds(1)) line.tone = Tone::Act;
+    const bool refused = std::any_of(stop.services.begin(), stop.services.end(),
+                                     [](const StopServiceStatus& service) { return service.refused; });
+    if (refused) line.tone = Tone::Act;
     const bool taken = !stop.sent || stop.acknowledged || !stop.supported;
     line.releasable = robot.grant.mine && taken && !stop.releasing;
     return line;

@@ -1,0 +1,26 @@
+#include "robots/simulation/stock/stock_services.h"
+
+#include <utility>
+
+namespace leitstand::simulation {
+
+Result<std::unique_ptr<StockServices>> StockServices::create(Node& node, const RobotDescription& robot) {
+    auto services = std::make_unique<StockServices>();
+    StockServices& its = *services;
+    for (const ServiceDescription& service : robot.services) {
+        const ServiceFacts* const facts = serviceFacts(service.type);
+        const bool eStop = facts != nullptr && facts->kind == ServiceKind::Switch && service.stop;
+        auto server = ServiceServer::create(
+            node, service.name, service.type,
+            [&its, eStop, on = service.stop.value_or(true)](const ServiceRequest& request) {
+                if (!eStop) return ServiceAnswer{true, ""};
+                its.m_off = request.value == on;
+                return ServiceAnswer{true, its.m_off ? "E-stop is on" : "E-stop is off"};
+            });
+        if (!server) return server.error();
+        its.m_servers.push_back(std::move(server).value());
+    }
+    return services;
+}
+
+}  // namespace leitstand::simulation
