@@ -1,8 +1,9 @@
 #include "core/robot/services/service_description.h"
 #include "fuzz/input_file.h"
+#include "transport/services/navigation_messages.h"
 #include "transport/services/service_messages.h"
 
-/// Requests and answers of services, with and without the header of rmw_cyclonedds.
+/// Requests and answers of services and actions, with and without the header of rmw_cyclonedds.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace leitstand;
     const std::span bytes(reinterpret_cast<const std::byte*>(data), size);
@@ -12,6 +13,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!answer) continue;
         const auto again = decodeAnswer(facts.kind, *encodeAnswer(facts.kind, *answer));
         fuzz::require(again.ok() && again->accepted == answer->accepted, "the same answer again");
+    }
+    static_cast<void>(decodeGoal(bytes));
+    static_cast<void>(decodeCancel(bytes));
+    static_cast<void>(decodeAcceptance(bytes));
+    static_cast<void>(decodeProgress(bytes));
+    if (const auto goals = decodeStatus(bytes)) {
+        const auto again = decodeStatus(*encodeStatus(*goals));
+        fuzz::require(again.ok() && again->size() == goals->size(), "the same goals again");
     }
     if (const auto split = splitHeader(bytes)) {
         const auto same = splitHeader(*withHeader(split->header, split->body));

@@ -3283,6 +3283,10 @@ Funk: %4 %5</translation>
         <source>expected a service of its own, found {} of line {} again</source>
         <translation>erwartet wurde ein eigener Dienst, gefunden noch einmal {} aus Zeile {}</translation>
     </message>
+    <message>
+        <source>{}: nobody offers its navigation {}</source>
+        <translation>{}: Niemand bietet seine Navigation {} an</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -3755,6 +3759,14 @@ Funk: %4 %5</translation>
         <source>%1: the map moved under its goal, which is withdrawn; send it again</source>
         <translation>%1: Die Karte rückte unter dem Ziel, das zurückgenommen ist; senden Sie es neu</translation>
     </message>
+    <message>
+        <source>%1: its goal is cancelled, since it was halted</source>
+        <translation>%1: Sein Ziel ist aufgehoben, da er angehalten wurde</translation>
+    </message>
+    <message>
+        <source>%1: its goal is cancelled, since you drive</source>
+        <translation>%1: Sein Ziel ist aufgehoben, da Sie fahren</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::GoalQuestion</name>
@@ -3781,6 +3793,50 @@ Funk: %4 %5</translation>
     <message>
         <source>%1: the map moved by %2 m under its goal, which is withdrawn. Send it to where that place lies now?</source>
         <translation>%1: Die Karte hat sich unter seinem Ziel um %2 m verschoben, es ist zurückgezogen. Dorthin schicken, wo der Ort jetzt liegt?</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::GoalText</name>
+    <message>
+        <source>sent to its goal</source>
+        <translation>zum Ziel geschickt</translation>
+    </message>
+    <message>
+        <source>gives up its goal</source>
+        <translation>gibt sein Ziel auf</translation>
+    </message>
+    <message>
+        <source>drives to its goal</source>
+        <translation>fährt zum Ziel</translation>
+    </message>
+    <message>
+        <source>%1 m to go</source>
+        <translation>noch %1 m</translation>
+    </message>
+    <message>
+        <source>%1 has arrived</source>
+        <translation>%1 ist angekommen</translation>
+    </message>
+    <message>
+        <source>%1: its goal was cancelled</source>
+        <translation>%1: Sein Ziel wurde aufgehoben</translation>
+    </message>
+    <message>
+        <source>%1 gave up on the way to its goal</source>
+        <translation>%1 hat auf dem Weg zum Ziel aufgegeben</translation>
+    </message>
+    <message>
+        <source>%1 does not accept the goal</source>
+        <translation>%1 nimmt das Ziel nicht an</translation>
+    </message>
+    <message>
+        <source>%1 does not answer: the goal may not have reached it</source>
+        <translation>%1 antwortet nicht: Das Ziel kam vielleicht nicht an</translation>
+    </message>
+    <message>
+        <source>stuck: %1</source>
+        <comment>so often on its way</comment>
+        <translation>festgefahren: %1</translation>
     </message>
 </context>
 <context>
@@ -5574,6 +5630,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>others may drive it, too</source>
         <translation>auch andere können ihn fahren</translation>
+    </message>
+    <message>
+        <source>TO ITS GOAL</source>
+        <translation>ZUM ZIEL</translation>
+    </message>
+    <message>
+        <source>GOAL</source>
+        <translation>ZIEL</translation>
     </message>
 </context>
 <context>

@@ -3283,6 +3283,10 @@ Link: %4 %5</source>
         <source>expected a service of its own, found {} of line {} again</source>
         <translation>固有のサービスが必要ですが、{} は {} 行目と重複しています</translation>
     </message>
+    <message>
+        <source>{}: nobody offers its navigation {}</source>
+        <translation>{}：ナビゲーション {} を提供するノードがありません</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -3755,6 +3759,14 @@ Link: %4 %5</source>
         <source>%1: the map moved under its goal, which is withdrawn; send it again</source>
         <translation>%1: 目標の下で地図が動いたため、目標を取り消しました。もう一度送ってください</translation>
     </message>
+    <message>
+        <source>%1: its goal is cancelled, since it was halted</source>
+        <translation>%1：停止させたため目標を取り消しました</translation>
+    </message>
+    <message>
+        <source>%1: its goal is cancelled, since you drive</source>
+        <translation>%1：手動運転のため目標を取り消しました</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::GoalQuestion</name>
@@ -3781,6 +3793,50 @@ Link: %4 %5</source>
     <message>
         <source>%1: the map moved by %2 m under its goal, which is withdrawn. Send it to where that place lies now?</source>
         <translation>%1: 目標の下で地図が %2 m 動いたため、目標を取り消しました。その場所の現在の位置へ送りますか？</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::GoalText</name>
+    <message>
+        <source>sent to its goal</source>
+        <translation>目標を送信</translation>
+    </message>
+    <message>
+        <source>gives up its goal</source>
+        <translation>目標を取り消し中</translation>
+    </message>
+    <message>
+        <source>drives to its goal</source>
+        <translation>目標へ移動中</translation>
+    </message>
+    <message>
+        <source>%1 m to go</source>
+        <translation>残り %1 m</translation>
+    </message>
+    <message>
+        <source>%1 has arrived</source>
+        <translation>%1 が到着しました</translation>
+    </message>
+    <message>
+        <source>%1: its goal was cancelled</source>
+        <translation>%1：目標は取り消されました</translation>
+    </message>
+    <message>
+        <source>%1 gave up on the way to its goal</source>
+        <translation>%1 は目標への途中で断念しました</translation>
+    </message>
+    <message>
+        <source>%1 does not accept the goal</source>
+        <translation>%1 は目標を受け付けません</translation>
+    </message>
+    <message>
+        <source>%1 does not answer: the goal may not have reached it</source>
+        <translation>%1 が応答しません。目標が届いていない可能性があります</translation>
+    </message>
+    <message>
+        <source>stuck: %1</source>
+        <comment>so often on its way</comment>
+        <translation>立ち往生：%1</translation>
     </message>
 </context>
 <context>
@@ -5574,6 +5630,14 @@ F1 でキー一覧</translation>
     <message>
         <source>others may drive it, too</source>
         <translation>他からも操縦できます</translation>
+    </message>
+    <message>
+        <source>TO ITS GOAL</source>
+        <translation>目標へ移動中</translation>
+    </message>
+    <message>
+        <source>GOAL</source>
+        <translation>目標</translation>
     </message>
 </context>
 <context>

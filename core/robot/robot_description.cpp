@@ -76,6 +76,18 @@ const StreamDescription* RobotDescription::stream(StreamRole role, const std::st
     return found == streams.end() ? nullptr : &*found;
 }
 
+const ServiceDescription* RobotDescription::navigation() const {
+    const auto found = std::find_if(services.begin(), services.end(), [](const ServiceDescription& service) {
+        const ServiceFacts* const facts = serviceFacts(service.type);
+        return facts != nullptr && facts->kind == ServiceKind::Navigate;
+    });
+    return found == services.end() ? nullptr : &*found;
+}
+
+bool RobotDescription::takesGoals() const {
+    return navigation() != nullptr || stream(StreamRole::GoalPose) != nullptr;
+}
+
 bool RobotDescription::mayMap(const StreamDescription& one) const {
     return one.role == StreamRole::Points ||
            (one.role == StreamRole::Ranges && stream(StreamRole::Odometry) != nullptr);

@@ -106,6 +106,10 @@ struct RobotDescription {
 
     /// The first stream with @p role (and @p sensor, if given); null when the robot has none.
     [[nodiscard]] const StreamDescription* stream(StreamRole role, const std::string& sensor = {}) const;
+    /// The action by which the robot's own navigation takes goals; null: its file names none.
+    [[nodiscard]] const ServiceDescription* navigation() const;
+    /// Whether the robot can be sent to a place, by its navigation or by a topic.
+    [[nodiscard]] bool takesGoals() const;
     /// Whether the map may be made from @p one: clouds, or turns of a plane laser if the robot has odometry.
     [[nodiscard]] bool mayMap(const StreamDescription& one) const;
     /// The stream that makes the map: the one with StreamDescription::maps, or the only cloud if there is no

@@ -13,6 +13,7 @@
 #include "core/robot/control/stop/stop_status.h"
 #include "core/robot/link/link_status.h"
 #include "core/robot/link/reception.h"
+#include "core/robot/services/goal_tracker.h"
 #include "core/station/sight_cap.h"
 
 namespace leitstand {
@@ -44,6 +45,7 @@ struct RobotView {
     GrantView grant;
     StopStatus stop;
     DriveView drive;
+    NavigationView navigation;                  ///< the robot's own navigation
     std::optional<VirtualScanView> around;      ///< virtual scan; empty: it was not requested
     std::vector<CameraView> cameras;            ///< cameras that sent pictures, except thermal ones
     std::shared_ptr<const JointSample> joints;  ///< newest joint states, including pan and tilt; null: none

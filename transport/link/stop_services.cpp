@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/robot/control/stop/service_stop.h"
+#include "transport/services/navigation_messages.h"
 #include "transport/services/service_client.h"
 #include "transport/services/service_messages.h"
 
@@ -67,13 +68,17 @@ Result<std::unique_ptr<StopServices>> StopServices::create(Node& node, const Rob
     State& state = *services->m_state;
     state.changed = std::move(changed);
     for (const ServiceDescription& service : robot.services) {
-        if (!service.stop || serviceFacts(service.type) == nullptr) continue;
+        if (!stopRequest(service) && !releaseRequest(service)) continue;
         auto part = std::make_unique<State::Part>(service);
-        auto client =
-            ServiceClient::create(node, {.name = service.name, .type = service.type, .lifespan = Lifespan},
-                                  [&state, its = part.get()](std::uint64_t tag, const Payload& answer) {
-                                      state.answered(*its, tag, answer);
-                                  });
+        const bool action = part->kind == ServiceKind::Navigate;
+        auto client = ServiceClient::create(
+            node,
+            {.name = action ? actionNames(service.name, service.type).cancelGoal : service.name,
+             .type = action ? CancelGoalType : service.type,
+             .lifespan = Lifespan},
+            [&state, its = part.get()](std::uint64_t tag, const Payload& answer) {
+                state.answered(*its, tag, answer);
+            });
         if (!client) return client.error();
         part->client = std::move(client).value();
         state.parts.push_back(std::move(part));

@@ -92,7 +92,7 @@ Result<std::unique_ptr<ServiceClient>> ServiceClient::create(Node& node, const C
     std::unique_ptr<ServiceClient> client(new ServiceClient(std::make_unique<State>()));
     State& state = *client->m_state;
     state.name = settings.name;
-    state.answered = std::move(answered);
+    state.answered = answered ? std::move(answered) : [](std::uint64_t, const Payload&) {};
     const ServiceTopics topics = topicsOf(settings.name, settings.type);
     Qos qos;
     qos.depth = Depth;

@@ -29,7 +29,7 @@ public:
     /// thread for small samples. It must not destroy the client.
     using Answered = std::function<void(std::uint64_t tag, const Payload& answer)>;
 
-    /// Errors name the topic that the node may not use.
+    /// @p answered may be empty. Errors name the topic that the node may not use.
     [[nodiscard]] static Result<std::unique_ptr<ServiceClient>> create(Node& node,
                                                                        const ClientSettings& settings,
                                                                        Answered answered);

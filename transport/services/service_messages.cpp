@@ -25,6 +25,11 @@ Payload payloadOf(CdrWriter&& out) {
     return std::make_shared<const std::vector<std::byte>>(std::move(out).finish());
 }
 
+/// Whether a service of @p kind is asked to cancel goals.
+bool isOfGoals(ServiceKind kind) {
+    return kind == ServiceKind::CancelGoal || kind == ServiceKind::Navigate;
+}
+
 std::string cut(const std::string& text) {
     return printable(std::string_view(text).substr(0, MostText));
 }
@@ -61,7 +66,8 @@ Payload encodeRequest(ServiceKind kind, const ServiceRequest& request) {
             out.write(std::uint8_t{0});  // ROS 2 has no empty structures
             break;
         case ServiceKind::CancelGoal:
-            out.write(GoalInfo{});  // no goal and no time: all goals
+        case ServiceKind::Navigate:  // of an action, only this is asked so
+            out.write(GoalInfo{});   // no goal and no time: all goals
             break;
     }
     return payloadOf(std::move(out));
@@ -69,7 +75,7 @@ Payload encodeRequest(ServiceKind kind, const ServiceRequest& request) {
 
 Payload encodeAnswer(ServiceKind kind, const ServiceAnswer& answer) {
     CdrWriter out;
-    if (kind == ServiceKind::CancelGoal) {
+    if (isOfGoals(kind)) {
         out.write(answer.accepted ? Cancelled : std::int8_t{1});
         out.write(std::vector<GoalInfo>{});
     } else {
@@ -84,7 +90,7 @@ Result<ServiceRequest> decodeRequest(ServiceKind kind, std::span<const std::byte
     ServiceRequest request;
     if (kind == ServiceKind::Switch) {
         in.read("data", request.value);
-    } else if (kind == ServiceKind::CancelGoal) {
+    } else if (isOfGoals(kind)) {
         GoalInfo goal;
         in.read("goal_info", goal);
     } else {
@@ -98,7 +104,7 @@ Result<ServiceRequest> decodeRequest(ServiceKind kind, std::span<const std::byte
 Result<ServiceAnswer> decodeAnswer(ServiceKind kind, std::span<const std::byte> bytes) {
     CdrReader in(bytes);
     ServiceAnswer answer;
-    if (kind == ServiceKind::CancelGoal) {
+    if (isOfGoals(kind)) {
         std::int8_t code = 0;
         std::vector<GoalInfo> goals;
         in.read("return_code", code);

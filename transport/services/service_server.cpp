@@ -15,18 +15,15 @@ constexpr int Depth = 10;  // of the histories, as ROS 2's services have it
 
 struct ServiceServer::State {
     void receive(const ReceivedSample& sample) {
-        const auto request = decodeRequest(kind, *sample.event.cdr);
-        if (!request) return;
-        const auto answer = serve(*request);
+        const Payload answer = serve(sample.event.cdr);
         if (!answer) return;
         // The client's reader, where it says which; otherwise the writer of the request.
         const bool named = sample.related && sample.related->endpoint != Guid{};
         const SampleIdentity asked{named ? sample.related->endpoint : sample.writer, sample.writerSequence};
-        static_cast<void>(answers->write(encodeAnswer(kind, *answer), asked));
+        static_cast<void>(answers->write(answer, asked));
     }
 
-    ServiceKind kind{};
-    Serve serve;
+    ServeRaw serve;
     std::unique_ptr<Publisher> answers;
     std::unique_ptr<Subscription> requests;  ///< last: destroyed first
 };
@@ -38,8 +35,18 @@ Result<std::unique_ptr<ServiceServer>> ServiceServer::create(Node& node, const s
                                                              const std::string& type, Serve serve) {
     const ServiceFacts* const facts = serviceFacts(type);
     if (facts == nullptr) return Error{fmt::format("{}: {} is no type of services known here", name, type)};
+    return createRaw(node, name, type,
+                     [kind = facts->kind, serve = std::move(serve)](const Payload& bytes) -> Payload {
+                         const auto request = decodeRequest(kind, *bytes);
+                         if (!request) return nullptr;
+                         const auto answer = serve(*request);
+                         return answer ? encodeAnswer(kind, *answer) : nullptr;
+                     });
+}
+
+Result<std::unique_ptr<ServiceServer>> ServiceServer::createRaw(Node& node, const std::string& name,
+                                                                const std::string& type, ServeRaw serve) {
     auto state = std::make_unique<State>();
-    state->kind = facts->kind;
     state->serve = std::move(serve);
     const ServiceTopics topics = topicsOf(name, type);
     Qos qos;

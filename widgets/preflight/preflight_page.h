@@ -7,7 +7,7 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "widgets/models/live/preflight_list.h"
+#include "widgets/models/live/preflight/preflight_list.h"
 
 class QCheckBox;
 class QComboBox;

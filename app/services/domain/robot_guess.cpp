@@ -143,7 +143,7 @@ void addTopic(RobotGuess& guess, const SeenTopic& topic, const std::string& spac
     TopicVerdict verdict{.topic = topic, .role = {}, .remark = {}};
     if (const auto service = guessService(topic)) {
         guess.robot.services.push_back(*service);
-        verdict.remark = "a service that STOP calls";
+        verdict.remark = "a service or an action that the station calls";
         guess.topics.push_back(std::move(verdict));
         return;
     }
@@ -279,6 +279,16 @@ void leaveOutBlindCameras(RobotGuess& guess) {
     });
 }
 
+/// Leaves out what cancels the goals of an action that is there itself.
+void leaveOutCancels(std::vector<ServiceDescription>& services) {
+    const std::vector<ServiceDescription> all = services;
+    std::erase_if(services, [&](const ServiceDescription& one) {
+        return std::any_of(all.begin(), all.end(), [&](const ServiceDescription& action) {
+            return one.name == action.name + "/_action/cancel_goal";
+        });
+    });
+}
+
 }  // namespace
 
 std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
@@ -313,6 +323,7 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
     }
     std::vector<RobotGuess> result;
     for (auto& [space, guess] : guesses) {
+        leaveOutCancels(guess.robot.services);
         for (StreamDescription& stream : guess.robot.streams) {
             // Named robots share it with others that are here, or will be.
             if (!space.empty() && stream.topic == "/diagnostics") stream.hardwareId = space;

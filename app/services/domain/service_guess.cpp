@@ -42,11 +42,22 @@ std::string titleOf(const std::string& name, ServiceKind kind) {
     return "Goals of " + action.substr(action.rfind('/') + 1);
 }
 
+/// The action whose goals are sent by the service @p name of @p type; empty: it is no such service.
+std::optional<ServiceDescription> actionOf(const std::string& name, const std::string& type) {
+    constexpr std::string_view SendGoal = "/_action/send_goal", OfType = "_SendGoal";
+    if (!name.ends_with(SendGoal) || !type.ends_with(OfType)) return std::nullopt;
+    ServiceDescription action{.name = name.substr(0, name.size() - SendGoal.size()),
+                              .type = type.substr(0, type.size() - OfType.size())};
+    const ServiceFacts* const facts = serviceFacts(action.type);
+    return facts != nullptr && facts->kind == ServiceKind::Navigate ? std::optional(action) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<ServiceDescription> guessService(const SeenTopic& topic) {
     if (!topic.read || !topic.obstacle.empty()) return std::nullopt;
     ServiceDescription service{.name = serviceOf(topic.name), .type = serviceTypeOf(topic.type)};
+    if (auto action = actionOf(service.name, service.type)) return action;
     const ServiceFacts* const facts = serviceFacts(service.type);
     if (service.name.empty() || facts == nullptr) return std::nullopt;
     service.stop = partOf(service.name, facts->kind);

@@ -37,6 +37,11 @@ Result<void> RobotLine::open(Node& node, const std::string& station, Driving wit
         if (!publisher) return publisher.error();
         m_commands.emplace(role, Command{stream->type, std::move(publisher).value()});
     }
+    if (const ServiceDescription* const action = m_robot.navigation()) {
+        auto navigation = NavigationClient::create(node, action->name);
+        if (!navigation) return navigation.error();
+        m_navigation = std::move(navigation).value();
+    }
     LinkClientSettings pings;
     pings.station = station;
     watch.onStatus = [this, then = std::move(watch.onStatus)](const LinkStatus& status) {
@@ -70,6 +75,7 @@ Result<void> RobotLine::open(Node& node, const std::string& station, Driving wit
 void RobotLine::fillView(RobotView& robot) const {
     robot.link = m_link->status();
     m_sight.fillView(robot);
+    if (m_navigation) robot.navigation = m_navigation->view();
     if (!m_drive) return;
     const DriveStatus status = m_drive->status();
     robot.drive = {.drivable = true,
@@ -91,6 +97,19 @@ Result<void> RobotLine::publish(StreamRole role, const Sample& command) {
     const auto cdr = encode(command, found->second.type);
     if (!cdr) return cdr.error();
     return found->second.publisher->write(*cdr);
+}
+
+Result<void> RobotLine::goTo(const PoseSample& goal) {
+    if (m_navigation && m_navigation->view().offered) return m_navigation->go(goal);
+    if (m_navigation && !m_commands.contains(StreamRole::GoalPose)) {
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: nobody offers its navigation {}"),
+                                     m_robot.name, m_robot.navigation()->name)};
+    }
+    return publish(StreamRole::GoalPose, goal);
+}
+
+void RobotLine::cancelGoal() {
+    if (m_navigation) m_navigation->cancel();
 }
 
 }  // namespace leitstand

@@ -13,6 +13,7 @@
 #include "core/robot/robot_description.h"
 #include "transport/link/drive_streamer.h"
 #include "transport/link/link_client.h"
+#include "transport/services/navigation_client.h"
 
 namespace leitstand {
 
@@ -44,6 +45,11 @@ public:
     /// Publishes a command other than for driving and stopping. Error when the robot does not take such
     /// commands.
     Result<void> publish(StreamRole role, const Sample& command);
+    /// Sends the robot to @p goal: by the action of its navigation if that is offered, otherwise by its
+    /// topic.
+    Result<void> goTo(const PoseSample& goal);
+    /// Asks the robot's navigation to give up its goal; does nothing if it has none.
+    void cancelGoal();
 
 private:
     RobotLine(const RobotDescription& robot) : m_robot(robot), m_sight(m_robot) {}
@@ -60,6 +66,7 @@ private:
     std::map<StreamRole, Command> m_commands;
     std::unique_ptr<LinkClient> m_link;
     std::unique_ptr<DriveStreamer> m_drive;
+    std::unique_ptr<NavigationClient> m_navigation;  ///< null: the robot's file names none
 };
 
 }  // namespace leitstand

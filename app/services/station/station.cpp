@@ -177,7 +177,15 @@ Result<void> Station::goTo(const std::string& robot, const PoseSample& goal) {
             translate("leitstand::Station", "{} is stopped: it is sent nowhere before its release"), robot)};
     PoseSample stamped = goal;
     stamped.header.stamp = stationTime();
-    return m_state->request(robot, StreamRole::GoalPose, stamped);
+    RobotLine* const line = m_state->line(robot);
+    if (line == nullptr)
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "\"{}\" is none of the station's robots"), robot)};
+    return line->goTo(stamped);
+}
+
+void Station::cancelGoal(const std::string& robot) {
+    if (RobotLine* const line = m_state->line(robot)) line->cancelGoal();
 }
 
 std::vector<std::string> Station::limits() const {

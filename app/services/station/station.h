@@ -131,6 +131,8 @@ public:
     [[nodiscard]] Result<void> maySend(const std::string& robot) const;
     /// Sends @p robot to @p goal. Errors include those of maySend(), and that a stop of it is in force.
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
+    /// Asks the navigation of @p robot to give up its goal; does nothing if it has none, or none is known.
+    void cancelGoal(const std::string& robot);
     [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do when commands end
     [[nodiscard]] StationGuards& guards();    ///< guards of robots that continue to drive when commands end
     [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send, and the thin link

@@ -43,7 +43,8 @@ void readStop(const YamlFields& fields, ServiceDescription& service) {
     bool stop = false;
     if (!fields.flag("stop", stop)) return;
     service.stop = stop;
-    if (!stop && serviceFacts(service.type)->kind == ServiceKind::CancelGoal)
+    const ServiceKind kind = serviceFacts(service.type)->kind;
+    if (!stop && kind == ServiceKind::CancelGoal)
         fields.fail("stop", translate("leitstand::Error",
                                       "expected true, since a release gives no goals back, found false"));
 }

@@ -12,6 +12,7 @@ constexpr ServiceFacts Table[] = {
     {"std_srvs/srv/Trigger", ServiceKind::Trigger},
     {"irobot_create_msgs/srv/EStop", ServiceKind::Switch},
     {"action_msgs/srv/CancelGoal", ServiceKind::CancelGoal},
+    {"nav2_msgs/action/NavigateToPose", ServiceKind::Navigate},
 };
 
 }  // namespace
@@ -28,14 +29,17 @@ const ServiceFacts* serviceFacts(std::string_view type) {
 
 std::optional<ServiceRequest> stopRequest(const ServiceDescription& service) {
     const ServiceFacts* const facts = serviceFacts(service.type);
-    if (facts == nullptr || !service.stop) return std::nullopt;
+    if (facts == nullptr) return std::nullopt;
+    if (facts->kind == ServiceKind::Navigate)
+        return service.stop.value_or(true) ? std::optional(ServiceRequest{true}) : std::nullopt;
+    if (!service.stop) return std::nullopt;
     if (facts->kind == ServiceKind::Switch) return ServiceRequest{*service.stop};
     return *service.stop ? std::optional(ServiceRequest{true}) : std::nullopt;
 }
 
 std::optional<ServiceRequest> releaseRequest(const ServiceDescription& service) {
     const ServiceFacts* const facts = serviceFacts(service.type);
-    if (facts == nullptr || !service.stop) return std::nullopt;
+    if (facts == nullptr || !service.stop || facts->kind == ServiceKind::Navigate) return std::nullopt;
     if (facts->kind == ServiceKind::Switch) return ServiceRequest{!*service.stop};
     return *service.stop ? std::nullopt : std::optional(ServiceRequest{false});
 }

@@ -13,6 +13,9 @@ enum class ServiceKind : std::uint8_t {
     Switch,      ///< sets a flag; answers success and a message (std_srvs/srv/SetBool)
     Trigger,     ///< is asked nothing; answers as Switch does (std_srvs/srv/Trigger)
     CancelGoal,  ///< cancels all goals of an action (action_msgs/srv/CancelGoal)
+    /// An action that drives the robot to a place (nav2_msgs/action/NavigateToPose). A stop cancels its
+    /// goals, unless ServiceDescription::stop is false.
+    Navigate,
 };
 
 /// A type of services that the station can call.
@@ -32,7 +35,8 @@ struct ServiceDescription {
     std::string type = {};   ///< a type of serviceTable()
     std::string title = {};  ///< for the operator; empty: `name`
     /// Its part in a STOP; empty: none. A Switch is set to this value by a stop, and to the other value by
-    /// the release. A Trigger is called by a stop (true) or by the release (false). A CancelGoal: true.
+    /// the release. A Trigger is called by a stop (true) or by the release (false). Of an action, the goals
+    /// are cancelled by a stop (true).
     std::optional<bool> stop = {};
     friend bool operator==(const ServiceDescription&, const ServiceDescription&) = default;
 };

@@ -31,6 +31,7 @@
 #include "robots/simulation/process/truth_exchange.h"
 #include "robots/simulation/simulated_hardware.h"
 #include "robots/simulation/stock/stock_localisation.h"
+#include "robots/simulation/stock/stock_navigation.h"
 #include "robots/simulation/stock/stock_others.h"
 #include "robots/simulation/stock/stock_profile.h"
 #include "robots/simulation/stock/stock_services.h"
@@ -134,13 +135,14 @@ struct Life {
     RobotWire& wire;
     StockOthers& others;
     const StockServices& services;
+    StockNavigation* navigation;  ///< null: the robot has none
     StockLocalisation& localisation;
     TruthExchange& truth;
     FrozenPictures& cameras;
 };
 
 void turn(const Life& life) {
-    auto& [world, agent, wire, others, services, localisation, truth, cameras] = life;
+    auto& [world, agent, wire, others, services, navigation, localisation, truth, cameras] = life;
     truth.take(world);
     world.advance(Pace::Step);
     for (const ReceivedCommand& command : wire.take()) {
@@ -152,6 +154,10 @@ void turn(const Life& life) {
     }
     if (services.motorsAreOff()) agent.receive(StreamRole::DriveCommand, TwistSample{}, {});
     std::vector<HardwareSample> samples = agent.step();
+    if (navigation != nullptr) {
+        const auto command = navigation->step(world.now(), samples);
+        if (command && !services.motorsAreOff()) agent.receive(StreamRole::DriveCommand, *command, {});
+    }
     for (HardwareSample& added : localisation.step(world, samples)) samples.push_back(std::move(added));
     for (HardwareSample& sample : samples) {
         cameras.pass(sample, frozen != 0);
@@ -236,6 +242,8 @@ Result<void> runRobot(const RobotOptions& options) {
     if (options.stock == nullptr) offering.services.clear();  // ours have topics for it
     const auto services = StockServices::create(**node, offering);
     if (!services) return services.error();
+    const auto navigation = StockNavigation::create(**node, offering);
+    if (!navigation) return navigation.error();
     const auto truth = TruthExchange::create(**truths, *arena, options.kind, *robot, number);
     if (!truth) return truth.error();
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, end);
@@ -245,7 +253,8 @@ Result<void> runRobot(const RobotOptions& options) {
     std::fflush(stdout);
     FrozenPictures cameras;
     StockLocalisation localisation(world, number, *robot);
-    live({world, **agent, **wire, others, **services, localisation, **truth, cameras}, pace);
+    live({world, **agent, **wire, others, **services, navigation->get(), localisation, **truth, cameras},
+         pace);
     return {};
 }
 

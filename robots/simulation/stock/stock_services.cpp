@@ -9,6 +9,7 @@ Result<std::unique_ptr<StockServices>> StockServices::create(Node& node, const R
     StockServices& its = *services;
     for (const ServiceDescription& service : robot.services) {
         const ServiceFacts* const facts = serviceFacts(service.type);
+        if (facts != nullptr && facts->kind == ServiceKind::Navigate) continue;  // StockNavigation
         const bool eStop = facts != nullptr && facts->kind == ServiceKind::Switch && service.stop;
         auto server = ServiceServer::create(
             node, service.name, service.type,

@@ -15,12 +15,14 @@
 #include "app/services/log/live_mission.h"
 #include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
+#include "app/window/input/selection.h"
 #include "app/window/layouts/layout_feature.h"
 #include "core/cloud/labels.h"
 #include "core/event/map_samples.h"
 #include "core/event/motion_samples.h"
 #include "core/event/stream_role.h"
 #include "core/mapping/live/map/live_map.h"
+#include "core/mapping/live/robot_in_map.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/child_process.h"
 #include "tests/support/places.h"
@@ -45,6 +47,17 @@ protected:
     [[nodiscard]] std::size_t keyScans() const {
         const LiveMapPtr map = station().mapping().scans();
         return map->scans.size();
+    }
+    [[nodiscard]] Pose baseInMap() const {
+        for (const RobotInMap& place : *m_bridge->moment().places)
+            if (place.robot == "turtlebot4" && place.placed) return place.baseInMap;
+        return Pose::Identity();
+    }
+    [[nodiscard]] GoalStage stage() const { return station().robot("turtlebot4").navigation.stage; }
+    /// Sends the robot @p ahead [m] by a double click on the map.
+    [[nodiscard]] bool goesAhead(double ahead) {
+        emit m_window->mapView().groundActivated(baseInMap() * Eigen::Vector3d(ahead, 0, 0));
+        return soon([&] { return stage() == GoalStage::UnderWay; });
     }
     void trigger(const char* id) {
         QAction* const action = m_window->commands().find(id);
@@ -156,6 +169,39 @@ TEST_F(TurtleBotPage, IsMappedWhileItDrives) {
     EXPECT_GE(certain, static_cast<std::ptrdiff_t>(map->scans.size()) - 1);
     for (const LiveKeyScan& scan : map->scans) EXPECT_TRUE(isPlaneScan(scan.scan->points));
     lookAt("plane_map");
+}
+
+TEST_F(TurtleBotPage, IsSentByItsOwnNavigationUntilItArrivesOrIsStopped) {
+    ASSERT_TRUE(soon([&] { return keyScans() > 0 && m_window->missing().isEmpty(); })) << m_robot->out();
+    ASSERT_TRUE(soon([&] { return station().robot("turtlebot4").navigation.offered; }));
+    m_window->layouts().use("map");
+    m_window->selection().select("turtlebot4");
+    ASSERT_TRUE(goesAhead(0.6)) << m_window->recent().join("; ").toStdString();
+    ASSERT_TRUE(soon([&] { return std::isfinite(station().robot("turtlebot4").navigation.metresLeft); }));
+    lookAt("navigation");
+    EXPECT_TRUE(soon([&] { return isSaid("TurtleBot 4 has arrived"); }));
+
+    ASSERT_TRUE(goesAhead(-0.6));
+    station().stopAll();
+    EXPECT_TRUE(soon([&] { return stage() == GoalStage::Cancelled; }));
+    EXPECT_TRUE(soon([&] { return station().robot("turtlebot4").stop.standing; }));
+    for (const StopServiceStatus& service : station().robot("turtlebot4").stop.services) {
+        EXPECT_TRUE(service.offered) << service.title;
+        EXPECT_EQ(service.stage, StopServiceStatus::Stage::Stopped) << service.title;
+    }
+    lookAt("navigation_stopped");
+    EXPECT_FALSE(isSaid("was cancelled")) << "everybody knows why";
+    ASSERT_TRUE(soon([&] { return station().release("turtlebot4").ok(); }));
+    ASSERT_TRUE(soon([&] { return !station().robot("turtlebot4").stop.releasing; }));
+    m_window->activateWindow();
+    ASSERT_TRUE(soon([&] { return m_window->isActiveWindow(); }));
+    press(Qt::Key_F2);
+    ASSERT_TRUE(soon([&] { return mayDrive("turtlebot4"); }));
+    ASSERT_TRUE(goesAhead(-0.6)) << "it may go again";
+    QTest::keyPress(m_window.get(), Qt::Key_D);
+    EXPECT_TRUE(soon([&] { return isSaid("its goal is cancelled, since you drive"); }));
+    QTest::keyRelease(m_window.get(), Qt::Key_D);
+    EXPECT_TRUE(soon([&] { return stage() == GoalStage::Cancelled; }));
 }
 
 }  // namespace

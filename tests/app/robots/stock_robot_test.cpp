@@ -73,7 +73,10 @@ TEST(StockRobots, ATurtleBot4IsOneRobotWithWhatTheStationCanUse) {
     for (const ServiceDescription& service : written.services) services[service.name] = service.stop;
     EXPECT_EQ(services.size(), 4U) << found.text;
     EXPECT_EQ(services["/e_stop"], true);
-    EXPECT_EQ(services["/navigate_to_pose/_action/cancel_goal"], true);
+    EXPECT_EQ(services["/follow_waypoints/_action/cancel_goal"], true);
+    ASSERT_NE(written.navigation(), nullptr) << found.text;
+    EXPECT_EQ(written.navigation()->name, "/navigate_to_pose");
+    EXPECT_TRUE(written.takesGoals());
 }
 
 TEST(StockRobots, TwoOfOneKindAreToldApartByTheirNamespaces) {

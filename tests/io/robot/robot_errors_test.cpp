@@ -115,8 +115,8 @@ TEST(RobotErrors, TellWhatIsWrongWithTheRobot) {
 
 TEST(RobotErrors, TellWhatIsWrongWithServices) {
     const std::string known =
-        "expected std_srvs/srv/SetBool, std_srvs/srv/Trigger, irobot_create_msgs/srv/EStop or "
-        "action_msgs/srv/CancelGoal, found ";
+        "expected std_srvs/srv/SetBool, std_srvs/srv/Trigger, irobot_create_msgs/srv/EStop, "
+        "action_msgs/srv/CancelGoal or nav2_msgs/action/NavigateToPose, found ";
     expectErrors({
         top("services: 5", "services: expected a list, found \"5\""),
         top("services:\n  - {type: std_srvs/srv/Trigger}",

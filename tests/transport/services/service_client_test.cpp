@@ -218,7 +218,8 @@ TEST_F(cycloneService, IsCalledAndAnswers) {
     EXPECT_EQ(caller.answer(caller.call(true)), (ServiceAnswer{true, "on"})) << m_service->out();
     EXPECT_EQ(caller.answer(caller.call(false)), (ServiceAnswer{false, "off"})) << m_service->out();
     EXPECT_EQ(caller.answers(), 2U) << "what was meant for somebody else was taken";
-    EXPECT_THAT(m_service->out(), testing::EndsWith("asked 1\nasked 0\n"));
+    EXPECT_TRUE(waitUntil([&] { return m_service->out().ends_with("asked 1\nasked 0\n"); }))
+        << m_service->out();
 }
 
 TEST_F(cycloneService, AnswersThatCrossReachTheirCallers) {

@@ -1,4 +1,4 @@
-#include "widgets/models/live/preflight_list.h"
+#include "widgets/models/live/preflight/preflight_list.h"
 
 #include <set>
 

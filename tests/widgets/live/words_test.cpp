@@ -14,6 +14,7 @@
 #include "tests/widgets/live/sample_robot.h"
 #include "widgets/models/live/robots/drive_state.h"
 #include "widgets/models/live/robots/robot_chip.h"
+#include "widgets/models/live/texts/goal_text.h"
 #include "widgets/models/live/texts/link_text.h"
 #include "widgets/models/live/texts/sight_text.h"
 #include "widgets/models/live/texts/stop_line.h"
@@ -173,6 +174,32 @@ TEST_F(LiveWords, OnlyTheHolderReleasesAndIsToldWhyNot) {
     robot.view.stop.sent = true;
     EXPECT_EQ(stopLineOf(robot.face, robot.view).text.toStdString(), "held by zeros");
     EXPECT_TRUE(stopLineOf(robot.face, robot.view).releasable);
+}
+
+TEST_F(LiveWords, ARobotOnItsWayToAGoalDrivesItself) {
+    robot.reported.mode = nullptr;
+    NavigationView& navigation = robot.view.navigation;
+    const auto label = [this] { return modeLabelOf(robot.view, robot.reported.mode); };
+    robot.view.drive.driving = false;
+    EXPECT_FALSE(drivesItself(robot.view, robot.reported.mode));
+    navigation.stage = GoalStage::UnderWay;
+    EXPECT_EQ(label().text.toStdString(), "TO ITS GOAL");
+    EXPECT_EQ(label().reason.toStdString(), "drives to its goal");
+    navigation.metresLeft = 3.21;
+    navigation.secondsLeft = 12.4;
+    navigation.recoveries = 2;
+    EXPECT_THAT(label().reason.toStdString(), HasSubstr("3.2 m to go · 12"));
+    EXPECT_THAT(label().reason.toStdString(), HasSubstr("stuck: 2"));
+    EXPECT_TRUE(drivesItself(robot.view, robot.reported.mode));
+    robot.view.link.state = LinkState::Lost;
+    EXPECT_TRUE(drivesItself(robot.view, robot.reported.mode)) << "it goes on";
+    robot.view.link.state = LinkState::Connected;
+    for (const GoalStage stage : {GoalStage::None, GoalStage::Arrived, GoalStage::Cancelled,
+                                  GoalStage::Failed, GoalStage::Refused, GoalStage::Unanswered}) {
+        navigation.stage = stage;
+        EXPECT_FALSE(drivesItself(robot.view, robot.reported.mode));
+        EXPECT_EQ(goalEnd(stage).isEmpty(), stage == GoalStage::None);
+    }
 }
 
 TEST_F(LiveWords, AStopBySeveralServicesSaysWhichLags) {

@@ -20,6 +20,7 @@
 #include "core/event/stream_role.h"
 #include "core/mapping/live/map/moved_places.h"
 #include "core/robot/goal.h"
+#include "widgets/models/live/texts/goal_text.h"
 #include "widgets/models/others_text.h"
 
 namespace leitstand {
@@ -70,7 +71,7 @@ GoTo::GoTo(const LiveContext& context, MapView& map, MapGestures& gestures, Robo
 
 void GoTo::showSelected() {
     const RobotDescription* const robot = m_context.selection.robot();
-    m_action->setEnabled(robot != nullptr && robot->stream(StreamRole::GoalPose) != nullptr);
+    m_action->setEnabled(robot != nullptr && robot->takesGoals());
     if (m_action->isChecked()) m_gestures.disarm();
 }
 
@@ -117,10 +118,14 @@ void GoTo::takeBack() {
     const std::string robot = m_context.selection.name().toStdString();
     m_question->forget(robot);
     const auto way = m_ways.find(robot);
-    if (way == m_ways.end() || way->second.sent) return;
+    if (way == m_ways.end() || (way->second.sent && !way->second.followed)) return;
+    const QString title = m_context.selection.face().title;
+    m_context.notify((way->second.sent ? tr("%1: its goal is cancelled, since it was halted")
+                                       : tr("%1 is not sent: it was halted"))
+                         .arg(title));
+    if (way->second.sent) m_context.station.cancelGoal(robot);
     m_robots.setGoal(robot, std::nullopt);
     m_ways.erase(way);
-    m_context.notify(tr("%1 is not sent: it was halted").arg(m_context.selection.face().title));
 }
 
 std::optional<RobotInMap> GoTo::placeOf(const std::string& robot) const {
@@ -165,6 +170,7 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
             if (!send(robot, way, moment)) return true;
             way.sent = true;
             way.asked = moment.now;
+            way.followed = m_context.station.robot(robot).navigation.stage != GoalStage::None;
         } else if (late) {
             m_context.notify((mine ? tr("%1 was not sent: its odometry restarted, and nobody knows where")
                                    : tr("%1 was not sent: another station has its drive control"))
@@ -173,6 +179,7 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
         }
         return false;
     }
+    if (way.followed) return hasEnded(robot, moment);
     const RobotState& reported = moment.reported(robot);
     const bool drives = reported.mode && reported.mode->sample.mode == DrivesByItself;
     way.began = way.began || drives;
@@ -181,6 +188,21 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
     if (moment.now - way.moved > Patience) return true;  // it has come as near as it can, or gave up
     const RobotMark mark = m_robots.mark(robot);
     return (mark.baseInMap.translation() - way.goalInMap.translation()).head<2>().norm() < Arrived;
+}
+
+bool GoTo::hasEnded(const std::string& robot, const LiveMoment& moment) {
+    const RobotView& view = moment.view(robot);
+    if (const QString end = goalEnd(view.navigation.stage); !end.isEmpty()) {
+        // After a stop everybody knows why.
+        if (!view.stop.sent && !view.stop.stopped) m_context.notify(end.arg(titleOf(robot)));
+        return true;
+    }
+    if (view.drive.driving && !isZero(view.drive.velocity)) {
+        m_context.station.cancelGoal(robot);  // else both would drive it
+        m_context.notify(tr("%1: its goal is cancelled, since you drive").arg(titleOf(robot)));
+        return true;
+    }
+    return false;
 }
 
 void GoTo::follow(const LiveMoment& moment) {
@@ -202,6 +224,7 @@ bool GoTo::underWay(const std::string& robot, const Way& way) const {
     const LiveMoment& moment = m_context.source.moment();
     const StopStatus& stop = moment.view(robot).stop;
     if (!way.sent || stop.sent || stop.stopped || stop.releasing) return false;
+    if (way.followed) return true;
     const RobotState& reported = moment.reported(robot);
     const bool drives = reported.mode && reported.mode->sample.mode == DrivesByItself;
     // The goal was sent, and the robot has not reported since: it is about to begin.
@@ -210,6 +233,8 @@ bool GoTo::underWay(const std::string& robot, const Way& way) const {
 }
 
 void GoTo::stay(const std::string& robot) {
+    if (m_context.station.robot(robot).navigation.stage != GoalStage::None)
+        return m_context.station.cancelGoal(robot);
     // Its present pose becomes its goal: a robot knows goals, but not that one is withdrawn. In its odometry,
     // because its place in a map that moves is doubtful.
     const RobotState& reported = m_context.source.moment().reported(robot);

@@ -34,8 +34,8 @@ public:
     /// Sends the selected robot to @p pose. If the pose has no heading, it gets the direction from the robot
     /// to it.
     void go(const GroundPose& pose);
-    /// Discards the selected robot's goal if it still waits until the robot may be driven. Also ends a
-    /// question about the goal.
+    /// Discards the selected robot's goal if it still waits until the robot may be driven, or cancels it if
+    /// the robot's navigation follows it. Also ends a question about the goal.
     void takeBack();
 
 private:
@@ -44,7 +44,8 @@ private:
         Pose goalInMap;
         Time asked{};
         bool sent = false, began = false;
-        Time moved{};  ///< stamp of the last odometry that showed motion
+        bool followed = false;  ///< whether the robot's navigation reports what becomes of it
+        Time moved{};           ///< stamp of the last odometry that showed motion
     };
     void arm(bool on);
     void begin(const std::string& robot, const Pose& goalInMap);
@@ -64,6 +65,8 @@ private:
     /// Sends the goal when the station holds the grant. Returns whether @p way has ended: reached, given up,
     /// stopped, or never sent.
     [[nodiscard]] bool over(const std::string& robot, Way& way, const LiveMoment& moment);
+    /// over() for a goal that the robot's navigation follows.
+    [[nodiscard]] bool hasEnded(const std::string& robot, const LiveMoment& moment);
     void showSelected();
 
     LiveContext m_context;

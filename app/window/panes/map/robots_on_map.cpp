@@ -14,6 +14,7 @@
 #include "app/window/panes/map/map_gestures.h"
 #include "app/window/source/moment_source.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/models/live/texts/goal_text.h"
 #include "widgets/models/map/robots/robot_marks.h"
 
 namespace leitstand {
@@ -125,6 +126,8 @@ void RobotsOnMap::show(const LiveMoment& moment) {
             unplaced.push_back(face);
             continue;
         }
+        if (goal != m_goals.end() && mark->note.isEmpty())
+            mark->note = goalNote(moment.view(robot.name).navigation);
         mark->plans = m_plans[robot.name].at(moment.reported(robot.name), *place, moment.now);
         m_marks.emplace(robot.name, *mark);
         marks.push_back(*mark);

@@ -9,6 +9,7 @@
 #include "core/event/stream_role.h"
 #include "core/robot/robot_format.h"
 #include "widgets/models/live/texts/freshness.h"
+#include "widgets/models/live/texts/goal_text.h"
 #include "widgets/models/numbers.h"
 #include "widgets/models/others_text.h"
 
@@ -33,6 +34,9 @@ ModeLabel labelWithoutWord(const RobotView& robot) {
                 ModeTexts::tr("TELEOPERATION"),
                 {},
                 modeBrief("teleoperation").toUpper()};
+    // While it is on its way there is something to say of it.
+    if (const QString way = goalNote(robot.navigation); !way.isEmpty())
+        return {ModeKind::Autonomous, ModeTexts::tr("TO ITS GOAL"), way, ModeTexts::tr("GOAL")};
     const auto& streams = robot.link.streams;
     const bool reports = std::any_of(streams.begin(), streams.end(),
                                      [](const StreamStatus& one) { return one.role == StreamRole::Mode; });
@@ -110,6 +114,7 @@ ModeLabel modeLabelOf(const RobotView& robot, const LatestPtr<ModeSample>& repor
 bool drivesItself(const RobotView& robot, const LatestPtr<ModeSample>& reported) {
     const ModeKind kind = modeLabelOf(robot, reported).kind;
     if (kind != ModeKind::Lost) return kind == ModeKind::Autonomous;
+    if (!goalNote(robot.navigation).isEmpty()) return true;
     return reported && labelOf(reported->sample).kind == ModeKind::Autonomous && !robot.stop.stopped;
 }
 

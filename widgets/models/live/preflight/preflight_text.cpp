@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "widgets/models/live/preflight_list.h"
+#include "widgets/models/live/preflight/preflight_list.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/live/texts/link_text.h"
 #include "widgets/models/numbers.h"
