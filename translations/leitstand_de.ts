@@ -3287,6 +3287,10 @@ Funk: %4 %5</translation>
         <source>{}: nobody offers its navigation {}</source>
         <translation>{}: Niemand bietet seine Navigation {} an</translation>
     </message>
+    <message>
+        <source>{}: its file names no service {}</source>
+        <translation>{}: Seine Datei nennt keinen Dienst {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -8077,6 +8081,35 @@ F1 listet alle Tasten</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ServiceMenu</name>
+    <message>
+        <source>Se&amp;rvices</source>
+        <translation>&amp;Dienste</translation>
+    </message>
+    <message>
+        <source>%1: on</source>
+        <comment>a service that switches something</comment>
+        <translation>%1: an</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <comment>a service that switches something</comment>
+        <translation>%1: aus</translation>
+    </message>
+    <message>
+        <source>%1 has none</source>
+        <translation>%1 hat keine</translation>
+    </message>
+    <message>
+        <source>Calls %1</source>
+        <translation>Ruft %1 auf</translation>
+    </message>
+    <message>
+        <source>Nobody offers %1 now</source>
+        <translation>Niemand bietet %1 gerade an</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::SightLine</name>
     <message>
         <source>the picture is %1 old</source>
@@ -8549,6 +8582,38 @@ F1 listet alle Tasten</translation>
         <source>{} is stopped: it is sent nowhere before its release</source>
         <translation>{} ist gestoppt: vor der Freigabe wird er nirgendwohin geschickt</translation>
     </message>
+    <message>
+        <source>{} on</source>
+        <translation>{} an</translation>
+    </message>
+    <message>
+        <source>{} off</source>
+        <translation>{} aus</translation>
+    </message>
+    <message>
+        <source>{}: no answer</source>
+        <translation>{}: keine Antwort</translation>
+    </message>
+    <message>
+        <source>{}: done</source>
+        <translation>{}: erledigt</translation>
+    </message>
+    <message>
+        <source>{}: done ({})</source>
+        <translation>{}: erledigt ({})</translation>
+    </message>
+    <message>
+        <source>{}: refused</source>
+        <translation>{}: abgelehnt</translation>
+    </message>
+    <message>
+        <source>{}: refused ({})</source>
+        <translation>{}: abgelehnt ({})</translation>
+    </message>
+    <message>
+        <source>{}: another station has its drive control</source>
+        <translation>{}: Eine andere Station hat das Fahrrecht</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -8709,12 +8774,14 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <source>%1 confirmed it.</source>
         <translation>%1 hat bestätigt.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n services confirmed it.</source>
-        <translation>
-            <numerusform>%n Dienst hat bestätigt.</numerusform>
-            <numerusform>%n Dienste haben bestätigt.</numerusform>
-        </translation>
+    <message>
+        <source>%1 cannot be called: %2.</source>
+        <comment>a service, why</comment>
+        <translation>%1 lässt sich nicht aufrufen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 services confirmed it.</source>
+        <translation>%1 Dienste haben bestätigt.</translation>
     </message>
 </context>
 <context>

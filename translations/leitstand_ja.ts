@@ -3287,6 +3287,10 @@ Link: %4 %5</source>
         <source>{}: nobody offers its navigation {}</source>
         <translation>{}：ナビゲーション {} を提供するノードがありません</translation>
     </message>
+    <message>
+        <source>{}: its file names no service {}</source>
+        <translation>{}：ファイルにサービス {} がありません</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -8077,6 +8081,35 @@ F1 でキー一覧</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ServiceMenu</name>
+    <message>
+        <source>Se&amp;rvices</source>
+        <translation>サービス(&amp;R)</translation>
+    </message>
+    <message>
+        <source>%1: on</source>
+        <comment>a service that switches something</comment>
+        <translation>%1：オン</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <comment>a service that switches something</comment>
+        <translation>%1：オフ</translation>
+    </message>
+    <message>
+        <source>%1 has none</source>
+        <translation>%1 にはありません</translation>
+    </message>
+    <message>
+        <source>Calls %1</source>
+        <translation>%1 を呼び出します</translation>
+    </message>
+    <message>
+        <source>Nobody offers %1 now</source>
+        <translation>%1 を提供するノードが今はありません</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::SightLine</name>
     <message>
         <source>the picture is %1 old</source>
@@ -8549,6 +8582,38 @@ F1 でキー一覧</translation>
         <source>{} is stopped: it is sent nowhere before its release</source>
         <translation>{} は停止中です：解除するまでどこへも送れません</translation>
     </message>
+    <message>
+        <source>{} on</source>
+        <translation>{} オン</translation>
+    </message>
+    <message>
+        <source>{} off</source>
+        <translation>{} オフ</translation>
+    </message>
+    <message>
+        <source>{}: no answer</source>
+        <translation>{}：応答なし</translation>
+    </message>
+    <message>
+        <source>{}: done</source>
+        <translation>{}：完了</translation>
+    </message>
+    <message>
+        <source>{}: done ({})</source>
+        <translation>{}：完了（{}）</translation>
+    </message>
+    <message>
+        <source>{}: refused</source>
+        <translation>{}：拒否</translation>
+    </message>
+    <message>
+        <source>{}: refused ({})</source>
+        <translation>{}：拒否（{}）</translation>
+    </message>
+    <message>
+        <source>{}: another station has its drive control</source>
+        <translation>{}：操縦権は別の操作卓にあります</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::StickGauge</name>
@@ -8709,11 +8774,14 @@ A function of this program, no certified emergency stop.</source>
         <source>%1 confirmed it.</source>
         <translation>%1 が確認しました。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n services confirmed it.</source>
-        <translation>
-            <numerusform>%n 個のサービスが確認しました。</numerusform>
-        </translation>
+    <message>
+        <source>%1 cannot be called: %2.</source>
+        <comment>a service, why</comment>
+        <translation>%1 を呼び出せません：%2。</translation>
+    </message>
+    <message>
+        <source>%1 services confirmed it.</source>
+        <translation>%1 個のサービスが確認しました。</translation>
     </message>
 </context>
 <context>

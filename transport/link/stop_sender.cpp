@@ -185,9 +185,8 @@ Result<void> StopSender::State::add(Node& node, const RobotDescription& descript
     }
     if (auto subscribed = listen(StreamRole::Odometry, robot.odometry); !subscribed) return subscribed;
     auto services = StopServices::create(node, description, [this] { wake(); });
-    if (!services) return services.error();
     const std::lock_guard lock(mutex);
-    robot.services = std::move(services).value();
+    robot.services = std::move(services);
     return {};
 }
 

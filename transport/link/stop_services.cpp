@@ -27,8 +27,9 @@ struct StopServices::State {
             : stop(service), kind(serviceFacts(service.type)->kind) {}
         ServiceStop stop;  ///< under the mutex
         ServiceKind kind;
-        std::vector<Guid> servers = {};  ///< of the thread that calls step()
-        std::unique_ptr<ServiceClient> client = {};
+        std::vector<Guid> servers = {};              ///< of the thread that calls step()
+        std::unique_ptr<ServiceClient> client = {};  ///< null: the node may not call it
+        std::string problem = {};                    ///< why there is no client
     };
 
     void answered(Part& part, std::uint64_t tag, const Payload& answer) {
@@ -62,8 +63,8 @@ StopServices::~StopServices() {
     for (const auto& part : m_state->parts) part->client.reset();  // its callback uses the rest
 }
 
-Result<std::unique_ptr<StopServices>> StopServices::create(Node& node, const RobotDescription& robot,
-                                                           std::function<void()> changed) {
+std::unique_ptr<StopServices> StopServices::create(Node& node, const RobotDescription& robot,
+                                                   std::function<void()> changed) {
     std::unique_ptr<StopServices> services(new StopServices(std::make_unique<State>()));
     State& state = *services->m_state;
     state.changed = std::move(changed);
@@ -79,8 +80,11 @@ Result<std::unique_ptr<StopServices>> StopServices::create(Node& node, const Rob
             [&state, its = part.get()](std::uint64_t tag, const Payload& answer) {
                 state.answered(*its, tag, answer);
             });
-        if (!client) return client.error();
-        part->client = std::move(client).value();
+        // The rest stops the robot all the same.
+        if (client)
+            part->client = std::move(client).value();
+        else
+            part->problem = client.error().text;
         state.parts.push_back(std::move(part));
     }
     return services;
@@ -108,6 +112,7 @@ bool StopServices::step(SteadyTime now) {
     if (looks) m_state->lookNext = now + LookEvery;
     bool revoked = false;
     for (const auto& part : m_state->parts) {
+        if (!part->client) continue;
         if (looks) m_state->look(*part, now);
         std::optional<ServiceStop::Call> call;
         {
@@ -131,7 +136,10 @@ std::vector<StopServiceStatus> StopServices::status() const {
     const std::lock_guard lock(m_state->mutex);
     std::vector<StopServiceStatus> all;
     all.reserve(m_state->parts.size());
-    for (const auto& part : m_state->parts) all.push_back(part->stop.status());
+    for (const auto& part : m_state->parts) {
+        all.push_back(part->stop.status());
+        if (!part->client) all.back().message = part->problem;
+    }
     return all;
 }
 

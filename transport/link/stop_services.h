@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/result.h"
 #include "core/base/time.h"
 #include "core/robot/control/stop/stop_status.h"
 #include "core/robot/robot_description.h"
@@ -16,11 +15,10 @@ namespace leitstand {
 /// waits for the network.
 class StopServices {
 public:
-    /// Calls @p changed from the node's thread when an answer came. Errors name the topic that the node may
-    /// not use.
-    [[nodiscard]] static Result<std::unique_ptr<StopServices>> create(Node& node,
-                                                                      const RobotDescription& robot,
-                                                                      std::function<void()> changed);
+    /// Calls @p changed from the node's thread when an answer came. A service that the node may not call, as
+    /// without permission, is one that nobody offers; its status says why.
+    [[nodiscard]] static std::unique_ptr<StopServices> create(Node& node, const RobotDescription& robot,
+                                                              std::function<void()> changed);
     ~StopServices();
     StopServices(const StopServices&) = delete;
     StopServices& operator=(const StopServices&) = delete;

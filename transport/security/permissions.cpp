@@ -50,6 +50,7 @@ std::string stationRules(const KeyRequest& request) {
     Topics publish = request.moreTopics;
     for (const char* command : Commands) append(publish, ofAnyRobot(command));
     publish.emplace_back("rt/leitstand/*");
+    publish.emplace_back("rq/*");  // requests of services and actions
     append(publish, RosTopics);
     return rule("allow_rule", publish, {"*"});
 }

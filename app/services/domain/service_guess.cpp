@@ -62,7 +62,7 @@ std::optional<ServiceDescription> guessService(const SeenTopic& topic) {
     if (service.name.empty() || facts == nullptr) return std::nullopt;
     service.stop = partOf(service.name, facts->kind);
     service.title = titleOf(service.name, facts->kind);
-    return service.stop ? std::optional(service) : std::nullopt;
+    return service;
 }
 
 }  // namespace leitstand

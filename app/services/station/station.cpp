@@ -188,6 +188,23 @@ void Station::cancelGoal(const std::string& robot) {
     if (RobotLine* const line = m_state->line(robot)) line->cancelGoal();
 }
 
+Result<void> Station::call(const std::string& robot, const std::string& service, bool value) {
+    RobotLine* const line = m_state->line(robot);
+    if (line == nullptr)
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "\"{}\" is none of the station's robots"), robot)};
+    const GrantView grant = m_state->view(robot).grant;
+    if (!grant.mine && !grant.holder.empty())
+        return Error{leitstand::fill(
+            translate("leitstand::Station", "{}: another station has its drive control"), robot)};
+    return line->calls().call(service, value);
+}
+
+bool Station::isOffered(const std::string& robot, const std::string& service) const {
+    RobotLine* const line = m_state->line(robot);
+    return line != nullptr && line->calls().isOffered(service);
+}
+
 std::vector<std::string> Station::limits() const {
     return m_state->node->warnings();
 }

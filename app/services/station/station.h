@@ -133,6 +133,11 @@ public:
     Result<void> goTo(const std::string& robot, const PoseSample& goal);
     /// Asks the navigation of @p robot to give up its goal; does nothing if it has none, or none is known.
     void cancelGoal(const std::string& robot);
+    /// Calls the service @p service of @p robot, one of isOperators(); what comes of it is a message. Errors:
+    /// another station has its drive control, no such service, or nobody offers it.
+    Result<void> call(const std::string& robot, const std::string& service, bool value);
+    /// Whether anybody offers that service.
+    [[nodiscard]] bool isOffered(const std::string& robot, const std::string& service) const;
     [[nodiscard]] StationBrakes& brakes();    ///< tests of what robots do when commands end
     [[nodiscard]] StationGuards& guards();    ///< guards of robots that continue to drive when commands end
     [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send, and the thin link

@@ -111,8 +111,13 @@ Result<void> Station::State::lineTo(const RobotDescription& robot) {
         if (open)
             (void)mission->record(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
     };
-    auto line = RobotLine::create(*node, robot, memory->identity().id, {conditions, pulse}, std::move(watch));
+    const auto called = [this, title = robot.title](const RobotCalls::Outcome& outcome) {
+        notify(title + ": " + worded(outcome));
+    };
+    auto line = RobotLine::create(*node, robot, memory->identity().id, {conditions, pulse},
+                                  {std::move(watch), called});
     if (!line) return line.error();
+    for (const std::string& problem : (*line)->problems()) notify(robot.title + ": " + problem);
     lines.emplace(robot.name, std::move(line).value());
     return {};
 }

@@ -15,7 +15,7 @@
 #include "app/services/heap_keeper.h"
 #include "app/services/log/mission_feed.h"
 #include "app/services/station/cameras/station_cameras.h"
-#include "app/services/station/robot_lines.h"
+#include "app/services/station/lines/robot_lines.h"
 #include "app/services/station/safety/station_alarms.h"
 #include "app/services/station/safety/station_brakes.h"
 #include "app/services/station/safety/station_guards.h"

@@ -10,6 +10,7 @@
 #include "app/window/commands/command_table.h"
 #include "app/window/input/selection.h"
 #include "app/window/input/stop_key.h"
+#include "app/window/robots/service_menu.h"
 #include "app/window/source/moment_source.h"
 #include "core/event/status_samples.h"
 #include "widgets/drive/stop_button.h"
@@ -75,6 +76,7 @@ void RobotsFeature::addCommands(Station& station) {
     connect(&stop, &QAction::triggered, this, [&station] { station.stopAll(); });
     QMenu* modes = commands.menu(CommandMenu::Robot).addMenu(tr("&Mode"));
     connect(modes, &QMenu::aboutToShow, this, [this, modes] { fillModes(*modes); });
+    new ServiceMenu(m_context, station);
 }
 
 void RobotsFeature::fillModes(QMenu& modes) {

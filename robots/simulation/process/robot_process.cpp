@@ -21,6 +21,7 @@
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/link/screen_report.h"
+#include "core/robot/streams/stream_table.h"
 #include "core/settings/ros_environment.h"
 #include "robots/control/fuzzy/fuzzy_file.h"
 #include "robots/crawler/crawler_agent.h"
@@ -160,6 +161,7 @@ void turn(const Life& life) {
     }
     for (HardwareSample& added : localisation.step(world, samples)) samples.push_back(std::move(added));
     for (HardwareSample& sample : samples) {
+        if (services.camerasAreOff() && streamFacts(sample.role).picture) continue;
         cameras.pass(sample, frozen != 0);
         wire.publish(sample);
         if (const auto* cloud = sample.sample.as<CloudSample>()) truth.publishLabels(world, *cloud);

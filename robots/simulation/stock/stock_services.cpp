@@ -11,13 +11,21 @@ Result<std::unique_ptr<StockServices>> StockServices::create(Node& node, const R
         const ServiceFacts* const facts = serviceFacts(service.type);
         if (facts != nullptr && facts->kind == ServiceKind::Navigate) continue;  // StockNavigation
         const bool eStop = facts != nullptr && facts->kind == ServiceKind::Switch && service.stop;
-        auto server = ServiceServer::create(
-            node, service.name, service.type,
-            [&its, eStop, on = service.stop.value_or(true)](const ServiceRequest& request) {
-                if (!eStop) return ServiceAnswer{true, ""};
+        ServiceServer::Serve serve;
+        if (eStop) {
+            serve = [&its, on = *service.stop](const ServiceRequest& request) {
                 its.m_off = request.value == on;
                 return ServiceAnswer{true, its.m_off ? "E-stop is on" : "E-stop is off"};
-            });
+            };
+        } else if (service.name.ends_with("/stop_camera") || service.name.ends_with("/start_camera")) {
+            serve = [&its, stop = service.name.ends_with("/stop_camera")](const ServiceRequest&) {
+                its.m_blind = stop;
+                return ServiceAnswer{true, ""};
+            };
+        } else {
+            serve = [](const ServiceRequest&) { return ServiceAnswer{true, ""}; };
+        }
+        auto server = ServiceServer::create(node, service.name, service.type, std::move(serve));
         if (!server) return server.error();
         its.m_servers.push_back(std::move(server).value());
     }

@@ -12,7 +12,8 @@
 namespace leitstand::simulation {
 
 /// Offers the services of a stock robot. A Switch that has a part in its stop is its e-stop, which takes the
-/// power from its motors. Goals are cancelled, of which there are none.
+/// power from its motors. Triggers called start_camera and stop_camera do that. Goals are cancelled, of which
+/// there are none.
 class StockServices {
 public:
     /// Errors name the topic.
@@ -21,9 +22,11 @@ public:
 
     /// Whether the e-stop is on.
     [[nodiscard]] bool motorsAreOff() const { return m_off; }
+    /// Whether the camera was stopped.
+    [[nodiscard]] bool camerasAreOff() const { return m_blind; }
 
 private:
-    std::atomic<bool> m_off = false;
+    std::atomic<bool> m_off = false, m_blind = false;
     std::vector<std::unique_ptr<ServiceServer>> m_servers;  ///< last: destroyed first
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <QAction>
+#include <QMenu>
 #include <QStringList>
 
 #include <gtest/gtest.h>
@@ -202,6 +203,41 @@ TEST_F(TurtleBotPage, IsSentByItsOwnNavigationUntilItArrivesOrIsStopped) {
     EXPECT_TRUE(soon([&] { return isSaid("its goal is cancelled, since you drive"); }));
     QTest::keyRelease(m_window.get(), Qt::Key_D);
     EXPECT_TRUE(soon([&] { return stage() == GoalStage::Cancelled; }));
+}
+
+TEST_F(TurtleBotPage, ItsServicesAreCalledFromTheMenu) {
+    ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_robot->out();
+    m_window->selection().select("turtlebot4");
+    const auto entry = [&](const char* name) -> QAction* {
+        for (QMenu* const menu : m_window->findChildren<QMenu*>()) {
+            if (!menu->title().contains("Se&rvices")) continue;
+            emit menu->aboutToShow();
+            return menu->findChild<QAction*>(QLatin1String(name));
+        }
+        return nullptr;
+    };
+    ASSERT_NE(entry("/oakd/stop_camera"), nullptr);
+    EXPECT_EQ(entry("/e_stop"), nullptr) << "STOP calls it";
+    ASSERT_TRUE(soon([&] { return entry("/oakd/stop_camera")->isEnabled(); }));
+    const auto pictures = [&] {
+        const auto state = station().mission()->robots.at("turtlebot4");
+        const auto stream = state->streams.find("/oakd/rgb/preview/image_raw/compressed");
+        return stream == state->streams.end() ? 0 : stream->second.events;
+    };
+    ASSERT_TRUE(soon([&] { return pictures() > 0; }));
+    entry("/oakd/stop_camera")->trigger();
+    ASSERT_TRUE(soon([&] { return isSaid("Stop camera: done"); }))
+        << m_window->recent().join("; ").toStdString();
+    QTest::qWait(500);
+    const auto before = pictures();
+    QTest::qWait(1000);
+    EXPECT_EQ(pictures(), before);
+    entry("/oakd/start_camera")->trigger();
+    EXPECT_TRUE(soon([&] { return pictures() > before; }));
+    m_robot.reset();
+    ASSERT_TRUE(soon([&] { return !entry("/oakd/stop_camera")->isEnabled(); }));
+    EXPECT_FALSE(station().call("turtlebot4", "/oakd/stop_camera", true).ok());
+    EXPECT_FALSE(station().call("turtlebot4", "/e_stop", true).ok()) << "it is not the operator's";
 }
 
 }  // namespace

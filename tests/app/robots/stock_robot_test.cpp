@@ -71,7 +71,8 @@ TEST(StockRobots, ATurtleBot4IsOneRobotWithWhatTheStationCanUse) {
     EXPECT_EQ(written.sensors.size(), 1U) << "one camera";
     std::map<std::string, std::optional<bool>> services;
     for (const ServiceDescription& service : written.services) services[service.name] = service.stop;
-    EXPECT_EQ(services.size(), 4U) << found.text;
+    EXPECT_EQ(services.size(), 6U) << found.text;
+    EXPECT_EQ(services.at("/oakd/stop_camera"), std::nullopt);
     EXPECT_EQ(services["/e_stop"], true);
     EXPECT_EQ(services["/follow_waypoints/_action/cancel_goal"], true);
     ASSERT_NE(written.navigation(), nullptr) << found.text;

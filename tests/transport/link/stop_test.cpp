@@ -22,6 +22,7 @@
 #include "transport/convert/encode.h"
 #include "transport/security/enclave.h"
 #include "transport/security/keys.h"
+#include "transport/services/service_server.h"
 
 namespace leitstand::test {
 namespace {
@@ -333,6 +334,28 @@ TEST_F(StopSecured, AViewerMayStopButNotDrive) {
     ASSERT_TRUE(station.stops().release("kurt3d").ok());
     station.push(0.0);
     EXPECT_TRUE(station.driveUntil(0.2, [&] { return robot.speed() > 0.0; }));
+}
+
+TEST_F(StopSecured, AStationCallsServicesAndAViewerIsToldThatItMayNot) {
+    const auto robotNode = nodeOf("kurt3d"), stationNode = nodeOf("station1"), viewerNode = nodeOf("coach");
+    RobotDescription robot = m_description;
+    robot.services = {
+        {.name = "/kurt3d/e_stop", .type = "std_srvs/srv/SetBool", .title = "E-stop", .stop = true}};
+    std::atomic<bool> on = false;
+    const auto server = must(ServiceServer::create(*robotNode, "/kurt3d/e_stop", "std_srvs/srv/SetBool",
+                                                   [&](const ServiceRequest& request) {
+                                                       on = request.value;
+                                                       return ServiceAnswer{true, ""};
+                                                   }));
+    const auto viewer = must(StopSender::create(*viewerNode, std::vector{robot}, {.station = "v"}));
+    viewer->stopAll();
+    EXPECT_NE(viewer->status("kurt3d").services.front().message, "");
+    std::this_thread::sleep_for(500ms);
+    EXPECT_FALSE(on);
+    const auto station = must(StopSender::create(*stationNode, std::vector{robot}, {.station = "a"}));
+    station->stopAll();
+    EXPECT_TRUE(waitUntil([&] { return on.load(); }));
+    EXPECT_EQ(station->status("kurt3d").services.front().message, "");
 }
 
 /// A stock robot: it knows no stops, and has a lock as twist_mux has it.

@@ -30,6 +30,7 @@ TEST(Permissions, OfAStationCommandAllRobotsButSayNothingForThem) {
     const std::string publish =
         between(permissionsOf({KeyRole::Station, "s", {}, false}), "<publish>", "</pub");
     EXPECT_THAT(publish, HasSubstr("<topic>rt/*/cmd_vel</topic>"));
+    EXPECT_THAT(publish, HasSubstr("<topic>rq/*</topic>")) << "requests of services";
     EXPECT_THAT(publish, HasSubstr("<topic>rt/*/stop_cmd</topic>"));
     EXPECT_THAT(publish, HasSubstr("<topic>rt/leitstand/*</topic>"));
     EXPECT_THAT(publish, Not(HasSubstr("<topic>rt/*</topic>")));
@@ -41,6 +42,7 @@ TEST(Permissions, OfAViewerStopButNotDrive) {
     EXPECT_THAT(publish, HasSubstr("<topic>rt/*/stop_cmd</topic>"));
     EXPECT_THAT(publish, HasSubstr("<topic>rt/*/ping</topic>"));
     EXPECT_THAT(publish, Not(HasSubstr("cmd_vel")));
+    EXPECT_THAT(publish, Not(HasSubstr("rq/")));
     EXPECT_THAT(publish, Not(HasSubstr("leitstand")));
 }
 

@@ -213,6 +213,9 @@ TEST_F(LiveWords, AStopBySeveralServicesSaysWhichLags) {
     const auto details = [this] { return stopLineOf(robot.face, robot.view).details.toStdString(); };
     EXPECT_THAT(details(), HasSubstr("E-stop has not confirmed yet. Nobody offers Goals."));
     EXPECT_THAT(details(), HasSubstr("drive commands of zero"));
+    stop.services[1].message = "no permission";
+    EXPECT_THAT(details(), HasSubstr("Goals cannot be called: no permission."));
+    stop.services[1].message.clear();
     stop.services[0].refused = true;
     stop.services[0].message = "fuse blown";
     EXPECT_THAT(details(), HasSubstr("E-stop refuses: fuse blown."));

@@ -17,9 +17,10 @@ struct StopServiceStatus {
     };
     std::string title = {};  ///< name for the operator
     Stage stage = Stage::Idle;
-    bool offered = false;      ///< whether anybody offers the service
-    bool refused = false;      ///< whether it refused what it was asked last
-    std::string message = {};  ///< its own words, if it refused; may be empty
+    bool offered = false;  ///< whether anybody offers the service
+    bool refused = false;  ///< whether it refused what it was asked last
+    /// Its own words, if it refused; or why this station cannot call it. May be empty.
+    std::string message = {};
     friend bool operator==(const StopServiceStatus&, const StopServiceStatus&) = default;
 };
 

@@ -89,6 +89,9 @@ QString serviceText(const StopServiceStatus& service) {
     if (service.refused)
         return StopTexts::tr("%1 refuses: %2.", "a service, its own words")
             .arg(title, othersText(service.message));
+    if (!service.offered && !service.message.empty())
+        return StopTexts::tr("%1 cannot be called: %2.", "a service, why")
+            .arg(title, othersText(service.message));
     switch (service.stage) {
         case StopServiceStatus::Stage::Asked:
             return service.offered ? StopTexts::tr("%1 has not confirmed yet.").arg(title)
@@ -111,7 +114,7 @@ QString servicesText(const StopStatus& stop) {
     if (!stop.sent || stop.services.empty()) return {};
     if (stop.services.size() == 1)
         return StopTexts::tr("%1 confirmed it.").arg(othersText(stop.services.front().title));
-    return StopTexts::tr("%n services confirmed it.", nullptr, static_cast<int>(stop.services.size()));
+    return StopTexts::tr("%1 services confirmed it.").arg(stop.services.size());
 }
 
 /// What holds a robot that knows no stops.

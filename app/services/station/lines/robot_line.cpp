@@ -1,9 +1,10 @@
-#include "app/services/station/robot_line.h"
+#include "app/services/station/lines/robot_line.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "core/base/time.h"
 #include "core/base/words.h"
 #include "core/event/stream_role.h"
 #include "transport/convert/encode.h"
@@ -19,14 +20,14 @@ constexpr std::array Requests = {StreamRole::ModeCommand, StreamRole::GoalPose, 
 
 Result<std::unique_ptr<RobotLine>> RobotLine::create(Node& node, const RobotDescription& robot,
                                                      const std::string& station, Driving driving,
-                                                     LinkListener watch) {
+                                                     Listener listener) {
     std::unique_ptr<RobotLine> line(new RobotLine(robot));
-    auto opened = line->open(node, station, std::move(driving), std::move(watch));
+    auto opened = line->open(node, station, std::move(driving), std::move(listener));
     if (!opened) return opened.error();
     return line;
 }
 
-Result<void> RobotLine::open(Node& node, const std::string& station, Driving with, LinkListener watch) {
+Result<void> RobotLine::open(Node& node, const std::string& station, Driving with, Listener listener) {
     for (const StreamRole role : Requests) {
         const StreamDescription* stream = m_robot.stream(role);
         if (stream == nullptr) continue;
@@ -39,13 +40,18 @@ Result<void> RobotLine::open(Node& node, const std::string& station, Driving wit
     }
     if (const ServiceDescription* const action = m_robot.navigation()) {
         auto navigation = NavigationClient::create(node, action->name);
-        if (!navigation) return navigation.error();
-        m_navigation = std::move(navigation).value();
+        if (navigation)
+            m_navigation = std::move(navigation).value();
+        else
+            m_problems.push_back(navigation.error().text);
     }
+    m_calls = RobotCalls::create(node, m_robot, std::move(listener.called), m_problems);
     LinkClientSettings pings;
     pings.station = station;
+    LinkListener& watch = listener.link;
     watch.onStatus = [this, then = std::move(watch.onStatus)](const LinkStatus& status) {
         m_linkLost = status.state == LinkState::Lost;
+        m_calls->expire(steadyNow());
         if (status.clock) m_clockAhead = status.clock->ahead.count();
         if (then) then(status);
     };

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/services/station/robot_line.h"
+#include "app/services/station/lines/robot_line.h"
 #include "app/services/station/safety/station_brakes.h"
 #include "transport/link/grant_keeper.h"
 #include "transport/link/stop_sender.h"

@@ -1,4 +1,4 @@
-#include "app/services/station/robot_lines.h"
+#include "app/services/station/lines/robot_lines.h"
 
 namespace leitstand {
 namespace {

@@ -7,8 +7,10 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/services/mapping/robot_sight.h"
+#include "app/services/station/lines/robot_calls.h"
 #include "core/base/result.h"
 #include "core/robot/robot_description.h"
 #include "transport/link/drive_streamer.h"
@@ -26,17 +28,24 @@ public:
         std::function<DriveConditions()> conditions;
         std::function<void(const GuardPulse&)> onPulse;
     };
-    /// Opens the line. @p watch: callbacks for the link. The line also takes the clock offset from each
-    /// onStatus. Errors name the robot's topic.
+    struct Listener {
+        LinkListener link;
+        RobotCalls::Ended called;  ///< called when a call of the operator has ended
+    };
+    /// Opens the line. The line also takes the clock offset from each LinkListener::onStatus. Errors name the
+    /// robot's topic.
     [[nodiscard]] static Result<std::unique_ptr<RobotLine>> create(Node& node, const RobotDescription& robot,
                                                                    const std::string& station,
-                                                                   Driving driving, LinkListener watch);
+                                                                   Driving driving, Listener listener);
     RobotLine(const RobotLine&) = delete;
     RobotLine& operator=(const RobotLine&) = delete;
 
     [[nodiscard]] const RobotDescription& robot() const { return m_robot; }
+    /// What this station cannot call of the robot, and why: without permission, in a domain with keys.
+    [[nodiscard]] const std::vector<std::string>& problems() const { return m_problems; }
     [[nodiscard]] LinkClient& link() { return *m_link; }
     [[nodiscard]] const LinkClient& link() const { return *m_link; }
+    [[nodiscard]] RobotCalls& calls() { return *m_calls; }
     [[nodiscard]] RobotSight& sight() { return m_sight; }
     [[nodiscard]] const RobotSight& sight() const { return m_sight; }
     /// Null when the robot takes no drive commands.
@@ -53,7 +62,7 @@ public:
 
 private:
     RobotLine(const RobotDescription& robot) : m_robot(robot), m_sight(m_robot) {}
-    Result<void> open(Node& node, const std::string& station, Driving driving, LinkListener watch);
+    Result<void> open(Node& node, const std::string& station, Driving driving, Listener listener);
 
     struct Command {
         std::string type;
@@ -64,6 +73,8 @@ private:
     std::atomic<bool> m_linkLost = false;
     std::atomic<std::int64_t> m_clockAhead = 0;  ///< robot's clock minus station's clock [ns]
     std::map<StreamRole, Command> m_commands;
+    std::vector<std::string> m_problems;
+    std::unique_ptr<RobotCalls> m_calls;
     std::unique_ptr<LinkClient> m_link;
     std::unique_ptr<DriveStreamer> m_drive;
     std::unique_ptr<NavigationClient> m_navigation;  ///< null: the robot's file names none
