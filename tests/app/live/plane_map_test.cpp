@@ -1,6 +1,7 @@
 // A stock robot that has a plane laser only: its map in the window.
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -200,7 +201,8 @@ TEST_F(TurtleBotPage, IsSentByItsOwnNavigationUntilItArrivesOrIsStopped) {
     ASSERT_TRUE(soon([&] { return mayDrive("turtlebot4"); }));
     ASSERT_TRUE(goesAhead(-0.6)) << "it may go again";
     QTest::keyPress(m_window.get(), Qt::Key_D);
-    EXPECT_TRUE(soon([&] { return isSaid("its goal is cancelled, since you drive"); }));
+    EXPECT_TRUE(soon([&] { return isSaid("its goal is cancelled, since you drive"); }))
+        << m_window->recent().join("; ").toStdString();
     QTest::keyRelease(m_window.get(), Qt::Key_D);
     EXPECT_TRUE(soon([&] { return stage() == GoalStage::Cancelled; }));
 }
@@ -234,7 +236,7 @@ TEST_F(TurtleBotPage, ItsServicesAreCalledFromTheMenu) {
     EXPECT_EQ(pictures(), before);
     entry("/oakd/start_camera")->trigger();
     EXPECT_TRUE(soon([&] { return pictures() > before; }));
-    m_robot.reset();
+    m_robot->signal(SIGTERM);
     ASSERT_TRUE(soon([&] { return !entry("/oakd/stop_camera")->isEnabled(); }));
     EXPECT_FALSE(station().call("turtlebot4", "/oakd/stop_camera", true).ok());
     EXPECT_FALSE(station().call("turtlebot4", "/e_stop", true).ok()) << "it is not the operator's";

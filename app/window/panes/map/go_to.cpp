@@ -192,7 +192,9 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
 
 bool GoTo::hasEnded(const std::string& robot, const LiveMoment& moment) {
     const RobotView& view = moment.view(robot);
-    if (const QString end = goalEnd(view.navigation.stage); !end.isEmpty()) {
+    // As it is now: the moment may have been taken before this goal was sent, and tell of the one before.
+    const GoalStage stage = m_context.station.robot(robot).navigation.stage;
+    if (const QString end = goalEnd(stage); !end.isEmpty()) {
         // After a stop everybody knows why.
         if (!view.stop.sent && !view.stop.stopped) m_context.notify(end.arg(titleOf(robot)));
         return true;
