@@ -73,6 +73,7 @@ struct StopSender::State {
             all.lockHeard = lockHeard;
             if (services) {
                 all.services = services->status();
+                if (all.refused.empty()) all.refused = services->refusal();
                 all.releasing = all.releasing || services->isReleasing();
             }
             return all;
@@ -213,8 +214,10 @@ void StopSender::State::step() {
             if (const auto cdr = encode(*lock, robot.lockType)) static_cast<void>(robot.lock->write(*cdr));
         }
         if (robot.services->step(steadyNow())) {
+            // One service did not release: the rest is stopped again, too.
             const std::lock_guard lock(mutex);
-            stop(robot);  // one service did not release: the rest is stopped again, too
+            robot.control.stop(steadyNow(), std::chrono::system_clock::now());
+            robot.services->hold(steadyNow());
         }
         if (std::exchange(robot.reported, status) != status && settings.onChange) settings.onChange(name);
     }

@@ -126,6 +126,14 @@ bool StopServices::step(SteadyTime now) {
     return revoked;
 }
 
+std::string StopServices::refusal() const {
+    const std::lock_guard lock(m_state->mutex);
+    for (const auto& part : m_state->parts) {
+        if (!part->stop.refusal().empty()) return part->stop.refusal();
+    }
+    return {};
+}
+
 bool StopServices::isReleasing() const {
     const std::lock_guard lock(m_state->mutex);
     return std::any_of(m_state->parts.begin(), m_state->parts.end(),

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/base/time.h"
@@ -30,6 +31,8 @@ public:
     /// Makes the calls that are due. Call about every 20 ms. Returns whether a release was revoked, so that
     /// the rest of the robot must be stopped again, too.
     [[nodiscard]] bool step(SteadyTime now);
+    /// Why the last release was revoked, kept until the next stop or release; empty: it was not.
+    [[nodiscard]] std::string refusal() const;
     /// Whether a release is not confirmed yet.
     [[nodiscard]] bool isReleasing() const;
     [[nodiscard]] std::vector<StopServiceStatus> status() const;

@@ -119,6 +119,7 @@ TEST_F(ServiceStops, AnUnansweredReleaseIsRevoked) {
     EXPECT_TRUE(call->request.value) << "stopped again";
     EXPECT_TRUE(stop.takeRevoked());
     EXPECT_FALSE(stop.takeRevoked()) << "once";
+    EXPECT_EQ(stop.refusal(), "E-stop did not answer the release: stopped again");
     stop.answered(release->tag, {true, "late"}, m_now);
     EXPECT_EQ(stageOf(stop), Stage::Asked) << "the answer to the release is no answer to the stop";
     stop.answered(call->tag, {true, ""}, m_now);
@@ -135,6 +136,10 @@ TEST_F(ServiceStops, ARefusedReleaseIsRevokedWithItsReason) {
     const auto call = next(stop);
     ASSERT_TRUE(call);
     EXPECT_TRUE(call->request.value);
+    stop.answered(call->tag, {true, ""}, m_now);
+    EXPECT_EQ(stop.refusal(), "E-stop refuses: button pressed") << "until the next command";
+    stop.release(m_now);
+    EXPECT_EQ(stop.refusal(), "");
 }
 
 TEST_F(ServiceStops, AnOlderAnswerEndsNoNewerStop) {

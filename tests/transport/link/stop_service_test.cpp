@@ -35,14 +35,15 @@ protected:
             {.name = "/kurt3d/lamp", .type = "std_srvs/srv/SetBool"}};
         return robot;
     }
-    /// Offers service @p index of the robot; it answers what m_accepts and m_answers say.
+    /// Offers service @p index of the robot; m_refusesRelease and m_answers say what it answers.
     std::unique_ptr<ServiceServer> offer(Node& node, std::size_t index) {
         const ServiceDescription& service = m_description.services[index];
         return must(ServiceServer::create(
             node, service.name, service.type, [this, index](const ServiceRequest& request) {
                 const std::lock_guard lock(m_mutex);
                 m_asked.emplace_back(index, request.value);
-                return m_answers ? std::optional(ServiceAnswer{m_accepts, "no"}) : std::nullopt;
+                const bool refuses = m_refusesRelease && index == 0 && !request.value;
+                return m_answers ? std::optional(ServiceAnswer{!refuses, "no"}) : std::nullopt;
             }));
     }
     using Asked = std::vector<std::pair<std::size_t, bool>>;
@@ -64,7 +65,7 @@ protected:
     const RobotDescription m_description = stockRobot();
     mutable std::mutex m_mutex;
     Asked m_asked;
-    std::atomic<bool> m_accepts = true, m_answers = true;
+    std::atomic<bool> m_refusesRelease = false, m_answers = true;
     std::unique_ptr<Node> m_robot = nodeIn(m_domain), m_node = nodeIn(m_domain);
     std::unique_ptr<ServiceServer> m_eStop = offer(*m_robot, 0), m_goals = offer(*m_robot, 1),
                                    m_lamp = offer(*m_robot, 2);
@@ -99,18 +100,20 @@ TEST_F(StopByService, ANewServerIsStoppedAsWell) {
     EXPECT_TRUE(reaches(0, Stage::Stopped));
 }
 
-TEST_F(StopByService, ARefusedReleaseStopsTheWholeRobotAgain) {
+TEST_F(StopByService, ARefusedReleaseStopsTheWholeRobotAgainAndSaysWhy) {
     ASSERT_TRUE(isOffered());
     m_stops->stopAll();
     ASSERT_TRUE(reaches(0, Stage::Stopped));
-    m_accepts = false;
+    m_refusesRelease = true;
     ASSERT_TRUE(m_stops->release("kurt3d").ok());
     ASSERT_TRUE(waitUntil([&] { return m_stops->holdsByZeros("kurt3d"); }));
-    ASSERT_TRUE(waitUntil([&] { return statusOf(0).refused; }));
-    EXPECT_EQ(statusOf(0).message, "no");
+    ASSERT_TRUE(reaches(0, Stage::Stopped) && reaches(1, Stage::Stopped)) << "goals sent meanwhile end, too";
     EXPECT_FALSE(m_stops->allowsDriving("kurt3d"));
-    m_accepts = true;
-    EXPECT_TRUE(reaches(0, Stage::Stopped));
+    EXPECT_EQ(m_stops->status("kurt3d").refused, "E-stop refuses: no");
+    m_refusesRelease = false;
+    ASSERT_TRUE(m_stops->release("kurt3d").ok());
+    ASSERT_TRUE(reaches(0, Stage::Idle));
+    EXPECT_EQ(m_stops->status("kurt3d").refused, "");
 }
 
 TEST_F(StopByService, DrivingWaitsForTheRelease) {

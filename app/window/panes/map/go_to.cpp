@@ -20,6 +20,7 @@
 #include "core/event/stream_role.h"
 #include "core/mapping/live/map/moved_places.h"
 #include "core/robot/goal.h"
+#include "widgets/map_view/map_view.h"
 #include "widgets/models/live/texts/goal_text.h"
 #include "widgets/models/others_text.h"
 

@@ -20,6 +20,7 @@ void ServiceStop::stop(SteadyTime now) {
     if (!m_stop && !m_release) return;
     m_refused = m_revoked = false;
     m_message.clear();
+    m_refusal.clear();
     enter(m_stop ? Stage::Asked : Stage::Stopped, now);
 }
 
@@ -27,11 +28,13 @@ void ServiceStop::release(SteadyTime now) {
     if (m_stage != Stage::Asked && m_stage != Stage::Stopped) return;
     m_refused = m_revoked = false;
     m_message.clear();
+    m_refusal.clear();
     enter(m_release && m_offered ? Stage::Releasing : Stage::Idle, now);
 }
 
-void ServiceStop::revoke(SteadyTime now) {
+void ServiceStop::revoke(std::string why, SteadyTime now) {
     m_revoked = true;
+    m_refusal = std::move(why);
     enter(m_stop ? Stage::Asked : Stage::Stopped, now);
 }
 
@@ -41,7 +44,8 @@ void ServiceStop::offered(bool offered, bool anew, SteadyTime now) {
 }
 
 std::optional<ServiceStop::Call> ServiceStop::due(SteadyTime now) {
-    if (m_stage == Stage::Releasing && now - m_since >= m_timing.release) revoke(now);
+    if (m_stage == Stage::Releasing && now - m_since >= m_timing.release)
+        revoke(title() + " did not answer the release: stopped again", now);
     const bool asking = m_stage == Stage::Asked || m_stage == Stage::Releasing;
     if (!asking || !m_offered || now < m_next) return std::nullopt;
     m_next = now + (m_refused ? m_timing.refused : m_timing.repeat);
@@ -57,7 +61,7 @@ void ServiceStop::answered(std::uint64_t tag, const ServiceAnswer& answer, Stead
     if (answer.accepted) {
         enter(releasing ? Stage::Idle : Stage::Stopped, now);
     } else if (releasing) {
-        revoke(now);
+        revoke(title() + (answer.message.empty() ? " refuses" : " refuses: " + answer.message), now);
     } else {
         m_next = now + m_timing.refused;
     }
@@ -67,9 +71,12 @@ bool ServiceStop::takeRevoked() {
     return std::exchange(m_revoked, false);
 }
 
+const std::string& ServiceStop::title() const {
+    return m_service.title.empty() ? m_service.name : m_service.title;
+}
+
 StopServiceStatus ServiceStop::status() const {
-    const std::string& title = m_service.title.empty() ? m_service.name : m_service.title;
-    return {title, m_stage, m_offered, m_refused, m_message};
+    return {title(), m_stage, m_offered, m_refused, m_message};
 }
 
 }  // namespace leitstand

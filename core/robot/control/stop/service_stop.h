@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/base/time.h"
 #include "core/robot/control/stop/stop_status.h"
@@ -47,13 +48,16 @@ public:
     [[nodiscard]] bool takeRevoked();
 
     [[nodiscard]] const ServiceDescription& service() const { return m_service; }
+    /// Why the last release was revoked, kept until the next stop() or release(); empty: it was not.
+    [[nodiscard]] const std::string& refusal() const { return m_refusal; }
     [[nodiscard]] bool isReleasing() const { return m_stage == StopServiceStatus::Stage::Releasing; }
     [[nodiscard]] StopServiceStatus status() const;
 
 private:
     using Stage = StopServiceStatus::Stage;
     void enter(Stage stage, SteadyTime now);
-    void revoke(SteadyTime now);
+    void revoke(std::string why, SteadyTime now);
+    [[nodiscard]] const std::string& title() const;
 
     ServiceDescription m_service;
     ServiceStopTiming m_timing;
@@ -62,7 +66,7 @@ private:
     SteadyTime m_since = {}, m_next = {};  ///< when the stage began; when to call next
     std::uint64_t m_tag = 0, m_older = 0;  ///< of the newest call; of the newest call of another stage
     bool m_offered = false, m_refused = false, m_revoked = false;
-    std::string m_message;
+    std::string m_message, m_refusal;
 };
 
 }  // namespace leitstand
