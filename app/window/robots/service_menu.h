@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "app/window/panes/view_context.h"
+#include "core/robot/services/service_description.h"
 
 class QMenu;
 

@@ -89,6 +89,7 @@ Result<Arena> parseArena(std::string_view text, const std::string& name) {
         const YamlFields fields({*document, "", 1}, ArenaKeys, errors);
         fields.text("name", arena.name, true);
         std::vector<std::pair<std::string, Grade>> grades;
+        grades.reserve(GradeCount);
         for (int i = 0; i < GradeCount; ++i) {
             grades.emplace_back(toString(static_cast<Grade>(i)), static_cast<Grade>(i));
         }

@@ -3,11 +3,13 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/base/time.h"
 #include "core/event/motion_samples.h"
 #include "core/robot/robot_description.h"
+#include "robots/hardware/robot_hardware.h"
 #include "robots/simulation/world/world.h"
 #include "transport/dds/node.h"
 #include "transport/services/navigation_server.h"

@@ -28,7 +28,6 @@ using test::sampleRobot;
 using test::setMode;
 using test::setStop;
 using testing::HasSubstr;
-using testing::Not;
 using Choice = GrantFigures::Choice;
 
 DriveState stateOf(const SampleRobot& robot, double now = 0.0) {

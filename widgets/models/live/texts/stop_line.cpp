@@ -131,7 +131,7 @@ QString holdOf(const StopStatus& stop) {
 QString detailsOf(const StopStatus& stop, bool mine) {
     if (!stop.refused.empty())
         return StopTexts::tr("The release did nothing: %1").arg(othersText(stop.refused));
-    const QString services = servicesText(stop);
+    QString services = servicesText(stop);
     if (!stop.supported)
         return services.isEmpty() ? holdOf(stop) : services + QLatin1Char(' ') + holdOf(stop);
     if (!services.isEmpty()) return services;
