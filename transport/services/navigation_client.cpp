@@ -98,7 +98,12 @@ Result<void> NavigationClient::go(const PoseSample& goal) {
         tag = ++state.newest;
         state.goals.asked(id, steadyNow());
     }
-    return state.sending->call(*request, tag);
+    auto called = state.sending->call(*request, tag);
+    if (!called) {
+        const std::lock_guard lock(state.mutex);
+        state.goals.answered(id, false);  // it never went out
+    }
+    return called;
 }
 
 void NavigationClient::cancel() {

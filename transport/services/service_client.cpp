@@ -39,16 +39,16 @@ struct ServiceClient::State {
     struct Open {
         std::uint64_t tag = 0;
         bool inPayload = false;
-        std::uint64_t request = 0;  ///< the writer's number for the request; with `inPayload`: ours
+        std::uint64_t request = 0;      ///< the writer's number for the request; with `inPayload`: ours
+        Guid reader = {}, writer = {};  ///< ours when it was sent; servers name one of them
     };
 
     void receive(const ReceivedSample& sample);
-    /// Takes the open call that an answer belongs to, and returns its tag; empty: there is none.
-    std::optional<std::uint64_t> close(bool inPayload, std::uint64_t request) {
+    /// Takes the open call that @p matches out, and returns its tag; empty: there is none.
+    template <class Matches>
+    std::optional<std::uint64_t> close(Matches matches) {
         const std::lock_guard lock(mutex);
-        const auto found = std::find_if(open.begin(), open.end(), [&](const Open& one) {
-            return one.inPayload == inPayload && one.request == request;
-        });
+        const auto found = std::find_if(open.begin(), open.end(), matches);
         if (found == open.end()) return std::nullopt;
         const std::uint64_t tag = found->tag;
         open.erase(found);
@@ -66,19 +66,24 @@ struct ServiceClient::State {
     std::unique_ptr<Subscription> answers;
 };
 
+// Uses neither publisher nor subscription: answers to others come while those are made and destroyed.
 void ServiceClient::State::receive(const ReceivedSample& sample) {
     if (sample.event.cdr->size() > MostAnswer) return;
     if (isCyclone(sample.writer)) {
         const auto split = splitHeader(*sample.event.cdr);
         if (!split || split->header.client != identity) return;
-        if (const auto tag = close(true, static_cast<std::uint64_t>(split->header.number)))
-            answered(*tag, split->body);
+        const auto number = static_cast<std::uint64_t>(split->header.number);
+        const auto tag = close([&](const Open& one) { return one.inPayload && one.request == number; });
+        if (tag) answered(*tag, split->body);
         return;
     }
     if (!sample.related) return;
-    const Guid& asked = sample.related->endpoint;
-    if (asked != answers->guid() && asked != requests->guid()) return;
-    if (const auto tag = close(false, sample.related->number)) answered(*tag, sample.event.cdr);
+    const auto tag = close([&](const Open& one) {
+        const Guid& asked = sample.related->endpoint;
+        return !one.inPayload && one.request == sample.related->number &&
+               (asked == one.reader || asked == one.writer);
+    });
+    if (tag) answered(*tag, sample.event.cdr);
 }
 
 ServiceClient::ServiceClient(std::unique_ptr<State> state) : m_state(std::move(state)) {}
@@ -130,13 +135,13 @@ Result<void> ServiceClient::call(const Payload& request, std::uint64_t tag) {
     }
     State& state = *m_state;
     const std::lock_guard lock(state.mutex);
-    State::Open open{tag, inPayload, ++state.calls};
+    State::Open open{tag, inPayload, ++state.calls, state.answers->guid(), state.requests->guid()};
     if (inPayload) {
         const CallHeader header{state.identity, static_cast<std::int64_t>(open.request)};
         if (auto written = state.requests->write(withHeader(header, request)); !written) return written;
     } else {
         // The reader, as rmw_fastrtps says it since Galactic: servers wait until that one is matched.
-        auto written = state.requests->write(request, SampleIdentity{state.answers->guid(), 0});
+        auto written = state.requests->write(request, SampleIdentity{open.reader, 0});
         if (!written) return written.error();
         open.request = *written;
     }

@@ -200,7 +200,7 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
     const std::string_view name = topic.name, leaf = leafOf(name);
     if (name.starts_with("rq/") || name.starts_with("rr/") ||
         name.find("/_action/") != std::string_view::npos) {
-        remark = "of a service or an action: the station calls what stops a robot only";
+        remark = "of a service or an action that the station does not call";
         return std::nullopt;
     }
     if (!name.starts_with('/')) {

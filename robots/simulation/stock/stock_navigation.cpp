@@ -19,10 +19,8 @@ constexpr double Speed = 0.26, TurnRate = 0.9, Facing = 0.35;  // [m/s], [rad/s]
 }  // namespace
 
 Result<std::unique_ptr<StockNavigation>> StockNavigation::create(Node& node, const RobotDescription& robot) {
-    const auto action =
-        std::find_if(robot.services.begin(), robot.services.end(),
-                     [](const ServiceDescription& service) { return service.type == NavigateToPose; });
-    if (action == robot.services.end()) return std::unique_ptr<StockNavigation>();
+    const ServiceDescription* const action = robot.navigation();
+    if (action == nullptr) return std::unique_ptr<StockNavigation>();
     auto navigation = std::make_unique<StockNavigation>();
     StockNavigation& its = *navigation;
     its.m_robot = robot;

@@ -126,6 +126,7 @@ protected:
 TEST_F(Navigation, TakesGoalsAndTellsTheWay) {
     EXPECT_TRUE(m_client->view().known);
     EXPECT_FALSE(m_client->go(place(1, 2))) << "nobody is there";
+    EXPECT_EQ(stage(), GoalStage::Refused) << "it never went out";
     serve();
     ASSERT_TRUE(isOffered());
     ASSERT_TRUE(goes(place(1, 2)));

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -180,6 +181,25 @@ TEST(Services, AnswersThatNobodyAskedForAreIgnored) {
     const std::uint64_t call = caller.call(false);
     EXPECT_EQ(caller.answer(call).message, "motor off");
     EXPECT_EQ(caller.answers(), 1U);
+}
+
+TEST(Services, AnswersToOthersHarmNoClientThatComesOrGoes) {
+    const TestDomain domain;
+    const auto robot = nodeIn(domain), station = nodeIn(domain), other = nodeIn(domain);
+    const auto server = serving(*robot, "/k/e_stop", "motor");
+    Caller busy(*other, "/k/e_stop");
+    ASSERT_TRUE(busy.isHeard());
+    std::jthread calling([&](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+            (void)busy.tryCall(true);
+            std::this_thread::sleep_for(200us);
+        }
+    });
+    for (int i = 0; i < 100; ++i) {
+        const Caller brief(*station, "/k/e_stop");
+        std::this_thread::sleep_for(10ms);  // so that answers come to it
+        ASSERT_EQ(brief.answers(), 0U);
+    }
 }
 
 TEST(Services, AnUnknownTypeIsNotOffered) {

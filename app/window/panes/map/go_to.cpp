@@ -171,7 +171,8 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
             if (!send(robot, way, moment)) return true;
             way.sent = true;
             way.asked = moment.now;
-            way.followed = m_context.station.robot(robot).navigation.stage != GoalStage::None;
+            // Of a goal that went by the topic, it tells of the one before at most, and that has ended.
+            way.followed = !goalNote(m_context.station.robot(robot).navigation).isEmpty();
         } else if (late) {
             m_context.notify((mine ? tr("%1 was not sent: its odometry restarted, and nobody knows where")
                                    : tr("%1 was not sent: another station has its drive control"))
@@ -236,8 +237,6 @@ bool GoTo::underWay(const std::string& robot, const Way& way) const {
 }
 
 void GoTo::stay(const std::string& robot) {
-    if (m_context.station.robot(robot).navigation.stage != GoalStage::None)
-        return m_context.station.cancelGoal(robot);
     // Its present pose becomes its goal: a robot knows goals, but not that one is withdrawn. In its odometry,
     // because its place in a map that moves is doubtful.
     const RobotState& reported = m_context.source.moment().reported(robot);
@@ -252,7 +251,11 @@ void GoTo::stay(const std::string& robot) {
 
 void GoTo::withdraw(const std::string& robot, const Way& way, const Pose& correction) {
     const bool goes = underWay(robot, way);
-    if (goes) stay(robot);
+    if (goes && way.followed) {
+        m_context.station.cancelGoal(robot);
+    } else if (goes) {
+        stay(robot);
+    }
     m_robots.setGoal(robot, std::nullopt);
     if (goes || !way.sent)
         m_question->ask(robot, titleOf(robot), way.goalInMap, correction * way.goalInMap);

@@ -47,7 +47,6 @@ public:
     /// Returns once whether a release was revoked, so that the rest of the robot must be stopped again, too.
     [[nodiscard]] bool takeRevoked();
 
-    [[nodiscard]] const ServiceDescription& service() const { return m_service; }
     /// Why the last release was revoked, kept until the next stop() or release(); empty: it was not.
     [[nodiscard]] const std::string& refusal() const { return m_refusal; }
     [[nodiscard]] bool isReleasing() const { return m_stage == StopServiceStatus::Stage::Releasing; }
