@@ -227,6 +227,10 @@ TEST_F(TurtleBotPage, ItsServicesAreCalledFromTheMenu) {
         return stream == state->streams.end() ? 0 : stream->second.events;
     };
     ASSERT_TRUE(soon([&] { return pictures() > 0; }));
+    if (const QString folder = qEnvironmentVariable("LEITSTAND_PICTURES"); !folder.isEmpty()) {
+        for (QMenu* const menu : m_window->findChildren<QMenu*>())
+            if (menu->title().contains("Se&rvices")) menu->grab().save(folder + "/live_services_menu.png");
+    }
     entry("/oakd/stop_camera")->trigger();
     ASSERT_TRUE(soon([&] { return isSaid("Stop camera: done"); }))
         << m_window->recent().join("; ").toStdString();
