@@ -10,6 +10,7 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)  # makes sources, and part
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(ZBAR REQUIRED IMPORTED_TARGET zbar)
 find_package(ZLIB REQUIRED)
+pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavcodec libavutil libswscale)  # videos of robots; VTK brings them
 
 if(NOT LEITSTAND_CORE_ONLY)
     find_package(CLI11 REQUIRED)
@@ -59,8 +60,7 @@ if(NOT LEITSTAND_CORE_ONLY)
         if(TARGET OpenMP::OpenMP_CXX)
             set_property(TARGET OpenMP::OpenMP_CXX PROPERTY INTERFACE_COMPILE_OPTIONS)
         endif()
-        # For a test; VTK brings them.
-        pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)
+        pkg_check_modules(LIBAVFORMAT REQUIRED IMPORTED_TARGET libavformat)  # for a test of films
     endif()
 endif()
 if(NOT LEITSTAND_CORE_ONLY AND NOT LEITSTAND_FUZZ)

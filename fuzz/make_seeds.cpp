@@ -18,6 +18,7 @@
 #include "core/mission/state/checkpoint/checkpoint.h"
 #include "core/mission/state/fold.h"
 #include "fuzz/small_bag.h"
+#include "tests/core/perception/video/filmed.h"
 #include "tests/support/samples.h"
 #include "transport/convert/encode.h"
 #include "transport/convert/message_catalog.h"
@@ -189,6 +190,20 @@ void writePictures(const fs::path& corpus) {
     }
 }
 
+/// Two pictures of a video for each codec that fuzz_video chooses.
+void writeVideos(const fs::path& corpus) {
+    for (const VideoCodec codec : {VideoCodec::H264, VideoCodec::H265}) {
+        std::string text(1, static_cast<char>(codec));
+        for (const PictureSample& sample : test::filmed(2, 10, codec, 32, 32)) {
+            const auto bytes = sample.content.bytes;
+            text += static_cast<char>(bytes.size() % 256);
+            text += static_cast<char>(bytes.size() / 256);
+            text.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        }
+        write(corpus / "video" / (codec == VideoCodec::H264 ? "h264" : "h265"), text);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -203,6 +218,7 @@ int main(int argc, char** argv) {
     writeSettings(argv[1]);
     writeMessages(argv[1]);
     writePictures(argv[1]);
+    writeVideos(argv[1]);
     writeCheckpoints(argv[1]);
     return 0;
 }

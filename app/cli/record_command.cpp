@@ -182,7 +182,8 @@ void addRecord(CLI::App& app, int& exitCode) {
     addDomainOptions(*command, options->domain);
     command
         ->add_option("--robot", options->robots,
-                     "Robot files (or names of shipped ones: kurt3d, crawler, turtlebot, turtlebot4, husky) "
+                     "Robot files (or names of shipped ones: kurt3d, crawler, turtlebot, turtlebot4, husky, "
+                     "ouster, livox, tracked) "
                      "whose listed "
                      "topics to record; without any, every topic that is heard")
         ->type_name("YAML...");

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,15 +11,20 @@
 
 namespace leitstand {
 
+struct VideoPacket;
+
 /// A picture as it was sent, not decoded. Its bytes are those of the message and are never copied.
 struct PictureSample {
     SampleHeader header;
-    bool compressed = false;  ///< whether the bytes are a JPEG or PNG file
+    bool compressed = false;  ///< whether the bytes are a JPEG or PNG file, or a picture of a video
     std::string encoding;     ///< ROS name, "bgr8", "16UC1"; if compressed: the format as it was sent, "jpeg"
-    int width = 0, height = 0;  ///< 0 x 0 if compressed
+    int width = 0, height = 0;  ///< 0 x 0 if compressed, but for videos that tell their size
     std::size_t step = 0;       ///< number of bytes from one row to the next; 0 if compressed
     bool bigEndian = false;     ///< byte order of 16 and 32-bit values; only for raw pictures
     SharedBytes content;        ///< at least height * step bytes if raw
+    /// Null: it is no picture of a video. Otherwise its bytes are the content, and EventDecoder adds the
+    /// pictures before it.
+    std::shared_ptr<const VideoPacket> video{};
 };
 
 /// Calibration of a camera (sensor_msgs/msg/CameraInfo).

@@ -1,9 +1,12 @@
 #include "robots/simulation/simulated_hardware.h"
 
+#include <set>
 #include <utility>
 
 #include "core/event/stream_role.h"
+#include "core/robot/streams/stream_table.h"
 #include "robots/simulation/fit_out.h"
+#include "robots/simulation/sensors/camera/depth_camera.h"
 #include "robots/simulation/sensors/camera/infrared_camera.h"
 #include "robots/simulation/sensors/laser/plane_laser.h"
 #include "robots/simulation/sensors/laser/spinning_lidar.h"
@@ -156,6 +159,35 @@ void addPlaneLaser(FitOut& fit, bool turning) {
     fit.add(std::make_unique<TurningScanner>(settings, fit.noise("laser"), fit.start()));
 }
 
+/// Adds the lidar of a stock robot, and its depth cameras.
+void addScanners(FitOut& fit, const RobotDescription& description, const HardwareSettings& settings) {
+    std::set<std::string> added;
+    for (const StreamDescription& stream : description.streams) {
+        if (stream.role != StreamRole::Points || !added.insert(stream.sensor).second) continue;
+        if (isDepthStream(stream)) {
+            auto place = fit.place(StreamRole::Points, stream.sensor, stream.sensor,
+                                   looking(at(0.1, 0.0, 0.2), opticalAxes()));
+            if (!place) continue;
+            place = opticalPlace(*place, opticalAxes());
+            fit.fix(place->frame, place->inBase);
+            if (!settings.cameras) continue;
+            DepthCameraSettings depths = oakD();
+            depths.sensor = place->key;
+            depths.frame = place->frame;
+            depths.cameraInBase = place->inBase;
+            fit.add(std::make_unique<DepthCamera>(depths, fit.noise(place->key), fit.start()));
+        } else if (const auto place =
+                       fit.place(StreamRole::Points, stream.sensor, "lidar", at(0.0, 0.0, 0.5))) {
+            SpinningLidarSettings lidar = settings.lidar;
+            lidar.sensor = place->key;
+            lidar.frame = place->frame;
+            lidar.lidarInBase = place->inBase;
+            if (settings.lidarMountTold) fit.fix(place->frame, place->inBase);
+            fit.add(std::make_unique<SpinningLidar>(lidar, fit.noise("lidar"), fit.start()));
+        }
+    }
+}
+
 }  // namespace
 
 std::unique_ptr<RobotHardware> makeKurt3dHardware(World& world, int robot,
@@ -187,14 +219,7 @@ std::unique_ptr<RobotHardware> makeStockHardware(World& world, int robot, const 
                                                  const HardwareSettings& settings) {
     FitOut fit(world, robot, description, settings.seed);
     fit.addReckoning();
-    if (const auto place = fit.place(StreamRole::Points, {}, "lidar", at(0.0, 0.0, 0.5))) {
-        SpinningLidarSettings lidar = vlp16();
-        lidar.sensor = place->key;
-        lidar.frame = place->frame;
-        lidar.lidarInBase = place->inBase;
-        fit.fix(place->frame, place->inBase);
-        fit.add(std::make_unique<SpinningLidar>(lidar, fit.noise("lidar"), fit.start()));
-    }
+    addScanners(fit, description, settings);
     if (const auto place = fit.place(StreamRole::Ranges, {}, "laser", at(0.0, 0.0, 0.2))) {
         PlaneLaserSettings laser = rplidarA1();
         laser.sensor = place->key;

@@ -8,6 +8,7 @@
 
 #include "core/robot/robot_description.h"
 #include "robots/hardware/robot_hardware.h"
+#include "robots/simulation/sensors/laser/spinning_lidar.h"
 #include "robots/simulation/world/world.h"
 
 namespace leitstand::simulation {
@@ -21,6 +22,8 @@ struct HardwareSettings {
     ScannerMount scanner = ScannerMount::ScanDrive;  ///< for Kurt3D
     bool turningLaser = false;  ///< for the Crawler: whether its laser turns and also gives 3D slices
     bool cameras = true;        ///< whether pictures are drawn; false makes tests quicker
+    SpinningLidarSettings lidar = vlp16();  ///< for stock robots, but for its place
+    bool lidarMountTold = true;             ///< for stock robots: whether tf tells where the lidar sits
     /// Called before each picture; empty: pictures are always drawn.
     std::function<bool(std::string_view sensor)> mayDraw = {};
 };

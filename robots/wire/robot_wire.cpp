@@ -14,8 +14,13 @@
 #include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "core/event/stream_role.h"
+#include "core/event/video_packet.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
+#include "core/perception/pictures/video/video_bitstream.h"
 #include "core/robot/streams/stream_table.h"
+#include "robots/wire/depth_file_writing.h"
 #include "robots/wire/raw_picture.h"
+#include "robots/wire/video_encoder.h"
 #include "transport/convert/decode.h"
 #include "transport/convert/encode.h"
 #include "transport/link/grant_keeper.h"
@@ -26,6 +31,7 @@ namespace {
 
 constexpr std::size_t MostWaiting = 1000;
 constexpr const char* RawPictures = "sensor_msgs/msg/Image";
+constexpr const char* CompressedPictures = "sensor_msgs/msg/CompressedImage";
 
 Flow flowOf(StreamRole role) {
     if (role == StreamRole::StopState || role == StreamRole::Mode || role == StreamRole::Pong)
@@ -52,12 +58,16 @@ struct RobotWire::State {
     Result<void> open(Node& node, Grants grants);
     void receive(const StreamDescription& stream, const ReceivedSample& sample);
     void receiveGrant(const ReceivedSample& sample);
-    [[nodiscard]] Result<void> publish(const StreamDescription& stream, const Sample& sample) const;
+    [[nodiscard]] Result<void> publish(const StreamDescription& stream, const Sample& sample);
+    [[nodiscard]] Result<PictureSample> asVideo(const StreamDescription& stream,
+                                                const PictureSample& picture);
     void put(ReceivedCommand command);
     void countBroken();
 
     const RobotDescription robot;
     std::map<std::string, std::unique_ptr<Publisher>> publishers;  ///< by topic; not changed after open()
+    std::mutex filming;                                            ///< guards the one that follows
+    std::map<std::string, VideoEncoder> videos;                    ///< by topic
     mutable std::mutex mutex;                                      ///< guards the two that follow
     std::vector<ReceivedCommand> waiting;
     RobotWireCounts counts;
@@ -134,17 +144,45 @@ std::vector<ReceivedCommand> RobotWire::take() {
     return std::exchange(m_state->waiting, {});
 }
 
-Result<void> RobotWire::State::publish(const StreamDescription& stream, const Sample& sample) const {
+Result<PictureSample> RobotWire::State::asVideo(const StreamDescription& stream,
+                                                const PictureSample& picture) {
+    const auto decoded = decodePicture(picture);
+    if (!decoded) return decoded.error();
+    VideoEncoding encoding;
+    encoding.rate = streamFacts(stream.role).usualRate;
+    const std::lock_guard lock(filming);
+    auto bytes = videos.try_emplace(stream.topic, encoding).first->second.encode(*decoded);
+    if (!bytes) return bytes.error();
+    const auto content = std::make_shared<const std::vector<std::byte>>(std::move(bytes).value());
+    PictureSample video;
+    video.header = picture.header;
+    video.compressed = true;
+    video.encoding = "h264";
+    video.width = decoded->width;
+    video.height = decoded->height;
+    video.content = {content, *content};
+    video.video = std::make_shared<const VideoPacket>(VideoPacket{
+        .codec = encoding.codec, .key = isKeyPicture(encoding.codec, *content), .bytes = video.content});
+    return video;
+}
+
+Result<void> RobotWire::State::publish(const StreamDescription& stream, const Sample& sample) {
     Publisher& publisher = *publishers.at(stream.topic);
     const auto* picture = sample.as<PictureSample>();
-    if (picture == nullptr || !picture->compressed || stream.type != RawPictures) {
+    if (picture == nullptr || (picture->compressed && stream.type == CompressedPictures)) {
         const auto cdr = encode(sample, stream.type);
         return cdr ? publisher.write(*cdr) : Result<void>(cdr.error());
     }
-    if (publisher.matched() == 0) return {};  // it is big: only sent when somebody listens
-    auto raw = rawPicture(*picture);
-    if (!raw) return raw.error();
-    const auto cdr = encode(std::move(raw).value(), stream.type);
+    if (publisher.matched() == 0) {  // big, or dear: only sent when somebody listens
+        const std::lock_guard lock(filming);
+        videos.erase(stream.topic);  // who comes first sees a key picture
+        return {};
+    }
+    auto made = stream.type == RawPictures          ? rawPicture(*picture)
+                : stream.type == CompressedPictures ? compressedDepth(*picture)
+                                                    : asVideo(stream, *picture);
+    if (!made) return made.error();
+    const auto cdr = encode(std::move(made).value(), stream.type);
     return cdr ? publisher.write(*cdr) : Result<void>(cdr.error());
 }
 

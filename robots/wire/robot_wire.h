@@ -49,8 +49,8 @@ public:
     /// becomes NaN, which stops the robot.
     [[nodiscard]] std::vector<ReceivedCommand> take();
     /// Publishes @p sample on all streams with its role and sensor; does nothing when the robot has none.
-    /// Never waits. On streams of sensor_msgs/msg/Image, compressed pictures are sent raw, if somebody reads
-    /// them.
+    /// Never waits. On streams of sensor_msgs/msg/Image, compressed pictures are sent raw, on those of videos
+    /// as such, if somebody reads them.
     void publish(const HardwareSample& sample);
     [[nodiscard]] RobotWireCounts counts() const;
 

@@ -16,8 +16,8 @@ struct Rule {
 };
 
 const std::vector<Rule>& rules() {
-    static const std::vector<std::string_view> coreLibraries = {"Eigen",  "tbb",  "fmt",
-                                                                "opencv", "zbar", "zlib"};
+    static const std::vector<std::string_view> coreLibraries = {"Eigen", "tbb",  "fmt",  "opencv",
+                                                                "zbar",  "zlib", "libav"};
     static const std::vector<std::string_view> core = {
         "core/base",    "core/cloud",      "core/event",    "core/registration",
         "core/robot",   "core/perception", "core/mapping",  "core/mission",
@@ -39,7 +39,7 @@ const std::vector<Rule>& rules() {
         {"robots",
          with(core, {"core/io", "transport", "robots/hardware", "robots/kurt3d", "robots/crawler",
                      "robots/control", "robots/agent", "robots/wire"}),
-         {"Eigen", "fmt", "yaml-cpp"}},
+         {"Eigen", "fmt", "yaml-cpp", "libav"}},
         {"robots/simulation",
          with(core, {"core/io", "transport", "robots"}),
          {"Eigen", "fmt", "embree", "CLI", "yaml-cpp", "opencv", "qrencode"}},
@@ -232,6 +232,8 @@ std::string_view libraryOf(std::string_view header) {
         {"pcl/", "pcl"},
         {"opencv2/", "opencv"},
         {"zbar", "zbar"},
+        {"libav", "libav"},
+        {"libsw", "libav"},
         {"zlib.h", "zlib"},
         {"vtk", "vtk"},
         {"EGL/", "EGL"},

@@ -11,6 +11,17 @@ const elsewhere = {
   "map_msgs/msg/OccupancyGridUpdate": { definitions: [field("std_msgs/Header", "header"), field("int32", "x"),
     field("int32", "y"), field("uint32", "width"), field("uint32", "height"),
     field("int8", "data", { isArray: true })] },
+  "ffmpeg_image_transport_msgs/msg/FFMPEGPacket": { definitions: [field("std_msgs/Header", "header"),
+    field("int32", "width"), field("int32", "height"), field("string", "encoding"), field("uint64", "pts"),
+    field("uint8", "flags"), field("bool", "is_bigendian"), field("uint8", "data", { isArray: true })] },
+  "foxglove_msgs/msg/CompressedVideo": { definitions: [field("time", "timestamp"),
+    field("string", "frame_id"), field("uint8", "data", { isArray: true }), field("string", "format")] },
+  "livox_ros_driver2/msg/CustomPoint": { definitions: [field("uint32", "offset_time"), field("float32", "x"),
+    field("float32", "y"), field("float32", "z"), field("uint8", "reflectivity"), field("uint8", "tag"),
+    field("uint8", "line")] },
+  "livox_ros_driver2/msg/CustomMsg": { definitions: [field("std_msgs/Header", "header"), field("uint64", "timebase"),
+    field("uint32", "point_num"), field("uint8", "lidar_id"), field("uint8", "rsvd", { isArray: true, arrayLength: 3 }),
+    field("livox_ros_driver2/CustomPoint", "points", { isArray: true })] },
 };
 const faults = [];
 let compared = 0;

@@ -16,6 +16,7 @@
 #include "core/event/station_samples.h"
 #include "core/event/status_samples.h"
 #include "core/event/stream_role.h"
+#include "core/event/video_packet.h"
 
 namespace leitstand::test {
 namespace {
@@ -90,6 +91,30 @@ PictureSample picture(bool compressed) {
     picture.step = 13;
     picture.content = countedBytes(26);
     return picture;
+}
+
+/// A picture of a video; @p sized: with its size.
+PictureSample videoPicture(const std::string& encoding, bool sized) {
+    PictureSample picture;
+    picture.header = header();
+    picture.compressed = true;
+    picture.encoding = encoding;
+    if (sized) picture.width = 640;
+    if (sized) picture.height = 480;
+    const bool h264 = encoding == "h264";
+    const std::byte unit = h264 ? std::byte{0x65} : std::byte{0x26};  // a key picture
+    picture.content = sharedBytes({std::byte{0}, std::byte{0}, std::byte{1}, unit, std::byte{7}});
+    picture.video = std::make_shared<const VideoPacket>(VideoPacket{
+        .codec = h264 ? VideoCodec::H264 : VideoCodec::H265, .key = true, .bytes = picture.content});
+    return picture;
+}
+
+/// As Livox scanners send it: no grid, lines and intensities of 8 bits.
+CloudSample livoxCloud() {
+    CloudSample livox = cloud();
+    livox.rows = livox.columns = 0;
+    for (std::size_t i = 0; i < livox.rings.size(); ++i) livox.rings[i] = static_cast<std::int32_t>(i % 4);
+    return livox;
 }
 
 BatterySample battery() {
@@ -242,6 +267,9 @@ std::vector<SampleCase> robotCases() {
          OccupancyGridSample{header(), at(1'700'000'010, 2), 0.25, 3, 2, pose(7.0), {0, 100, -1, 50, 1, 99}}},
         {"map_msgs/msg/OccupancyGridUpdate", R::GridUpdate,
          GridUpdateSample{header(), 4, 5, 2, 1, {100, -1}}},
+        {"ffmpeg_image_transport_msgs/msg/FFMPEGPacket", R::Picture, videoPicture("libx265", true)},
+        {"foxglove_msgs/msg/CompressedVideo", R::Picture, videoPicture("h264", false)},
+        {"livox_ros_driver2/msg/CustomMsg", R::Points, livoxCloud()},
         {"nav_msgs/msg/Path", R::Path, PathSample{header(), {pose(8.0), pose(9.0)}}},
     };
 }

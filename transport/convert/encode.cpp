@@ -4,6 +4,7 @@
 
 #include "core/event/motion_samples.h"
 #include "core/event/picture_samples.h"
+#include "messages/ffmpeg_image_transport_msgs.h"
 #include "messages/geometry_msgs.h"
 #include "messages/sensor_msgs.h"
 #include "transport/convert/detail/conversion.h"
@@ -27,7 +28,8 @@ std::string_view typeOf(const Sample& sample) {
         return wire::geometry_msgs::TwistStamped::RosName;
     }
     if (const auto* picture = sample.as<PictureSample>(); picture != nullptr && picture->compressed) {
-        return wire::sensor_msgs::CompressedImage::RosName;
+        return picture->video ? wire::ffmpeg_image_transport_msgs::FFMPEGPacket::RosName
+                              : wire::sensor_msgs::CompressedImage::RosName;
     }
     const auto& all = detail::conversions();
     const auto found = std::find_if(all.begin(), all.end(), [&](const detail::Conversion& entry) {

@@ -154,7 +154,9 @@ void CoverageWatch::onEvent(const Event& event) {
             m_waiting.push_back(event);
             if (picture) {
                 ++m_pictures;
-                m_waiting.back().sample.edit<PictureSample>()->content = {};  // only its time counts
+                auto* const kept = m_waiting.back().sample.edit<PictureSample>();
+                kept->content = {};  // only its time counts
+                kept->video = nullptr;
             }
             return m_came.notify_all();
         }

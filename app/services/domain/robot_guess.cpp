@@ -60,6 +60,7 @@ std::optional<StreamRole> roleInTable(const SeenTopic& topic, bool commands) {
     for (const StreamFacts& row : streamTable()) {
         const bool known = std::find(row.types.begin(), row.types.end(), topic.type) != row.types.end();
         if (isCommand(row.role) != commands || !known || !isGuessedBy(row, topic)) continue;
+        if (isPictureType(topic.type) && !row.picture) continue;  // depths: addDepths()
         if (found == nullptr || (found->guessedBy == GuessedBy::Type && row.guessedBy != GuessedBy::Type))
             found = &row;
     }
@@ -69,10 +70,28 @@ std::optional<StreamRole> roleInTable(const SeenTopic& topic, bool commands) {
 /// Parts of the names of pictures that hold distances.
 constexpr std::array<std::string_view, 1> OfDepth = {"depth"}, OfStereo = {"stereo"};
 constexpr std::array<std::string_view, 2> OfEyes = {"left", "right"};
+/// Pictures that ouster_ros makes of its scans.
+constexpr std::array<std::string_view, 4> OfScanners = {"range_image", "signal_image", "reflec_image",
+                                                        "nearir_image"};
 /// Endings of a camera's topics, below its name.
-constexpr std::array<std::string_view, 12> OfPictures = {
-    "image",      "image_raw", "image_rect", "image_rect_raw",  "image_color", "image_mono",
-    "compressed", "raw",       "theora",     "compressedDepth", "zstd",        "camera_info"};
+constexpr std::array<std::string_view, 16> OfPictures = {
+    "image", "image_raw",  "image_rect", "image_rect_raw", "image_color",     "image_mono", "ffmpeg",
+    "h264",  "compressed", "raw",        "theora",         "compressedDepth", "zstd",       "camera_info",
+    "h265",  "video"};
+
+/// Whether a topic's name tells of depths. A stereo camera that names no eye publishes what it computes from
+/// both.
+bool namesDepths(std::string_view name) {
+    return hasPart(name, OfDepth) || (hasPart(name, OfStereo) && !hasPart(name, OfEyes));
+}
+
+/// Whether @p topic carries pictures of depths, raw or as compressed_depth_image_transport sends them. JPEGs
+/// of depths are of no use.
+bool isOfDepths(const SeenTopic& topic) {
+    const bool compressed = topic.type == "sensor_msgs/msg/CompressedImage";
+    return compressed ? leafOf(topic.name) == "compressedDepth"
+                      : topic.type == "sensor_msgs/msg/Image" && namesDepths(topic.name);
+}
 
 /// Camera that a topic belongs to: "/kurt3d/left/image/compressed" -> "left".
 std::string sensorOf(const std::string& name, const std::string& space) {
@@ -102,9 +121,10 @@ std::string letterFor(const std::string& name, std::set<std::string>& taken) {
 /// The stream of @p robot that @p topic would be a second one of; null: it is the first of its kind.
 StreamDescription* sameAs(const StreamDescription& stream, RobotDescription& robot) {
     const StreamFacts& facts = streamFacts(stream.role);
-    if (facts.several) return nullptr;
+    const bool ofCamera = facts.ofCamera || isDepthStream(stream);
+    if (facts.several && !ofCamera) return nullptr;
     const auto same = std::find_if(robot.streams.begin(), robot.streams.end(), [&](const auto& one) {
-        return one.role == stream.role && (!facts.ofCamera || one.sensor == stream.sensor);
+        return one.role == stream.role && (!ofCamera || one.sensor == stream.sensor);
     });
     return same == robot.streams.end() ? nullptr : &*same;
 }
@@ -119,15 +139,23 @@ StreamDescription streamOf(const SeenTopic& topic, StreamRole role, const RobotG
                              .thermal = {},
                              .hardwareId = {}};
     const StreamFacts& facts = streamFacts(role);
-    if (facts.ofCamera) stream.sensor = sensorOf(topic.name, space);
+    const bool pictures = facts.picture || isDepthStream(stream);
+    if (facts.ofCamera || pictures) stream.sensor = sensorOf(topic.name, space);
     // DDS does not announce the depth of a history.
     const Qos usual = defaultStream(role, guess.robot.name, stream.sensor).qos;
     stream.qos.depth = usual.depth;
     // Nor how long a command of ours counts: an old one must not drive the robot.
     if (isCommand(role)) stream.qos.lifespan = usual.lifespan;
     // On a radio link the next picture is better than the same again.
-    if (facts.picture) stream.qos.reliability = Qos::Reliability::BestEffort;
+    if (pictures) stream.qos.reliability = Qos::Reliability::BestEffort;
+    if (isDepthStream(stream)) stream.qos.depth = streamFacts(StreamRole::Picture).qos.depth;
     return stream;
+}
+
+/// How well pictures of @p type suit a radio link: those of a video need the least, raw ones the most.
+int thriftOf(std::string_view type) {
+    if (type == "sensor_msgs/msg/Image") return 0;
+    return type == "sensor_msgs/msg/CompressedImage" ? 1 : 2;
 }
 
 TopicVerdict* verdictOn(const std::string& topic, RobotGuess& guess) {
@@ -138,8 +166,11 @@ TopicVerdict* verdictOn(const std::string& topic, RobotGuess& guess) {
 
 /// @p space: the robot's namespace.
 void addTopic(RobotGuess& guess, const SeenTopic& topic, const std::string& space) {
-    constexpr std::string_view Compressed = "sensor_msgs/msg/CompressedImage";
     constexpr const char* Smaller = "the same pictures come compressed: {} is used";
+    constexpr const char* AsVideo = "the same pictures come as a video: {} is used";
+    const auto smaller = [&](const StreamDescription& used) {
+        return fmt::format(fmt::runtime(thriftOf(used.type) > 1 ? AsVideo : Smaller), used.topic);
+    };
     TopicVerdict verdict{.topic = topic, .role = {}, .remark = {}};
     if (const auto service = guessService(topic)) {
         guess.robot.services.push_back(*service);
@@ -155,17 +186,17 @@ void addTopic(RobotGuess& guess, const SeenTopic& topic, const std::string& spac
         const bool picture = stream.role == StreamRole::Picture;
         if (same == nullptr) {
             guess.robot.streams.push_back(stream);
-        } else if (picture && stream.type == Compressed && same->type != Compressed) {
+        } else if (picture && thriftOf(stream.type) > thriftOf(same->type)) {
             if (TopicVerdict* const before = verdictOn(same->topic, guess)) {
                 before->role.reset();
-                before->remark = fmt::format(Smaller, stream.topic);
+                before->remark = smaller(stream);
             }
             *same = stream;
         } else {
             verdict.role.reset();
             verdict.remark =
-                picture && same->type == Compressed && stream.type != Compressed
-                    ? fmt::format(Smaller, same->topic)
+                picture && thriftOf(same->type) > thriftOf(stream.type)
+                    ? smaller(*same)
                     : fmt::format("a second topic of this kind; the first one is used ({})", same->topic);
         }
     }
@@ -218,15 +249,25 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
         remark = "nobody publishes it, and the station has nothing to say there";
         return std::nullopt;
     }
-    if (leaf == "compressedDepth" || leaf == "theora" || leaf == "zstd") {
+    if (isOfDepths(topic)) {
+        remark =
+            "pictures of depths: without another scanner the station takes them, else where the robot's "
+            "file names them (role points)";
+        return std::nullopt;
+    }
+    if (leaf == "theora" || leaf == "zstd") {
         remark = fmt::format(
             "pictures of the transport \"{}\" are not understood, expected raw or compressed", leaf);
         return std::nullopt;
     }
-    // A stereo camera that names no eye publishes what it computes from both.
-    const bool depth = hasPart(name, OfDepth) || (hasPart(name, OfStereo) && !hasPart(name, OfEyes));
+    if (role == StreamRole::Picture &&
+        std::find(OfScanners.begin(), OfScanners.end(), leaf) != OfScanners.end()) {
+        remark = "what a 3D scanner sees as a picture: the station does not use it";
+        return std::nullopt;
+    }
+    const bool depth = namesDepths(name);
     if (role == StreamRole::Picture && depth) {
-        remark = "pictures of depths: the station does not use them";
+        remark = "colours of depths: the station does not use them";
         return std::nullopt;
     }
     if (!role) {
@@ -251,13 +292,36 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
 
 namespace {
 
+/// Takes depth pictures of a robot without any other scanner: of each camera the compressed ones, if there
+/// are any.
+void addDepths(RobotGuess& guess, const std::string& space) {
+    const bool scans = guess.robot.stream(StreamRole::Points) != nullptr ||
+                       guess.robot.stream(StreamRole::Ranges) != nullptr;
+    if (scans) return;
+    for (TopicVerdict& verdict : guess.topics) {
+        if (!isOfDepths(verdict.topic) || !verdict.topic.written || !verdict.topic.obstacle.empty()) continue;
+        const StreamDescription stream = streamOf(verdict.topic, StreamRole::Points, guess, space);
+        StreamDescription* const same = sameAs(stream, guess.robot);
+        if (same != nullptr && thriftOf(same->type) >= thriftOf(stream.type)) continue;
+        verdict.role = StreamRole::Points;
+        verdict.remark.clear();
+        if (same == nullptr) {
+            guess.robot.streams.push_back(stream);
+            continue;
+        }
+        if (TopicVerdict* const before = verdictOn(same->topic, guess)) before->role.reset();
+        *same = stream;
+    }
+}
+
 /// Leaves out what is said of cameras whose pictures the station does not use, as of depths.
 void leaveOutBlindCameras(RobotGuess& guess) {
     std::vector<StreamDescription>& streams = guess.robot.streams;
     const auto isBlind = [&](const StreamDescription& stream) {
         return stream.role == StreamRole::CameraInfo &&
                std::none_of(streams.begin(), streams.end(), [&](const StreamDescription& other) {
-                   return streamFacts(other.role).picture && other.sensor == stream.sensor;
+                   const bool seeing = streamFacts(other.role).picture || isDepthStream(other);
+                   return seeing && other.sensor == stream.sensor;
                });
     };
     std::vector<StreamDescription> seeing;
@@ -328,6 +392,7 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
             // Named robots share it with others that are here, or will be.
             if (!space.empty() && stream.topic == "/diagnostics") stream.hardwareId = space;
         }
+        addDepths(guess, space);
         leaveOutBlindCameras(guess);
         if (!guess.topics.empty()) result.push_back(std::move(guess));
     }

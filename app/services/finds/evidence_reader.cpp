@@ -6,6 +6,7 @@
 #include "app/services/finds/evidence_in_log.h"
 #include "app/services/finds/freezing.h"
 #include "app/services/log/event_decoder.h"
+#include "app/services/log/log_entry.h"
 #include "app/services/log/mission_robots.h"
 #include "core/event/find_sample.h"
 #include "core/event/picture_samples.h"
@@ -44,12 +45,11 @@ ReadEvidence readEvidence(const std::filesystem::path& mission, const FindSample
         if (sequence > (*bag)->lastSequence()) read.written = false;
         const auto raw = sequence == 0 ? std::nullopt : (*bag)->event(sequence);
         if (!raw) continue;
-        decoder.decode(*raw, [&](const Event& event) {
-            const auto* sample = event.sample.as<PictureSample>();
-            if (sample == nullptr) return;
-            if (auto picture = evidencePicture(*sample, event, decoder.robots()))
-                read.pictures.push_back(std::move(picture).value());
-        });
+        const auto event = decodedAlone(**bag, decoder, *raw);
+        const auto* const sample = event ? event->sample.as<PictureSample>() : nullptr;
+        if (sample == nullptr) continue;
+        if (auto picture = evidencePicture(*sample, *event, decoder.robots()))
+            read.pictures.push_back(std::move(picture).value());
     }
     return read;
 }

@@ -50,15 +50,17 @@ struct Sharpest {
 Sharpest sharpestOf(const std::vector<Event>& pictures) {
     Sharpest best;
     double most = -1.0;
+    if (pictures.empty()) return best;
     const std::size_t step = std::max<std::size_t>(1, pictures.size() / MostCompared);
-    for (std::size_t i = pictures.size(); i > 0; i -= std::min(i, step)) {  // the newest is among them
-        const Event& event = pictures[i - 1];
+    PictureDecoder decoder;  // pictures of a video follow each other
+    for (std::size_t i = (pictures.size() - 1) % step; i < pictures.size(); i += step) {  // with the newest
+        const Event& event = pictures[i];
         const auto* sample = event.sample.as<PictureSample>();
         if (sample == nullptr) continue;
-        const auto picture = decodePicture(*sample);
+        const auto picture = decoder.decode(*sample);
         if (!picture) continue;
         const double sharp = sharpness(*picture);
-        if (sharp <= most) continue;
+        if (sharp < most) continue;
         most = sharp;
         best = {&event, picture->width, picture->height};
     }

@@ -11,6 +11,7 @@
 #include "app/services/handin/writing/relative_names.h"
 #include "app/services/log/decoded_log.h"
 #include "app/services/log/event_decoder.h"
+#include "app/services/log/log_entry.h"
 #include "app/services/log/mission_robots.h"
 #include "app/services/log/replay/bag_history.h"
 #include "app/services/offline/offline_map.h"
@@ -222,10 +223,7 @@ Result<Event> ReportSource::event(std::uint64_t sequence) {
     const auto raw = m_bag->event(sequence);
     if (!raw)
         return Error{leitstand::fill(translate("leitstand::Error", "event {} is not in the log"), sequence)};
-    std::optional<Event> found;
-    m_decoder->decode(*raw, [&](const Event& event) {
-        if (!found) found = event;
-    });
+    auto found = decodedAlone(*m_bag, *m_decoder, *raw);
     if (!found)
         return Error{leitstand::fill(translate("leitstand::Error", "event {} ({}) cannot be read"), sequence,
                                      raw->topic)};

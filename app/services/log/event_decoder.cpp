@@ -2,9 +2,14 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/event/event.h"
+#include "core/event/picture_samples.h"
 #include "core/event/raw_event.h"
 #include "core/event/station_topics.h"
+#include "core/event/stream_role.h"
+#include "core/robot/streams/stream_table.h"
 #include "transport/convert/decode.h"
 
 namespace leitstand {
@@ -14,6 +19,8 @@ EventDecoder::EventDecoder(std::vector<RobotDescription> robots) : m_robots(std:
         const auto& streams = m_robots[robot].streams;
         for (std::size_t stream = 0; stream < streams.size(); ++stream) {
             m_listings.emplace(streams[stream].topic, Listing{robot, stream});
+            if (isDepthStream(streams[stream]))
+                m_depths.try_emplace({m_robots[robot].name, streams[stream].sensor});
         }
     }
 }
@@ -28,13 +35,37 @@ void EventDecoder::complain(const std::string& topic, const std::string& text) {
     errors.last = text;
 }
 
+Result<std::optional<Event>> EventDecoder::asCloud(Event event) {
+    constexpr int Patience = 50;
+    DepthCamera& camera = m_depths[{event.robot, event.sensor}];
+    if (!camera.calibration) {
+        if (++camera.waiting < Patience) return std::optional<Event>();
+        return Error{
+            fmt::format("{}: depth pictures, but no camera_info of \"{}\"", event.topic, event.sensor)};
+    }
+    auto cloud = camera.clouds.of(*event.sample.as<PictureSample>(), *camera.calibration);
+    if (!cloud) return Error{fmt::format("{}: {}", event.topic, cloud.error().text)};
+    event.sample = Sample(std::move(cloud).value());
+    return std::optional(std::move(event));
+}
+
+Result<std::optional<Event>> EventDecoder::finished(Event event) {
+    if (const auto* const info = event.sample.as<CameraInfoSample>()) {
+        const auto depths = m_depths.find({event.robot, event.sensor});
+        if (depths != m_depths.end()) depths->second.calibration = *info;
+    } else if (const auto* const picture = event.sample.as<PictureSample>()) {
+        if (event.role == StreamRole::Points) return asCloud(std::move(event));
+        if (picture->video) m_videos.link(event.topic, *event.sample.edit<PictureSample>());
+    }
+    return std::optional(std::move(event));
+}
+
 void EventDecoder::decode(const RawEvent& event, const std::function<void(const Event&)>& take) {
-    const auto give = [&](const Result<Event>& decoded) {
-        if (decoded) {
-            take(*decoded);
-        } else {
-            complain(event.topic, decoded.error().text);
-        }
+    const auto give = [&](Result<Event> decoded) {
+        if (!decoded) return complain(event.topic, decoded.error().text);
+        const auto done = finished(std::move(decoded).value());
+        if (!done) return complain(event.topic, done.error().text);
+        if (*done) take(**done);
     };
     if (event.topic.starts_with(station_topic::Prefix)) return give(decodeStationEvent(event));
     const auto [first, last] = m_listings.equal_range(event.topic);

@@ -17,6 +17,7 @@
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"
 #include "core/mission/state/fold.h"
+#include "core/robot/streams/stream_table.h"
 #include "core/station/alarms/log_format.h"
 #include "core/station/alarms/logged_alarm.h"
 #include "transport/convert/encode.h"
@@ -24,11 +25,6 @@
 
 namespace leitstand {
 namespace {
-
-/// Pictures are what a slow disk drops first.
-bool isPicture(const std::string& type) {
-    return type == "sensor_msgs/msg/Image" || type == "sensor_msgs/msg/CompressedImage";
-}
 
 /// Returns the folder's own name, also when its path ends with a slash.
 std::string nameOf(const std::filesystem::path& folder) {
@@ -129,12 +125,12 @@ struct LiveMission::State {
 void LiveMission::State::announce(const std::string& topic, const std::string& type, const Qos& qos) {
     // Locked to the end: a caller that finds the topic announced may write on it at once.
     const std::lock_guard lock(mutex);
-    if (!announced.emplace(topic, isPicture(type)).second) return;
+    if (!announced.emplace(topic, isPictureType(type)).second) return;
     TopicInfo info;
     info.name = topic;
     info.type = type;
     info.qosProfiles = qosProfilesOf(qos);
-    info.droppable = isPicture(type);
+    info.droppable = isPictureType(type);  // what a slow disk drops first
     info.urgent = station_topic::isByHand(topic);
     if (const MessageType* known = findMessageType(type)) {
         info.definition = known->definition;

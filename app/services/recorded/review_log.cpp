@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/services/log/log_entry.h"
 #include "app/services/log/mission_robots.h"
 #include "app/services/log/replay/bag_history.h"
 #include "app/services/recorded/made_map.h"
@@ -240,7 +241,7 @@ std::optional<Event> ReviewLog::newest(const std::string& topic, Time at) {
     const auto [known, fresh] = m_before.try_emplace({topic, here.number});
     if (fresh && here.before > 0) {
         if (const auto raw = m_bag->lastUpTo(topic, here.before))
-            m_decoder.decode(*raw, [&entry = known->second](const Event& event) { entry = event; });
+            known->second = decodedAlone(*m_bag, m_decoder, *raw);
         if (m_before.size() > 64) {  // pictures: those of a few segments are enough
             auto kept = m_before.extract(known);
             m_before.clear();
@@ -254,6 +255,7 @@ void ReviewLog::all(const std::vector<std::string>& topics, const Progress& prog
     if (topics.empty()) return;
     BagQuery query;
     query.topics = topics;
+    m_decoder.jump();
     const bool scans = std::find(topics.begin(), topics.end(), station_topic::KeyScans) != topics.end();
     auto made = scans ? m_made.begin() : m_made.end();
     const auto next = [&](const RawEvent& raw) {

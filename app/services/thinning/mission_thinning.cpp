@@ -10,9 +10,13 @@
 
 #include "app/services/finds/evidence_in_log.h"
 #include "app/services/log/event_decoder.h"
+#include "app/services/log/log_entry.h"
 #include "app/services/log/mission_robots.h"
+#include "core/event/event.h"
 #include "core/event/find_sample.h"
+#include "core/event/picture_samples.h"
 #include "core/event/station_topics.h"
+#include "core/event/video_packet.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/bag_writer.h"
 #include "core/io/bag/raw_events.h"
@@ -52,7 +56,10 @@ std::set<std::uint64_t> evidenceOf(BagReader& bag, const std::vector<RobotDescri
             const bool stays = one.topic.starts_with(station_topic::Prefix);
             if (one.sequence == 0 && (stays || !reported.emplace(one.topic, one.stamp, form.found).second))
                 continue;
-            all.insert(sequenceInLog(bag, decoder, one, form));
+            const std::uint64_t sequence = sequenceInLog(bag, decoder, one, form);
+            all.insert(sequence);
+            for (const RawEvent& needed : videoUpTo(bag, decoder, one.topic, sequence))
+                all.insert(needed.sequence);
         }
     }
     return all;
@@ -82,7 +89,7 @@ class Sieve {
 public:
     Sieve(const std::vector<RobotDescription>& robots, std::set<std::uint64_t> evidence,
           const ThinningSettings& settings)
-        : m_evidence(std::move(evidence)) {
+        : m_evidence(std::move(evidence)), m_decoder(robots) {
         for (const RobotDescription& robot : robots) {
             for (const StreamDescription& stream : robot.streams)
                 m_rates[stream.topic] = rateOf(stream.role, settings);
@@ -96,6 +103,7 @@ public:
         const auto rate = m_rates.find(event.topic);
         if (rate == m_rates.end() || rate->second < 0.0) return true;
         if (rate->second == 0.0) return false;
+        if (!standsAlone(event)) return false;
         const auto [last, first] = m_last.try_emplace(event.topic, event.received);
         const std::chrono::duration<double> since = event.received - last->second;
         if (!first && since.count() >= 0.0 && since.count() < 1.0 / rate->second) return false;
@@ -104,7 +112,19 @@ public:
     }
 
 private:
+    /// Whether @p event can be decoded without those before it: of a video, key pictures alone.
+    [[nodiscard]] bool standsAlone(const RawEvent& event) {
+        bool alone = true;
+        if (!isPictureType(event.type)) return alone;
+        m_decoder.decode(event, [&](const Event& decoded) {
+            const auto* const picture = decoded.sample.as<PictureSample>();
+            alone = picture == nullptr || picture->video == nullptr || picture->video->key;
+        });
+        return alone;
+    }
+
     std::set<std::uint64_t> m_evidence;
+    EventDecoder m_decoder;
     std::map<std::string, double> m_rates;  ///< by topic
     std::map<std::string, Time> m_last;     ///< last kept event, by topic
 };

@@ -16,7 +16,6 @@
 #include "core/perception/heat/body_heat.h"
 #include "core/perception/heat/heat.h"
 #include "core/perception/omni/mei_camera.h"
-#include "core/perception/pictures/coding/picture_decoding.h"
 #include "core/perception/pictures/content_hash.h"
 
 namespace leitstand {
@@ -156,14 +155,15 @@ void CueFinder::look(const Event& event) {
     if (event.role == StreamRole::Thermal) return lookForHeat(event, camera, *view);
     if (event.role != StreamRole::Picture) return;
     // Omnidirectional pictures are too coarse for this search.
-    if (!pixelDirection(*camera.info, {1.0, 1.0}, camera.info->width, camera.info->height)) return;
+    const Eigen::Vector2d middle(0.5 * camera.info->width, 0.5 * camera.info->height);
+    if (!pixelDirection(*camera.info, middle, camera.info->width, camera.info->height)) return;
     const Time stamp = stampOf(event, sample.header);
     const bool still = secondsBetween(camera.stoodSince, stamp) > m_settings.standing;
     if (!still) camera.motion.moved();
     const bool compare = still && stamp - camera.compared >= m_settings.motionEvery;
     const bool read = stamp - camera.read >= m_settings.signsEvery || stamp < camera.read;
     if (!compare && !read) return;
-    const auto picture = decodePicture(sample);
+    const auto picture = camera.decoder.decode(sample);
     if (!picture) return;  // whoever looks at it is notified
     if (compare || stamp < camera.compared) {
         camera.compared = stamp;
@@ -241,11 +241,11 @@ bool CueFinder::shows(const Event& picture, const Eigen::Vector3d& inMap) {
     return !hit || hit->range > range - Thick;
 }
 
-void CueFinder::lookForHeat(const Event& event, const Camera& camera, const View& view) {
+void CueFinder::lookForHeat(const Event& event, Camera& camera, const View& view) {
     const StreamDescription* stream = m_robot.stream(StreamRole::Thermal, event.sensor);
     if (stream == nullptr || !stream->thermal.measured) return;
     const auto& sample = event.sample.get<PictureSample>();
-    const auto picture = decodePicture(sample);
+    const auto picture = camera.decoder.decode(sample);
     if (!picture) return;
     const auto thermal = temperatures(*picture, stream->thermal);
     if (!thermal) return;

@@ -18,6 +18,7 @@
 #include "core/perception/cues/codes.h"
 #include "core/perception/cues/gas_rise.h"
 #include "core/perception/cues/motion.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
@@ -82,6 +83,7 @@ private:
     };
     struct Camera {
         std::optional<CameraInfoSample> info;
+        PictureDecoder decoder;
         MotionFinder motion;
         Time compared{}, read{};  ///< times of the pictures that were last searched for motion, and for signs
         Time stoodSince{};
@@ -90,7 +92,7 @@ private:
     };
     void look(Time now);
     void look(const Event& event);
-    void lookForHeat(const Event& event, const Camera& camera, const View& view);
+    void lookForHeat(const Event& event, Camera& camera, const View& view);
     void lookForMotion(const Event& event, Camera& camera, const View& view, const Picture& picture);
     void lookForSigns(const Event& event, const Camera& camera, const View& view, const Picture& picture);
     void smell(const Event& event, const GasSample& gas);

@@ -81,9 +81,9 @@ std::variant<Options, int> parseOptions(int argc, const char* const* argv) {
     };
     onRobots(live, demo);
     onRobots(demo, nullptr);
-    onRobots(app.add_option(
-                 "--robot", options.robots,
-                 "Robot files, or names of shipped ones (kurt3d, crawler, turtlebot, turtlebot4, husky)"),
+    onRobots(app.add_option("--robot", options.robots,
+                            "Robot files, or names of shipped ones (kurt3d, crawler, turtlebot, turtlebot4, "
+                            "husky, ouster, livox, tracked)"),
              demo)
         ->type_name("YAML...");
     auto* mission =

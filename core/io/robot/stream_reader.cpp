@@ -38,6 +38,10 @@ public:
             defaultStream(role, m_robot.name.empty() ? "robot" : m_robot.name, sensor, m_robot.tfPrefix);
         readType(fields, stream);
         readTopic(fields, stream);
+        if (isDepthStream(stream)) {
+            stream.qos = streamFacts(StreamRole::Picture).qos;
+            if (!fields.has("sensor")) failCamera(fields);
+        }
         if (fields.has("qos")) readQos(fields.at("qos"), stream);
         readSpecials(fields, stream);
         fields.flag("record", stream.record);
@@ -63,14 +67,16 @@ private:
                         leitstand::fill(translate("leitstand::Error", words), shown(what), first->second));
     }
 
+    static void failCamera(const YamlFields& fields) {
+        fields.fail("sensor",
+                    translate("leitstand::Error",
+                              "expected the camera that it belongs to, a name under sensors, found nothing"));
+    }
+
     void readSensor(const YamlFields& fields, StreamRole role, std::string& sensor) {
         if (!fields.text("sensor", sensor)) return;
         if (!fields.has("sensor")) {
-            if (streamFacts(role).ofCamera)
-                fields.fail(
-                    "sensor",
-                    translate("leitstand::Error",
-                              "expected the camera that it belongs to, a name under sensors, found nothing"));
+            if (streamFacts(role).ofCamera) failCamera(fields);
         } else if (m_sensors.empty()) {
             fields.fail("sensor",
                         leitstand::fill(translate("leitstand::Error",

@@ -10,11 +10,11 @@
 namespace leitstand {
 namespace {
 
-/// Returns the ring that a camera below a mirror sees, up to the picture's edge nearest to its axis.
-std::optional<SearchField> ringOf(const CameraInfoSample& info) {
-    const auto camera = MeiCamera::of(info, info.width, info.height);
-    if (!camera) return std::nullopt;
-    const auto middle = camera->project(Eigen::Vector3d::UnitZ());
+/// Returns the ring that a camera below a mirror, or with a fisheye, sees, up to the picture's edge nearest
+/// to its axis. @p project returns the pixel of a direction.
+template <class Project>
+std::optional<SearchField> ringOf(const CameraInfoSample& info, const Project& project) {
+    const std::optional<Eigen::Vector2d> middle = project(Eigen::Vector3d(Eigen::Vector3d::UnitZ()));
     if (!middle) return std::nullopt;
     const double reach =
         std::min({middle->x(), middle->y(), info.width - middle->x(), info.height - middle->y()});
@@ -22,7 +22,8 @@ std::optional<SearchField> ringOf(const CameraInfoSample& info) {
     SearchField field;
     double before = 0.0;
     for (double angle = Step; angle < degrees(170); angle += Step) {
-        const auto pixel = camera->project({std::sin(angle), 0.0, std::cos(angle)});
+        const std::optional<Eigen::Vector2d> pixel =
+            project(Eigen::Vector3d(std::sin(angle), 0.0, std::cos(angle)));
         if (!pixel || !pixel->allFinite()) break;
         const double radius = (*pixel - *middle).norm();
         if (radius > reach || radius <= before) break;
@@ -35,6 +36,17 @@ std::optional<SearchField> ringOf(const CameraInfoSample& info) {
     }
     if (!(field.outer > 0.0)) return std::nullopt;
     return field;
+}
+
+std::optional<SearchField> ringOf(const CameraInfoSample& info) {
+    if (isFisheye(info)) {
+        return ringOf(info, [&](const Eigen::Vector3d& direction) {
+            return pixelOf(info, direction, info.width, info.height);
+        });
+    }
+    const auto mirror = MeiCamera::of(info, info.width, info.height);
+    if (!mirror) return std::nullopt;
+    return ringOf(info, [&](const Eigen::Vector3d& direction) { return mirror->project(direction); });
 }
 
 }  // namespace
@@ -74,7 +86,7 @@ std::optional<SearchField> fieldOf(const CameraInfoSample& camera) {
     };
     const auto left = look(0.0, height / 2), right = look(width - 1, height / 2), up = look(width / 2, 0.0),
                down = look(width / 2, height - 1);
-    if (!left || !right || !up || !down) return ringOf(camera);
+    if (isFisheye(camera) || !left || !right || !up || !down) return ringOf(camera);
     for (const auto& side : {*left, *right, *up, *down}) {
         if (!side.allFinite() || !(side.z() > 1e-3)) return std::nullopt;
     }

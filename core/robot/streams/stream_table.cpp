@@ -1,23 +1,29 @@
 #include "core/robot/streams/stream_table.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
 #include "core/base/words.h"
 #include "core/event/stream_role.h"
+#include "core/robot/robot_description.h"
 
 namespace leitstand {
 namespace {
 
 using Type = std::string_view;
 
-constexpr Type Cloud[] = {"sensor_msgs/msg/PointCloud2"};
+constexpr Type Cloud[] = {"sensor_msgs/msg/PointCloud2", "livox_ros_driver2/msg/CustomMsg",
+                          // depths, with a camera_info of the same sensor
+                          "sensor_msgs/msg/CompressedImage", "sensor_msgs/msg/Image"};
 constexpr Type Scan[] = {"sensor_msgs/msg/LaserScan"};
 constexpr Type Odom[] = {"nav_msgs/msg/Odometry"};
 constexpr Type Inertia[] = {"sensor_msgs/msg/Imu"};
 constexpr Type Joint[] = {"sensor_msgs/msg/JointState"};
 constexpr Type Transform[] = {"tf2_msgs/msg/TFMessage"};
-constexpr Type Image[] = {"sensor_msgs/msg/CompressedImage", "sensor_msgs/msg/Image"};
+constexpr Type Image[] = {"sensor_msgs/msg/CompressedImage", "sensor_msgs/msg/Image",
+                          "ffmpeg_image_transport_msgs/msg/FFMPEGPacket",
+                          "foxglove_msgs/msg/CompressedVideo"};
 constexpr Type Info[] = {"sensor_msgs/msg/CameraInfo"};
 constexpr Type Gases[] = {"leitstand_msgs/msg/GasConcentration", "std_msgs/msg/Float32",
                           "std_msgs/msg/Float64"};
@@ -368,6 +374,14 @@ const StreamFacts& streamFacts(StreamRole role) {
 
 bool isScanner(StreamRole role) {
     return streamFacts(role).sight == Sight::Scanner;
+}
+
+bool isDepthStream(const StreamDescription& stream) {
+    return stream.role == StreamRole::Points && isPictureType(stream.type);
+}
+
+bool isPictureType(std::string_view type) {
+    return std::find(std::begin(Image), std::end(Image), type) != std::end(Image);
 }
 
 std::span<const std::string_view> typesOf(StreamRole role) {

@@ -9,6 +9,7 @@
 namespace leitstand {
 
 enum class StreamRole : std::uint8_t;
+struct StreamDescription;
 
 /// Order in which streams are reduced on a thin link: the last rank first (thinRequests()).
 enum class ThinRank : std::uint8_t { Kept, Telemetry, Scans, Pictures };
@@ -72,6 +73,12 @@ inline constexpr const char* StreamTitles = "leitstand::LinkStatus";  ///< conte
 [[nodiscard]] std::span<const StreamFacts> streamTable();
 [[nodiscard]] const StreamFacts& streamFacts(StreamRole role);
 [[nodiscard]] bool isScanner(StreamRole role);  ///< whether the role's Sight is Scanner
+
+/// Whether @p stream carries pictures of depths, which are scanned points.
+[[nodiscard]] bool isDepthStream(const StreamDescription& stream);
+
+/// Whether messages of the ROS type @p type hold a picture.
+[[nodiscard]] bool isPictureType(std::string_view type);
 
 /// The ROS types that a stream of @p role may have; the first one is the usual one.
 [[nodiscard]] std::span<const std::string_view> typesOf(StreamRole role);

@@ -83,11 +83,11 @@ void addStock(CLI::App& app, int& exitCode) {
     auto profile = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand(
         "stock", "Drives a simulated robot that publishes and takes only what its maker ships");
-    command->add_option("PROFILE", *profile, "turtlebot4 or husky")
+    command->add_option("PROFILE", *profile, "turtlebot4, husky, ouster, livox or tracked")
         ->required()
         ->check(CLI::IsMember(stockProfiles()).description(""));
     auto* nameSpace = command->add_option("--namespace", options->nameSpace,
-                                          "Of its topics (turtlebot4: none; husky: a200_0000)");
+                                          "Of its topics (husky: a200_0000; others: none)");
     addWorld(*command, *options);
     addNetwork(*command, options->network);
     command->callback([options, profile, nameSpace, &exitCode] {

@@ -140,10 +140,11 @@ struct Life {
     StockLocalisation& localisation;
     TruthExchange& truth;
     FrozenPictures& cameras;
+    double gravity;  ///< unit of accelerations that it reports [m/s2]
 };
 
 void turn(const Life& life) {
-    auto& [world, agent, wire, others, services, navigation, localisation, truth, cameras] = life;
+    auto& [world, agent, wire, others, services, navigation, localisation, truth, cameras, gravity] = life;
     truth.take(world);
     world.advance(Pace::Step);
     for (const ReceivedCommand& command : wire.take()) {
@@ -163,6 +164,8 @@ void turn(const Life& life) {
     for (HardwareSample& sample : samples) {
         if (services.camerasAreOff() && streamFacts(sample.role).picture) continue;
         cameras.pass(sample, frozen != 0);
+        auto* const imu = gravity == 1.0 ? nullptr : sample.sample.edit<ImuSample>();
+        if (imu != nullptr && imu->linearAcceleration) *imu->linearAcceleration /= gravity;
         wire.publish(sample);
         if (const auto* cloud = sample.sample.as<CloudSample>()) truth.publishLabels(world, *cloud);
     }
@@ -208,6 +211,10 @@ Result<void> runRobot(const RobotOptions& options) {
     fitting.scanner = tilting ? ScannerMount::Tilting : ScannerMount::ScanDrive;
     fitting.turningLaser =
         options.turningLaser || motionOf(*robot, StreamRole::Ranges) == SensorMotion::Turning;
+    if (options.stock != nullptr) {
+        fitting.lidar = options.stock->lidar();
+        fitting.lidarMountTold = options.stock->mountTold;
+    }
     const auto hardware = options.stock != nullptr   ? makeStockHardware(world, number, *robot, fitting)
                           : options.kind == "kurt3d" ? makeKurt3dHardware(world, number, *robot, fitting)
                                                      : makeCrawlerHardware(world, number, *robot, fitting);
@@ -255,7 +262,8 @@ Result<void> runRobot(const RobotOptions& options) {
     std::fflush(stdout);
     FrozenPictures cameras;
     StockLocalisation localisation(world, number, *robot);
-    live({world, **agent, **wire, others, **services, navigation->get(), localisation, **truth, cameras},
+    live({world, **agent, **wire, others, **services, navigation->get(), localisation, **truth, cameras,
+          options.stock != nullptr ? options.stock->gravity : 1.0},
          pace);
     return {};
 }

@@ -44,9 +44,6 @@ constexpr StockTopic Turtlebot4[] = {
     {"joy", "sensor_msgs/msg/Joy", Default, 0.0},
     {"diagnostics_agg", "diagnostic_msgs/msg/DiagnosticArray", Default, 1.0},
     {"robot_state/transition_event", "lifecycle_msgs/msg/TransitionEvent", Default, 0.0},
-    {"oakd/stereo/image_raw", "sensor_msgs/msg/Image", Default, 5.0},
-    {"oakd/stereo/image_raw/compressedDepth", "sensor_msgs/msg/CompressedImage", Default, 5.0},
-    {"oakd/stereo/camera_info", "sensor_msgs/msg/CameraInfo", Default, 5.0},
     {"map_updates", "map_msgs/msg/OccupancyGridUpdate", Default, 0.0},
     {"plan", "nav_msgs/msg/Path", Default, 0.0},
     {"global_costmap/costmap", "nav_msgs/msg/OccupancyGrid", Latched, 0.0},
@@ -81,11 +78,59 @@ constexpr StockTopic Husky[] = {
     {"twist_marker_server/cmd_vel", "geometry_msgs/msg/TwistStamped", Default, 0.0},
 };
 
+// ouster_ros: driver_params.yaml (proc_mask IMU|PCL|SCAN|IMG|RAW|TLM; sensor data QoS), os_driver_node.cpp;
+// ros2_controllers: diff_drive_controller.
+constexpr StockTopic Ouster[] = {
+    {"/rosout", "rcl_interfaces/msg/Log", Latched, 1.0},
+    {"/parameter_events", "rcl_interfaces/msg/ParameterEvent", Default, 0.0},
+    {"robot_description", "std_msgs/msg/String", Latched, 0.0},
+    {"joint_states", "sensor_msgs/msg/JointState", Default, 50.0},
+    {"dynamic_joint_states", "control_msgs/msg/DynamicJointState", Default, 50.0},
+    {"ouster/metadata", "std_msgs/msg/String", Latched, 0.0},
+    {"ouster/lidar_packets", "ouster_sensor_msgs/msg/PacketMsg", SensorData, 64.0},
+    {"ouster/imu_packets", "ouster_sensor_msgs/msg/PacketMsg", SensorData, 100.0},
+    {"ouster/telemetry", "ouster_sensor_msgs/msg/Telemetry", SensorData, 1.0},
+    {"ouster/range_image", "sensor_msgs/msg/Image", SensorData, 10.0},
+    {"ouster/signal_image", "sensor_msgs/msg/Image", SensorData, 10.0},
+    {"ouster/reflec_image", "sensor_msgs/msg/Image", SensorData, 10.0},
+    {"ouster/nearir_image", "sensor_msgs/msg/Image", SensorData, 10.0},
+    {"ouster/os_driver/transition_event", "lifecycle_msgs/msg/TransitionEvent", Default, 0.0},
+};
+
+// livox_ros_driver2: lddc.cpp (topics, frames, queue sizes with the usual QoS), msg_MID360_launch.py.
+constexpr StockTopic Livox[] = {
+    {"/rosout", "rcl_interfaces/msg/Log", Latched, 1.0},
+    {"/parameter_events", "rcl_interfaces/msg/ParameterEvent", Default, 0.0},
+    {"robot_description", "std_msgs/msg/String", Latched, 0.0},
+    {"joint_states", "sensor_msgs/msg/JointState", Default, 50.0},
+};
+
+// ros2_controllers: diff_drive_controller, joint_state_broadcaster, joint_trajectory_controller;
+// velodyne_pointcloud; ffmpeg_image_transport beside usb_cam.
+constexpr StockTopic Tracked[] = {
+    {"/rosout", "rcl_interfaces/msg/Log", Latched, 1.0},
+    {"/parameter_events", "rcl_interfaces/msg/ParameterEvent", Default, 0.0},
+    {"robot_description", "std_msgs/msg/String", Latched, 0.0},
+    {"joint_states", "sensor_msgs/msg/JointState", Default, 50.0},
+    {"dynamic_joint_states", "control_msgs/msg/DynamicJointState", Default, 50.0},
+    {"flipper_controller/controller_state", "control_msgs/msg/JointTrajectoryControllerState", Default, 50.0},
+    {"flipper_controller/transition_event", "lifecycle_msgs/msg/TransitionEvent", Default, 0.0},
+    {"arm_controller/controller_state", "control_msgs/msg/JointTrajectoryControllerState", Default, 50.0},
+    {"arm_controller/transition_event", "lifecycle_msgs/msg/TransitionEvent", Default, 0.0},
+    {"velodyne_packets", "velodyne_msgs/msg/VelodyneScan", SensorData, 10.0},
+};
+
+constexpr double StandardGravity = 9.80665;  // [m/s2]
+
 constexpr StockProfile Profiles[] = {
     // The Create 3 stops half a second after the last command.
-    {"turtlebot4", "crawler", "", 500ms, Turtlebot4},
+    {"turtlebot4", "crawler", "", 500ms, vlp16, true, 1.0, Turtlebot4},
     // cmd_vel_timeout of diff_drive_controller.
-    {"husky", "kurt3d", "a200_0000", 500ms, Husky},
+    {"husky", "kurt3d", "a200_0000", 500ms, vlp16, true, 1.0, Husky},
+    {"ouster", "kurt3d", "", 500ms, os1, true, 1.0, Ouster},
+    // The driver publishes no transforms, and accelerations in units of gravity.
+    {"livox", "kurt3d", "", 500ms, mid360, false, StandardGravity, Livox},
+    {"tracked", "crawler", "", 500ms, vlp16, true, 1.0, Tracked},
 };
 
 }  // namespace

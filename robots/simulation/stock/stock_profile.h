@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/robot/robot_description.h"
 #include "core/robot/streams/qos.h"
+#include "robots/simulation/sensors/laser/spinning_lidar.h"
 
 namespace leitstand::simulation {
 
@@ -23,10 +24,13 @@ struct StockTopic {
 /// A robot as its manufacturer delivers it. The simulated topics that it publishes and takes are in
 /// resources/stock/NAME.yaml, with sources; everything else is here.
 struct StockProfile {
-    std::string_view name;                ///< "turtlebot4"
-    std::string_view body;                ///< simulated robot whose body is used, "crawler"
-    std::string_view nameSpace;           ///< namespace of its topics as delivered; empty: none
-    std::chrono::nanoseconds watchdog{};  ///< it stops after this time without commands
+    std::string_view name;                     ///< "turtlebot4"
+    std::string_view body;                     ///< simulated robot whose body is used, "crawler"
+    std::string_view nameSpace;                ///< namespace of its topics as delivered; empty: none
+    std::chrono::nanoseconds watchdog{};       ///< it stops after this time without commands
+    SpinningLidarSettings (*lidar)() = vlp16;  ///< its 3D scanner, if it has one
+    bool mountTold = true;                     ///< whether tf tells where the 3D scanner sits
+    double gravity = 1.0;                      ///< unit of accelerations that it reports [m/s2]
     std::span<const StockTopic> others;
 };
 

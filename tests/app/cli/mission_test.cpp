@@ -172,7 +172,8 @@ TEST(Mission, RobotsThatCannotWorkSideBySideAreToldAndNothingIsWritten) {
     const auto unknown =
         leitstandctl({"record", "--out", (folder / "mission").string(), "--robot", "kurt4d"});
     EXPECT_EQ(unknown.exitCode, 1);
-    EXPECT_THAT(unknown.err, HasSubstr("crawler, husky, kurt3d, turtlebot or turtlebot4"));
+    EXPECT_THAT(unknown.err,
+                HasSubstr("crawler, husky, kurt3d, livox, ouster, tracked, turtlebot or turtlebot4"));
     EXPECT_FALSE(fs::exists(folder / "mission"));
 }
 

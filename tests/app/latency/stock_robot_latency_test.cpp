@@ -180,5 +180,17 @@ TEST(StockRobotLatency, ATurtleBot4IsDrivenWithoutAFileByHand) {
     drivesWithin({"turtlebot4", "robot", "/odom"});
 }
 
+TEST(StockRobotLatency, OneWithAnOusterIsDrivenWithoutAFileByHand) {
+    drivesWithin({"ouster", "robot", "/odom"});
+}
+
+TEST(StockRobotLatency, OneWithALivoxIsDrivenWithoutAFileByHand) {
+    drivesWithin({"livox", "robot", "/odom"});
+}
+
+TEST(StockRobotLatency, ATrackedOneIsDrivenWithoutAFileByHand) {
+    drivesWithin({"tracked", "robot", "/odom"});
+}
+
 }  // namespace
 }  // namespace leitstand::test

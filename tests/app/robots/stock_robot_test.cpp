@@ -11,9 +11,17 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/services/log/decoded_log.h"
+#include "app/services/log/event_decoder.h"
 #include "core/base/time.h"
+#include "core/event/cloud_sample.h"
 #include "core/event/command_samples.h"
+#include "core/event/event.h"
+#include "core/event/picture_samples.h"
+#include "core/event/raw_event.h"
 #include "core/event/stream_role.h"
+#include "core/io/bag/bag_reader.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "tests/app/recording.h"
 #include "tests/app/robots/robot_process.h"
 #include "tests/support/temporary_folder.h"
@@ -60,7 +68,7 @@ TEST(StockRobots, ATurtleBot4IsOneRobotWithWhatTheStationCanUse) {
     EXPECT_EQ(use("/cmd_vel"), "drive_command");
     EXPECT_EQ(use("/oakd/rgb/preview/image_raw/compressed"), "picture");
     EXPECT_EQ(use("/oakd/rgb/preview/image_raw"), "") << "it is the same camera";
-    EXPECT_EQ(use("/oakd/stereo/image_raw"), "") << "depths";
+    EXPECT_EQ(use("/oakd/stereo/image_raw"), "") << "depths, and it has a laser";
     EXPECT_EQ(use("/oakd/stereo/camera_info"), "") << "its pictures are not used";
     EXPECT_EQ(use("/battery_state"), "battery");
     EXPECT_EQ(use("/tf"), "transforms");
@@ -95,16 +103,27 @@ TEST(StockRobots, TwoOfOneKindAreToldApartByTheirNamespaces) {
     EXPECT_EQ(found.uses.at("rq/e_stopRequest").first, found.uses.at("/scan").first);
 }
 
-TEST(StockRobots, AHuskyIsMappedFromWhatProbeWroteOfIt) {
+/// A robot with a 3D scanner: the namespace that probe finds, and who has its topics.
+struct Scanning {
+    std::string profile, found;
+};
+
+class ScanningStockRobots : public testing::TestWithParam<Scanning> {};
+INSTANTIATE_TEST_SUITE_P(, ScanningStockRobots,
+                         testing::Values(Scanning{"husky", "a200_0000"}, Scanning{"ouster", "robot"},
+                                         Scanning{"livox", "robot"}),
+                         [](const auto& given) { return given.param.profile; });
+
+TEST_P(ScanningStockRobots, AreMappedFromWhatProbeWroteOfThem) {
     const TemporaryFolder folder;
     const auto mission = folder / "mission";
     const TestDomain domain;
     Truth truth(domain, "yellow_7", "");
-    const RobotProcess husky(domain, "stock", {"husky", "--seed", "7"});
+    const RobotProcess process(domain, "stock", {GetParam().profile, "--seed", "7"});
     ASSERT_TRUE(truth.listener().receives(truth.topic("kurt3d")));
     const Probed found = probed(domain, folder.path());
     ASSERT_EQ(found.files.size(), 1U) << found.text;
-    ASSERT_EQ(found.files.begin()->first, "a200_0000");
+    ASSERT_EQ(found.files.begin()->first, GetParam().found);
     const std::string file = found.files.begin()->second;
     const RobotDescription robot = must(readRobot(file));
     ASSERT_NE(robot.mappingStream(), nullptr) << found.text;
@@ -112,13 +131,111 @@ TEST(StockRobots, AHuskyIsMappedFromWhatProbeWroteOfIt) {
     ASSERT_TRUE(
         waitUntil([&] { return recordedOn(mission, robot.mappingStream()->topic).size() > 30; }, 90s));
     ASSERT_EQ(recording.stop(), 0) << recording.out();
-    const Registered registered = registerAgainst(truth, mission, shippedRobot("husky"));
+    const Registered registered = registerAgainst(truth, mission, shippedRobot(GetParam().profile));
     EXPECT_THAT(registered.problems, testing::IsEmpty());
     std::printf("standing: %d scans, worst %.1f mm and %.2f degrees off\n", registered.scans,
                 1e3 * registered.worstPosition, inDegrees(registered.worstTurn));
     EXPECT_GE(registered.scans, 20) << "each revolution is a scan";
     EXPECT_LT(registered.worstPosition, 0.03);
     EXPECT_LT(registered.worstTurn, degrees(1.0));
+}
+
+TEST(StockRobots, DepthsOfATurtleBot4AreCloudsWhereItsFileNamesThem) {
+    const TemporaryFolder folder;
+    const auto mission = folder / "mission";
+    const TestDomain domain;
+    const RobotProcess process(domain, "stock", {"turtlebot4"});
+    RobotDescription robot = shippedRobot("turtlebot4");
+    robot.sensors["stereo"].frame = "oakd_right_camera_optical_frame";
+    for (const auto& [role, topic, type] :
+         {std::tuple(StreamRole::Points, "/oakd/stereo/image_raw/compressedDepth",
+                     "sensor_msgs/msg/CompressedImage"),
+          std::tuple(StreamRole::CameraInfo, "/oakd/stereo/camera_info", "sensor_msgs/msg/CameraInfo")}) {
+        StreamDescription stream;
+        stream.role = role;
+        stream.sensor = "stereo";
+        stream.topic = topic;
+        stream.type = type;
+        stream.qos.reliability = Qos::Reliability::BestEffort;
+        robot.streams.push_back(stream);
+    }
+    const auto file = folder / "depths.yaml";
+    writeText(file, writeRobot(robot));
+    Recording recording(domain, mission, {"--robot", file.string()});
+    const std::string depths = "/oakd/stereo/image_raw/compressedDepth";
+    ASSERT_TRUE(waitUntil([&] { return recordedOn(mission, depths).size() > 5; }, 90s)) << recording.out();
+    ASSERT_EQ(recording.stop(), 0) << recording.out();
+    auto bag = BagReader::open(mission);
+    ASSERT_TRUE(bag) << bag.error().text;
+    EventDecoder decoder({robot});
+    BagQuery query;
+    query.topics = {depths};
+    int clouds = 0;
+    forEachEvent(**bag, decoder, query, [&](const Event& event) {
+        const auto* const cloud = event.sample.as<CloudSample>();
+        ASSERT_NE(cloud, nullptr);
+        EXPECT_GT(cloud->points.size(), 1'000U);
+        for (const Eigen::Vector3f& point : cloud->points) EXPECT_GT(point.z(), 0.3F);
+        ++clouds;
+    });
+    EXPECT_GT(clouds, 5);
+    EXPECT_TRUE(decoder.errors().empty());
+}
+
+TEST(StockRobots, WhatAnOusterMakesOfItsScansIsNoCamera) {
+    const TemporaryFolder folder;
+    const TestDomain domain;
+    const RobotProcess robot(domain, "stock", {"ouster"});
+    const Probed found = probed(domain, folder.path());
+    ASSERT_EQ(found.files.size(), 1U) << found.text;
+    const auto use = [&](const std::string& topic) { return found.uses.at(topic).second; };
+    EXPECT_EQ(use("/ouster/points"), "points");
+    EXPECT_EQ(use("/ouster/imu"), "imu");
+    for (const char* image : {"range", "signal", "reflec", "nearir"})
+        EXPECT_EQ(use("/ouster/" + std::string(image) + "_image"), "") << found.text;
+    const RobotDescription written = must(readRobot(found.files.begin()->second));
+    EXPECT_EQ(written.stream(StreamRole::Picture), nullptr);
+    EXPECT_NE(written.stream(StreamRole::DriveCommand), nullptr);
+}
+
+TEST(StockRobots, ATrackedOneSendsItsCameraAsAVideo) {
+    const TemporaryFolder folder;
+    const auto mission = folder / "mission";
+    const TestDomain domain;
+    const RobotProcess process(domain, "stock", {"tracked"});
+    const Probed found = probed(domain, folder.path());
+    ASSERT_EQ(found.files.size(), 1U) << found.text;
+    EXPECT_EQ(found.uses.at("/camera/image_raw/ffmpeg").second, "picture");
+    EXPECT_EQ(found.uses.at("/camera/image_raw").second, "") << "the same camera";
+    const std::string file = found.files.begin()->second;
+    const RobotDescription robot = must(readRobot(file));
+    EXPECT_EQ(robot.sensors.size(), 1U) << "one camera";
+    std::map<std::string, std::optional<bool>> services;
+    for (const ServiceDescription& service : robot.services) services[service.name] = service.stop;
+    EXPECT_EQ(services.at("/e_stop"), true);
+    EXPECT_EQ(services.at("/lamp"), std::nullopt);
+    Recording recording(domain, mission, {"--robot", file});
+    const std::string camera = robot.stream(StreamRole::Picture)->topic;
+    ASSERT_TRUE(waitUntil([&] { return recordedOn(mission, camera).size() > 30; }, 90s)) << recording.out();
+    ASSERT_EQ(recording.stop(), 0) << recording.out();
+    EventDecoder decoder({robot});
+    PictureDecoder pictures;
+    int shown = 0, waited = 0;
+    for (const Payload& payload : recordedOn(mission, camera)) {
+        RawEvent raw;
+        raw.topic = camera;
+        raw.type = robot.stream(StreamRole::Picture)->type;
+        raw.cdr = payload;
+        decoder.decode(raw, [&](const Event& event) {
+            const auto picture = pictures.decode(event.sample.get<PictureSample>());
+            ++(picture ? shown : waited);
+            if (picture) {
+                EXPECT_GT(picture->width, 100);
+            }
+        });
+    }
+    EXPECT_GT(shown, 20);
+    EXPECT_LE(waited, 10) << "up to the first key picture";
 }
 
 /// A node that drives a TurtleBot 4 without asking anybody, and sees it turn.

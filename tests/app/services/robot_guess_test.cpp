@@ -89,12 +89,12 @@ TEST(RobotGuess, AStockRobotWithoutANamespaceIsOneRobot) {
 TEST(RobotGuess, TellsWhyATopicIsOfNoUse) {
     const auto guesses =
         guessRobots({topic("/r/odom", "nav_msgs/msg/Odometry"), topic("/r/odom2", "nav_msgs/msg/Odometry"),
-                     topic("/r/depth/compressedDepth", "sensor_msgs/msg/CompressedImage"),
+                     topic("/r/front/image_raw/theora", "sensor_msgs/msg/CompressedImage"),
                      topic("/r/secret", "their_msgs/msg/Thing"), topic("rq/r/setRequest", "x"),
                      topic("/r/cmd_vel", "geometry_msgs/msg/Twist")});
     ASSERT_EQ(guesses.size(), 1u);
     EXPECT_THAT(verdictOn(guesses[0], "/r/odom2").remark, HasSubstr("/r/odom"));
-    EXPECT_THAT(verdictOn(guesses[0], "/r/depth/compressedDepth").remark, HasSubstr("compressedDepth"));
+    EXPECT_THAT(verdictOn(guesses[0], "/r/front/image_raw/theora").remark, HasSubstr("theora"));
     EXPECT_THAT(verdictOn(guesses[0], "/r/secret").remark, HasSubstr("their_msgs/msg/Thing"));
     EXPECT_THAT(verdictOn(guesses[0], "rq/r/setRequest").remark, HasSubstr("service"));
     EXPECT_THAT(verdictOn(guesses[0], "/r/cmd_vel").remark, HasSubstr("nobody listens"));
@@ -227,6 +227,48 @@ TEST(RobotGuess, OfOneCamerasPicturesThoseAreTakenThatCostLess) {
               "/oakd/rgb/preview/camera_info");
     EXPECT_THAT(verdictOn(guesses[0], "/oakd/rgb/preview/image_raw").remark, HasSubstr("compressed"));
     EXPECT_THAT(verdictOn(guesses[0], "/oakd/stereo/image_raw").remark, HasSubstr("depths"));
+}
+
+TEST(RobotGuess, AVideoIsTakenBeforeSinglePictures) {
+    const auto guesses = guessRobots(
+        {topic("/odom", "nav_msgs/msg/Odometry"), topic("/front/image_raw", "sensor_msgs/msg/Image"),
+         topic("/front/image_raw/compressed", "sensor_msgs/msg/CompressedImage"),
+         topic("/front/image_raw/ffmpeg", "ffmpeg_image_transport_msgs/msg/FFMPEGPacket"),
+         topic("/front/camera_info", "sensor_msgs/msg/CameraInfo"),
+         topic("/rear/video", "foxglove_msgs/msg/CompressedVideo")});
+    ASSERT_EQ(guesses.size(), 1U);
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::Picture, "front"), "/front/image_raw/ffmpeg");
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::CameraInfo, "front"), "/front/camera_info");
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::Picture, "rear"), "/rear/video");
+    for (const char* name : {"/front/image_raw", "/front/image_raw/compressed"}) {
+        EXPECT_FALSE(verdictOn(guesses[0], name).role) << name;
+        EXPECT_THAT(verdictOn(guesses[0], name).remark, HasSubstr("the same pictures come"));
+    }
+}
+
+TEST(RobotGuess, DepthPicturesAreTakenWhereNothingElseScans) {
+    std::vector<SeenTopic> depths = {
+        topic("/odom", "nav_msgs/msg/Odometry"), topic("/cam/depth/image_raw", "sensor_msgs/msg/Image"),
+        topic("/cam/depth/image_raw/compressed", "sensor_msgs/msg/CompressedImage"),
+        topic("/cam/depth/image_raw/compressedDepth", "sensor_msgs/msg/CompressedImage"),
+        topic("/cam/depth/camera_info", "sensor_msgs/msg/CameraInfo")};
+    const auto guesses = guessRobots(depths);
+    ASSERT_EQ(guesses.size(), 1U);
+    const StreamDescription* const points = guesses[0].robot.stream(StreamRole::Points);
+    ASSERT_NE(points, nullptr);
+    EXPECT_EQ(points->topic, "/cam/depth/image_raw/compressedDepth");
+    EXPECT_EQ(points->sensor, "cam_depth");
+    EXPECT_EQ(points->qos.reliability, Qos::Reliability::BestEffort);
+    EXPECT_EQ(topicOf(guesses[0], StreamRole::CameraInfo, "cam_depth"), "/cam/depth/camera_info");
+    EXPECT_EQ(guesses[0].robot.stream(StreamRole::Picture), nullptr);
+
+    depths.push_back(topic("/scan", "sensor_msgs/msg/LaserScan"));
+    const auto beside = guessRobots(depths);
+    ASSERT_EQ(beside.size(), 1U);
+    EXPECT_EQ(beside[0].robot.stream(StreamRole::Points), nullptr) << "they would fill the link";
+    EXPECT_THAT(verdictOn(beside[0], "/cam/depth/image_raw/compressedDepth").remark,
+                HasSubstr("role points"));
+    EXPECT_EQ(beside[0].robot.stream(StreamRole::CameraInfo), nullptr);
 }
 
 TEST(RobotGuess, InfraredPicturesKeepTheirTemperatures) {

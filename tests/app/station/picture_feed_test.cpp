@@ -7,6 +7,8 @@
 
 #include "core/event/picture_samples.h"
 #include "core/event/stream_role.h"
+#include "core/perception/pictures/video/video_chains.h"
+#include "tests/core/perception/video/filmed.h"
 #include "tests/support/wait.h"
 
 namespace leitstand::test {
@@ -74,6 +76,48 @@ private:
     std::vector<ShownPicturePtr> m_pictures;
     std::vector<std::string> m_problems;
 };
+
+Event filmedEvent(const PictureSample& sample) {
+    Event event = picture(StreamRole::Picture, "left", 0);
+    event.sample = sample;
+    return event;
+}
+
+TEST(PictureFeed, AVideoIsShownFromItsFirstKeyPictureOn) {
+    Shown shown;
+    PictureFeed feed({robotWithCameras()}, shown.listener());
+    auto film = filmed(25, 10);
+    film.erase(film.begin(), film.begin() + 4);
+    VideoChains chains;
+    for (PictureSample& sample : film) {
+        chains.link("/kurt3d/left", sample);
+        feed.onEvent(filmedEvent(sample));
+    }
+    ASSERT_TRUE(waitUntil([&] {
+        const auto pictures = shown.pictures();
+        return !pictures.empty() && pictures.back()->stamp == film.back().header.stamp;
+    }));
+    for (const ShownPicturePtr& one : shown.pictures()) {
+        const auto number =
+            static_cast<int>(one->stamp.time_since_epoch() / std::chrono::milliseconds(100)) - 1;
+        EXPECT_GE(number, 10);
+        EXPECT_LT(difference(std::get<Picture>(one->content), movingScene(number)), 6.0) << number;
+    }
+    EXPECT_THAT(shown.problems(), testing::IsEmpty()) << "waiting for a key picture is no fault";
+}
+
+TEST(PictureFeed, AVideoWithoutKeyPicturesIsReported) {
+    Shown shown;
+    PictureFeed feed({robotWithCameras()}, shown.listener());
+    auto film = filmed(160, 1000, VideoCodec::H264, 32, 32);
+    film.erase(film.begin());
+    VideoChains chains;
+    for (PictureSample& sample : film) chains.link("/kurt3d/left", sample);
+    feed.onEvent(filmedEvent(film.back()));
+    ASSERT_TRUE(waitUntil([&] { return !shown.problems().empty(); }));
+    EXPECT_THAT(shown.problems().front(), testing::HasSubstr("gop_size"));
+    EXPECT_TRUE(shown.pictures().empty());
+}
 
 TEST(PictureFeed, MeasuringCamerasShowTemperatures) {
     Shown shown;

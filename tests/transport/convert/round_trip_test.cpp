@@ -46,7 +46,10 @@ TEST(RoundTrip, BigEndianSamplesSayTheSame) {
 TEST(RoundTrip, EveryTypeIsInTheCatalogAndHasASample) {
     for (const SampleCase& one : sampleCases()) {
         EXPECT_NE(findMessageType(one.type), nullptr) << one.type;
-        if (one.type == "std_msgs/msg/Float32") continue;  // the poorer of two for gas
+        // The poorer of two for gas, videos and clouds.
+        const std::set<std::string_view> poorer = {
+            "std_msgs/msg/Float32", "foxglove_msgs/msg/CompressedVideo", "livox_ros_driver2/msg/CustomMsg"};
+        if (poorer.contains(one.type)) continue;
         EXPECT_EQ(typeOf(one.sample), one.type);
     }
     for (const MessageType& type : messageTypes()) {

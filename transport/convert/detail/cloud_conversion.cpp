@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/event/all_samples.h"
+#include "messages/livox_ros_driver2.h"
 #include "messages/sensor_msgs.h"
 #include "transport/convert/detail/cloud_column.h"
 #include "transport/convert/detail/cloud_encoding.h"
@@ -111,6 +112,13 @@ void readRings(const PointCloud2& from, CloudSample& to, Checks& checks) {
     forEachValue(ring, [&](std::size_t i, auto value) { to.rings[i] = static_cast<std::int32_t>(value); });
 }
 
+/// Marks points without an echo. Drivers of Ouster and Livox put them exactly where the scanner is.
+void markNoEcho(std::vector<Eigen::Vector3f>& points) {
+    for (Eigen::Vector3f& point : points) {
+        if (!point.allFinite() || point.isZero(0.0F)) point.setConstant(NoEcho);
+    }
+}
+
 /// A cloud of one row is a plain list of points, unless all points have the same ring.
 bool isOrganised(const PointCloud2& from, const CloudSample& to) {
     if (from.height > 1) return true;
@@ -135,9 +143,7 @@ CloudSample fromWire(const PointCloud2& from, const Source&, Checks& checks) {
         to.points.resize(std::size_t{from.width} * from.height);
     }
     for (int axis = 0; axis < 3; ++axis) readAxis(from, axis, to, checks);
-    for (Eigen::Vector3f& point : to.points) {
-        if (!point.allFinite()) point.setConstant(NoEcho);
-    }
+    markNoEcho(to.points);
     if (const CloudColumn intensity = firstColumn(from, {"intensity", "reflectivity"}, checks)) {
         to.intensities.resize(to.points.size());
         forEachValue(intensity,
@@ -149,6 +155,29 @@ CloudSample fromWire(const PointCloud2& from, const Source&, Checks& checks) {
         to.rows = static_cast<int>(from.height);
         to.columns = static_cast<int>(from.width);
     }
+    return to;
+}
+
+CloudSample fromWire(const wire::livox_ros_driver2::CustomMsg& from, const Source&, Checks& checks) {
+    constexpr std::int64_t Alike = 1'000'000'000;  // stamp and timebase of one clock [ns]
+    CloudSample to;
+    to.header = checks.header(from.header);
+    const std::int64_t stamp = to.header.stamp.time_since_epoch().count();
+    // Both mean the first point. Where somebody stamped anew by another clock, the stamp counts.
+    const std::int64_t apart = static_cast<std::int64_t>(from.timebase) - stamp;
+    const std::int64_t before = std::abs(apart) < Alike ? apart : 0;
+    const std::size_t count = from.points.size();
+    to.points.reserve(count);
+    to.intensities.reserve(count);
+    to.times.reserve(count);
+    to.rings.reserve(count);
+    for (const auto& point : from.points) {
+        to.points.emplace_back(point.x, point.y, point.z);
+        to.intensities.push_back(point.reflectivity);
+        to.times.push_back(before + point.offset_time);
+        to.rings.push_back(point.line);
+    }
+    markNoEcho(to.points);
     return to;
 }
 
@@ -176,6 +205,7 @@ RangesSample fromWire(const wire::sensor_msgs::LaserScan& from, const Source&, C
 std::vector<Conversion> cloudConversions() {
     return {
         conversion<wire::sensor_msgs::PointCloud2, CloudSample>(),
+        conversion<wire::livox_ros_driver2::CustomMsg, CloudSample>(),
         conversion<wire::sensor_msgs::LaserScan, RangesSample>(),
     };
 }

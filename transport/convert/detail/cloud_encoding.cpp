@@ -87,6 +87,31 @@ void toWire(const CloudSample& from, wire::sensor_msgs::PointCloud2& to, Buffer&
                               [](const Eigen::Vector3f& point) { return point.allFinite(); });
 }
 
+/// Intensities are cut to 0 to 255. Points without an echo become zeros, as the driver sends them.
+void toWire(const CloudSample& from, wire::livox_ros_driver2::CustomMsg& to, Buffer&, Checks& checks) {
+    to.header = checks.wireHeader(from.header);
+    checkLists(from, checks);
+    checks.require(within(from.times, 0, MostT), "offset_time", "expected 0 to {} ns after the stamp", MostT);
+    checks.require(within(from.rings, 0, 255), "line", "expected 0 to 255");
+    checks.require(from.points.size() <= MostT, "points", "expected less than 2^32, found {}",
+                   from.points.size());
+    if (!checks.ok()) return;
+    to.timebase = static_cast<std::uint64_t>(from.header.stamp.time_since_epoch().count());
+    to.point_num = static_cast<std::uint32_t>(from.points.size());
+    to.points.resize(from.points.size());
+    for (std::size_t i = 0; i < from.points.size(); ++i) {
+        auto& point = to.points[i];
+        const Eigen::Vector3f place = from.points[i].allFinite() ? from.points[i] : Eigen::Vector3f::Zero();
+        point.x = place.x();
+        point.y = place.y();
+        point.z = place.z();
+        if (!from.times.empty()) point.offset_time = static_cast<std::uint32_t>(from.times[i]);
+        if (!from.intensities.empty())
+            point.reflectivity = static_cast<std::uint8_t>(std::clamp(from.intensities[i], 0.0F, 255.0F));
+        if (!from.rings.empty()) point.line = static_cast<std::uint8_t>(from.rings[i]);
+    }
+}
+
 void toWire(const RangesSample& from, wire::sensor_msgs::LaserScan& to, Buffer&, Checks& checks) {
     checks.require(from.intensities.empty() || from.intensities.size() == from.ranges.size(), "intensities",
                    "expected {} or none, found {}", from.ranges.size(), from.intensities.size());

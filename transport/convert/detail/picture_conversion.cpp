@@ -1,8 +1,13 @@
 #include <algorithm>
 
 #include "core/event/all_samples.h"
+#include "core/event/video_packet.h"
+#include "core/perception/pictures/coding/depth_file.h"
 #include "core/perception/pictures/coding/picture_encoding.h"
 #include "core/perception/pictures/coding/picture_file.h"
+#include "core/perception/pictures/video/video_bitstream.h"
+#include "messages/ffmpeg_image_transport_msgs.h"
+#include "messages/foxglove_msgs.h"
 #include "messages/sensor_msgs.h"
 #include "transport/convert/detail/conversion.h"
 
@@ -24,6 +29,28 @@ void checkRaw(const PictureEncoding& encoding, std::uint64_t width, std::uint64_
     const bool pairs =
         encoding.layout == PictureEncoding::Layout::Yuyv || encoding.layout == PictureEncoding::Layout::Uyvy;
     checks.require(!pairs || width % 2 == 0, "width", "expected pairs of pixels, found {}", width);
+}
+
+/// Takes a picture of a video with the codec @p format; @p field holds its name.
+void readVideo(const char* field, const std::string& format, const SharedBytes& content, PictureSample& to,
+               Checks& checks) {
+    to.compressed = true;
+    to.encoding = format;
+    to.content = content;
+    const auto codec = videoCodecOf(format);
+    checks.require(codec.has_value(), field, "expected H.264 or H.265, \"{}\" cannot be shown",
+                   format.substr(0, 40));
+    checks.require(hasStartCode(content.bytes), "data",
+                   "expected NAL units with start codes (Annex B), found {} other bytes",
+                   content.bytes.size());
+    if (!checks.ok()) return;
+    to.video = std::make_shared<const VideoPacket>(
+        VideoPacket{.codec = *codec, .key = isKeyPicture(*codec, content.bytes), .bytes = content});
+}
+
+void requireVideo(const PictureSample& from, Checks& checks) {
+    checks.require(from.video != nullptr, "data", "expected a picture of a video, found \"{}\"",
+                   from.encoding);
 }
 
 template <std::size_t N>
@@ -70,9 +97,19 @@ void toWire(const PictureSample& from, wire::sensor_msgs::Image& to, Buffer&, Ch
 PictureSample fromWire(const wire::sensor_msgs::CompressedImage& from, const Source& source, Checks& checks) {
     PictureSample to;
     to.header = checks.header(from.header);
+    // Some cameras send videos under this type, too.
+    if (hasStartCode(from.data) && videoCodecOf(from.format)) {
+        readVideo("format", from.format, {source.cdr, from.data}, to, checks);
+        return to;
+    }
     to.compressed = true;
     to.encoding = from.format;
     to.content = {source.cdr, from.data};
+    if (depth_file::isDepth(from.format)) {
+        const auto checked = depth_file::check(to);
+        checks.require(checked.ok(), "data", "{}", checked ? std::string() : checked.error().text);
+        return to;
+    }
     checks.require(pictureFileKind(from.data) != PictureFileKind::Unknown, "data",
                    "expected a JPEG or PNG file, found {} other bytes (format \"{}\")", from.data.size(),
                    from.format.substr(0, 40));
@@ -82,6 +119,49 @@ PictureSample fromWire(const wire::sensor_msgs::CompressedImage& from, const Sou
 void toWire(const PictureSample& from, wire::sensor_msgs::CompressedImage& to, Buffer&, Checks& checks) {
     checks.require(from.compressed, "format", "expected a compressed picture, found \"{}\"", from.encoding);
     to = {checks.wireHeader(from.header), from.encoding, from.content.bytes};
+}
+
+PictureSample fromWire(const wire::ffmpeg_image_transport_msgs::FFMPEGPacket& from, const Source& source,
+                       Checks& checks) {
+    PictureSample to;
+    to.header = checks.header(from.header);
+    checks.require(
+        from.width >= 0 && from.height >= 0 && from.width <= MostPixels && from.height <= MostPixels, "width",
+        "expected at most {} pixels a side, found {} x {}", MostPixels, from.width, from.height);
+    // What stands behind the codec says how its pictures were converted.
+    readVideo("encoding", from.encoding.substr(0, from.encoding.find(';')), {source.cdr, from.data}, to,
+              checks);
+    to.width = from.width;
+    to.height = from.height;
+    return to;
+}
+
+void toWire(const PictureSample& from, wire::ffmpeg_image_transport_msgs::FFMPEGPacket& to, Buffer&,
+            Checks& checks) {
+    constexpr std::uint8_t Key = 1;  // AV_PKT_FLAG_KEY
+    requireVideo(from, checks);
+    if (!checks.ok()) return;
+    to.header = checks.wireHeader(from.header);
+    to.width = from.width;
+    to.height = from.height;
+    to.encoding = from.encoding;
+    to.pts = static_cast<std::uint64_t>(from.header.stamp.time_since_epoch().count());
+    to.flags = from.video->key ? Key : 0;
+    to.data = from.content.bytes;
+}
+
+PictureSample fromWire(const wire::foxglove_msgs::CompressedVideo& from, const Source& source,
+                       Checks& checks) {
+    PictureSample to;
+    to.header = checks.header({from.timestamp, from.frame_id});
+    readVideo("format", from.format, {source.cdr, from.data}, to, checks);
+    return to;
+}
+
+void toWire(const PictureSample& from, wire::foxglove_msgs::CompressedVideo& to, Buffer&, Checks& checks) {
+    requireVideo(from, checks);
+    const wire::std_msgs::Header header = checks.wireHeader(from.header);
+    to = {header.stamp, header.frame_id, from.content.bytes, from.encoding};
 }
 
 CameraInfoSample fromWire(const wire::sensor_msgs::CameraInfo& from, const Source&, Checks& checks) {
@@ -126,6 +206,8 @@ std::vector<Conversion> pictureConversions() {
     return {
         conversion<wire::sensor_msgs::Image, PictureSample>(),
         conversion<wire::sensor_msgs::CompressedImage, PictureSample>(),
+        conversion<wire::ffmpeg_image_transport_msgs::FFMPEGPacket, PictureSample>(),
+        conversion<wire::foxglove_msgs::CompressedVideo, PictureSample>(),
         conversion<wire::sensor_msgs::CameraInfo, CameraInfoSample>(),
     };
 }

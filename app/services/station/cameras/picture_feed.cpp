@@ -7,10 +7,15 @@
 
 #include "core/event/picture_samples.h"
 #include "core/event/stream_role.h"
-#include "core/perception/pictures/coding/picture_decoding.h"
+#include "core/event/video_packet.h"
 #include "core/perception/pictures/content_hash.h"
 
 namespace leitstand {
+namespace {
+
+constexpr int MostWaited = 150;  ///< pictures of a video until the operator hears that a key picture lacks
+
+}  // namespace
 
 PictureFeed::PictureFeed(std::vector<RobotDescription> robots, Listener listener)
     : m_robots(std::move(robots)),
@@ -125,7 +130,8 @@ void PictureFeed::decode(const Work& work) {
         reported = why;
         if (m_listener.onProblem) m_listener.onProblem(fmt::format("{}: {}", event.topic, why));
     };
-    auto picture = decodePicture(sample);
+    if (sample.video && !sample.video->decodable() && sample.video->waited < MostWaited) return;
+    auto picture = m_decoders[{event.robot, event.sensor}].decode(sample);
     if (!picture) return fail(picture.error().text);
     shown->width = picture->width;
     shown->height = picture->height;

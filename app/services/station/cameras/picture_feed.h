@@ -17,6 +17,7 @@
 #include "core/event/picture_samples.h"
 #include "core/perception/heat/heat.h"
 #include "core/perception/omni/panorama.h"
+#include "core/perception/pictures/coding/picture_decoding.h"
 #include "core/perception/pictures/contrast.h"
 #include "core/perception/pictures/picture.h"
 #include "core/robot/robot_description.h"
@@ -91,6 +92,7 @@ private:
     std::map<Camera, PictureLook> m_looks;
     std::map<Camera, std::shared_ptr<const CameraInfoSample>> m_infos;
     // of the feed's thread
+    std::map<Camera, PictureDecoder> m_decoders;
     std::map<Camera, std::string> m_problems;
     std::map<Camera, Panorama> m_panoramas;
     std::jthread m_thread;  ///< the last member, so that it is joined first

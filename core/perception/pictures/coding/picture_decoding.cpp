@@ -11,6 +11,8 @@
 
 #include "core/base/words.h"
 #include "core/event/picture_samples.h"
+#include "core/perception/pictures/coding/depth_decoding.h"
+#include "core/perception/pictures/coding/depth_file.h"
 #include "core/perception/pictures/coding/picture_cost.h"
 #include "core/perception/pictures/coding/picture_encoding.h"
 
@@ -173,11 +175,17 @@ std::vector<float> celsiusOf(const Picture& picture, const ThermalScale& scale) 
 }  // namespace
 
 Result<Picture> decodePicture(const PictureSample& sample, const PictureLimits& limits) {
+    if (sample.video) return VideoDecoder(limits.maxFilePixels).decode(sample.video);
+    if (sample.compressed && depth_file::isDepth(sample.encoding)) return decodeDepthFile(sample, limits);
     try {
         return sample.compressed ? decodeFile(sample, limits) : decodeRaw(sample, limits);
     } catch (const cv::Exception& error) {
         return Error{leitstand::fill(translate("leitstand::Error", "picture: {}"), error.what())};
     }
+}
+
+Result<Picture> PictureDecoder::decode(const PictureSample& sample) {
+    return sample.video ? m_video.decode(sample.video) : decodePicture(sample, m_limits);
 }
 
 Result<ThermalPicture> temperatures(const Picture& picture, const ThermalScale& scale) {

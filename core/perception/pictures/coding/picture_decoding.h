@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/perception/pictures/picture.h"
+#include "core/perception/pictures/video/video_decoder.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
@@ -20,9 +21,23 @@ struct PictureLimits {
     std::int64_t maxScanPixels = 128'000'000;  ///< largest product of a JPEG's pixels and scans
 };
 
-/// Decodes a raw or compressed picture (JPEG, or PNG of 8 or 16 bits). First checks what a file would cost
-/// (picture_cost.h). Colours become Rgb8, 16-bit grey becomes Grey16.
+/// Decodes a raw or compressed picture (JPEG, or PNG of 8 or 16 bits), or one of a video with all that it
+/// needs. First checks what a file would cost (picture_cost.h). Colours become Rgb8, 16-bit grey becomes
+/// Grey16.
 [[nodiscard]] Result<Picture> decodePicture(const PictureSample& sample, const PictureLimits& limits = {});
+
+/// Decodes the pictures of one camera as decodePicture() does. Of a video, pictures that follow each other
+/// are decoded once. One thread at a time.
+class PictureDecoder {
+public:
+    PictureDecoder() : PictureDecoder(PictureLimits{}) {}
+    explicit PictureDecoder(const PictureLimits& limits) : m_limits(limits), m_video(limits.maxFilePixels) {}
+    [[nodiscard]] Result<Picture> decode(const PictureSample& sample);
+
+private:
+    PictureLimits m_limits;
+    VideoDecoder m_video;
+};
 
 /// Converts the raw values of a Grey16, Float32 or Grey8 picture to temperatures; NaN below absolute zero.
 /// Error for colours, and when @p scale says that the camera measures no temperatures.

@@ -20,6 +20,33 @@ SpinningLidarSettings vlp16() {
     return settings;
 }
 
+SpinningLidarSettings os1() {
+    SpinningLidarSettings settings = vlp16();
+    settings.laser.nearest = 0.3;
+    settings.rings = 32;
+    settings.columns = 512;
+    settings.lowest = degrees(-22.5);
+    settings.ringStep = degrees(45.0 / 31.0);
+    settings.noEcho = SpinningLidarSettings::NoEcho::Zeros;
+    settings.stamp = SpinningLidarSettings::Stamp::First;
+    return settings;
+}
+
+SpinningLidarSettings mid360() {
+    SpinningLidarSettings settings = vlp16();
+    settings.laser.nearest = 0.1;
+    settings.laser.farthest = 40.0;
+    settings.laser.deviation = 0.02;
+    settings.pattern = SpinningLidarSettings::Pattern::Rosette;
+    settings.rings = 4;
+    settings.columns = 2500;
+    settings.lowest = degrees(-7.0);
+    settings.ringStep = degrees(59.0);
+    settings.noEcho = SpinningLidarSettings::NoEcho::Zeros;
+    settings.stamp = SpinningLidarSettings::Stamp::First;
+    return settings;
+}
+
 SpinningLidar::SpinningLidar(const SpinningLidarSettings& settings, const Noise& noise, Time start)
     : m_settings(settings), m_head(settings.laser, noise), m_schedule(settings.rate, start) {
     m_rays.resize(static_cast<std::size_t>(settings.rings) * static_cast<std::size_t>(settings.columns));
@@ -34,16 +61,29 @@ std::size_t SpinningLidar::indexOf(int ring, int column) const {
            static_cast<std::size_t>(column);
 }
 
+Eigen::Vector3d SpinningLidar::directionOf(int ring, int column) const {
+    const double share = static_cast<double>(column) / m_settings.columns;
+    double around = share, elevation = m_settings.lowest + ring * m_settings.ringStep;
+    if (m_settings.pattern == SpinningLidarSettings::Pattern::Rosette) {
+        constexpr double UpAndDown = 23.7,
+                         Drift = 0.618;  // a revolution; both irrational enough not to repeat
+        const auto turns = static_cast<double>(m_revolutions);
+        around = 2.0 * share + Drift * turns;
+        const double phase = UpAndDown * (share + turns) + static_cast<double>(ring) / m_settings.rings;
+        elevation =
+            m_settings.lowest + m_settings.ringStep * 0.5 * (1.0 + std::sin(2.0 * std::numbers::pi * phase));
+    }
+    const double azimuth = -2.0 * std::numbers::pi * around;  // clockwise, seen from above
+    return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+            std::sin(elevation)};
+}
+
 CloudSample SpinningLidar::revolution(const World& world, int robot, Time start) {
     std::vector<Eigen::Vector3f> directions(m_rays.size());
     for (int column = 0; column < m_settings.columns; ++column) {
         const Pose lidar = world.baseInArena(robot, start + shotAfter(column)) * m_settings.lidarInBase;
-        // Clockwise, seen from above.
-        const double azimuth = -2.0 * std::numbers::pi * column / m_settings.columns;
         for (int ring = 0; ring < m_settings.rings; ++ring) {
-            const double elevation = m_settings.lowest + ring * m_settings.ringStep;
-            const Eigen::Vector3d direction(std::cos(elevation) * std::cos(azimuth),
-                                            std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+            const Eigen::Vector3d direction = directionOf(ring, column);
             const auto i = indexOf(ring, column);
             directions[i] = direction.cast<float>();
             m_rays[i].origin = lidar.translation().cast<float>();
@@ -51,18 +91,30 @@ CloudSample SpinningLidar::revolution(const World& world, int robot, Time start)
         }
     }
     const std::span<const LaserEcho> echoes = m_head.measure(m_rays, castInto(world.scene(), RayKind::Laser));
+    ++m_revolutions;
     CloudSample cloud;
-    const auto last = shotAfter(m_settings.columns - 1);
-    cloud.header = {start + last, m_settings.frame};
-    for (int column = 0; column < m_settings.columns; ++column) {
-        for (int ring = 0; ring < m_settings.rings; ++ring) {
-            const auto i = indexOf(ring, column);
-            if (!std::isfinite(echoes[i].range)) continue;
-            cloud.points.emplace_back(directions[i] * echoes[i].range);
-            cloud.intensities.push_back(echoes[i].intensity);
-            cloud.times.push_back((shotAfter(column) - last).count());
-            cloud.rings.push_back(ring);
-        }
+    const auto stamped = m_settings.stamp == SpinningLidarSettings::Stamp::First
+                             ? std::chrono::nanoseconds(0)
+                             : shotAfter(m_settings.columns - 1);
+    const bool zeros = m_settings.noEcho == SpinningLidarSettings::NoEcho::Zeros;
+    cloud.header = {start + stamped, m_settings.frame};
+    const auto add = [&](int ring, int column) {
+        const auto i = indexOf(ring, column);
+        const bool echo = std::isfinite(echoes[i].range);
+        if (!echo && !zeros) return;
+        cloud.points.emplace_back(directions[i] * (echo ? echoes[i].range : 0.0F));
+        cloud.intensities.push_back(echo ? echoes[i].intensity : 0.0F);
+        cloud.times.push_back((shotAfter(column) - stamped).count());
+        cloud.rings.push_back(ring);
+    };
+    if (zeros && m_settings.pattern == SpinningLidarSettings::Pattern::Rings) {
+        cloud.rows = m_settings.rings;
+        cloud.columns = m_settings.columns;
+        for (int ring = m_settings.rings - 1; ring >= 0; --ring)  // the highest ring is the first row
+            for (int column = 0; column < m_settings.columns; ++column) add(ring, column);
+    } else {
+        for (int column = 0; column < m_settings.columns; ++column)
+            for (int ring = 0; ring < m_settings.rings; ++ring) add(ring, column);
     }
     return cloud;
 }

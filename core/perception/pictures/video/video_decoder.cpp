@@ -1,0 +1,174 @@
+#include "core/perception/pictures/video/video_decoder.h"
+
+#include <algorithm>
+#include <cstring>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libswscale/swscale.h>
+}
+
+#include "core/base/words.h"
+#include "core/event/video_packet.h"
+
+namespace leitstand {
+namespace {
+
+struct Free {
+    void operator()(AVCodecContext* one) const { avcodec_free_context(&one); }
+    void operator()(AVPacket* one) const { av_packet_free(&one); }
+    void operator()(AVFrame* one) const { av_frame_free(&one); }
+    void operator()(SwsContext* one) const { sws_freeContext(one); }
+};
+template <class Kind>
+using Owned = std::unique_ptr<Kind, Free>;
+
+AVCodecID idOf(VideoCodec codec) {
+    switch (codec) {
+        case VideoCodec::H264:
+            return AV_CODEC_ID_H264;
+        case VideoCodec::H265:
+            return AV_CODEC_ID_HEVC;
+    }
+    return AV_CODEC_ID_NONE;
+}
+
+Error damaged() {
+    return {
+        translate("leitstand::Error", "picture: of a video, and damaged; waiting for the next key picture")};
+}
+
+Error waiting(int pictures) {
+    return {leitstand::fill(
+        translate("leitstand::Error",
+                  "picture: of a video without a key picture among the last {}; the encoder's interval "
+                  "between them (gop_size) is too long, or pictures are lost"),
+        pictures)};
+}
+
+Error tooLarge(std::int64_t most, std::int64_t pixels) {
+    return {leitstand::fill(
+        translate("leitstand::Error", "picture: of a video, expected at most {} pixels, found {}"), most,
+        pixels)};
+}
+
+}  // namespace
+
+/// libavcodec's decoder, the picture that it made last, and what converts its colours.
+class VideoDecoder::Codec {
+public:
+    [[nodiscard]] static std::unique_ptr<Codec> create(VideoCodec codec, std::int64_t maxPixels) {
+        static std::once_flag silent;
+        std::call_once(silent, [] { av_log_set_level(AV_LOG_QUIET); });
+        auto made = std::make_unique<Codec>(codec);
+        const AVCodec* const found = avcodec_find_decoder(idOf(codec));
+        if (found == nullptr) return nullptr;
+        made->m_context.reset(avcodec_alloc_context3(found));
+        made->m_packet.reset(av_packet_alloc());
+        made->m_frame.reset(av_frame_alloc());
+        made->m_next.reset(av_frame_alloc());
+        if (!made->m_context || !made->m_packet || !made->m_frame || !made->m_next) return nullptr;
+        // A picture comes out as soon as it went in; videos of robots have none that need later ones.
+        made->m_context->flags |= AV_CODEC_FLAG_LOW_DELAY;
+        made->m_context->thread_count = 1;
+        // Pictures are decoded in whole blocks, so some pixels are more than what is shown.
+        constexpr std::int64_t Blocks = 128 * 128;
+        made->m_context->max_pixels = 2 * maxPixels + Blocks;
+        return avcodec_open2(made->m_context.get(), found, nullptr) == 0 ? std::move(made) : nullptr;
+    }
+    explicit Codec(VideoCodec codec) : m_codec(codec) {}
+
+    [[nodiscard]] VideoCodec codec() const { return m_codec; }
+    void restart() { avcodec_flush_buffers(m_context.get()); }
+
+    /// Returns false when the packet is damaged, or no picture came of it.
+    [[nodiscard]] bool put(const SharedBytes& content) {
+        // libavcodec reads beyond the end (AV_INPUT_BUFFER_PADDING_SIZE).
+        m_padded.assign(content.bytes.size() + AV_INPUT_BUFFER_PADDING_SIZE, 0);
+        std::memcpy(m_padded.data(), content.bytes.data(), content.bytes.size());
+        m_packet->data = m_padded.data();
+        m_packet->size = static_cast<int>(content.bytes.size());
+        bool came = false;
+        const bool taken = avcodec_send_packet(m_context.get(), m_packet.get()) == 0;
+        while (avcodec_receive_frame(m_context.get(), m_next.get()) == 0) {
+            std::swap(m_frame, m_next);
+            came = m_frame->decode_error_flags == 0;
+        }
+        return taken && came;
+    }
+
+    /// Number of pixels of the picture that came last.
+    [[nodiscard]] std::int64_t pixels() const { return std::int64_t{m_frame->width} * m_frame->height; }
+
+    /// The picture that came last, in colour; empty when its colours are not known.
+    [[nodiscard]] std::optional<Picture> picture() {
+        const AVFrame& frame = *m_frame;
+        m_colours.reset(sws_getCachedContext(
+            m_colours.release(), frame.width, frame.height, static_cast<AVPixelFormat>(frame.format),
+            frame.width, frame.height, AV_PIX_FMT_RGB24, SWS_POINT, nullptr, nullptr, nullptr));
+        if (!m_colours) return std::nullopt;
+        const int* const coefficients =
+            sws_getCoefficients(frame.colorspace == AVCOL_SPC_BT709 ? SWS_CS_ITU709 : SWS_CS_DEFAULT);
+        const int fullRange = frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0;
+        sws_setColorspaceDetails(m_colours.get(), coefficients, fullRange, coefficients, 1, 0, 1 << 16,
+                                 1 << 16);
+        Picture picture{frame.width, frame.height, Picture::Pixel::Rgb8, {}};
+        picture.bytes.resize(std::size_t{3} * static_cast<std::size_t>(frame.width) *
+                             static_cast<std::size_t>(frame.height));
+        std::uint8_t* const rows[] = {reinterpret_cast<std::uint8_t*>(picture.bytes.data())};
+        const int strides[] = {3 * frame.width};
+        if (sws_scale(m_colours.get(), frame.data, frame.linesize, 0, frame.height, rows, strides) !=
+            frame.height) {
+            return std::nullopt;
+        }
+        return picture;
+    }
+
+private:
+    VideoCodec m_codec;
+    Owned<AVCodecContext> m_context;
+    Owned<AVPacket> m_packet;
+    Owned<AVFrame> m_frame, m_next;
+    Owned<SwsContext> m_colours;
+    std::vector<std::uint8_t> m_padded;
+};
+
+VideoDecoder::VideoDecoder(std::int64_t maxPixels) : m_maxPixels(maxPixels) {}
+VideoDecoder::~VideoDecoder() = default;
+VideoDecoder::VideoDecoder(VideoDecoder&&) noexcept = default;
+VideoDecoder& VideoDecoder::operator=(VideoDecoder&&) noexcept = default;
+
+Result<Picture> VideoDecoder::decode(const std::shared_ptr<const VideoPacket>& packet) {
+    if (!packet->decodable()) return waiting(packet->waited);
+    std::vector<const VideoPacket*> due;
+    const VideoPacket* at = packet.get();
+    for (; at != m_last.get(); at = at->before.get()) {
+        due.push_back(at);
+        if (at->key) break;
+    }
+    if (!m_codec || m_codec->codec() != packet->codec) {
+        m_codec = Codec::create(packet->codec, m_maxPixels);
+        if (!m_codec)
+            return Error{
+                translate("leitstand::Error", "picture: of a video that libavcodec does not decode here")};
+    }
+    if (!due.empty() && due.back()->key) {
+        m_codec->restart();
+        m_outcome = {};
+    }
+    m_last = packet;
+    std::reverse(due.begin(), due.end());
+    for (const VideoPacket* const one : due) {
+        if (!m_outcome) break;
+        if (!m_codec->put(one->bytes)) m_outcome = damaged();
+    }
+    if (m_outcome && m_codec->pixels() > m_maxPixels) m_outcome = tooLarge(m_maxPixels, m_codec->pixels());
+    if (!m_outcome) return m_outcome.error();
+    auto picture = m_codec->picture();
+    return picture ? Result<Picture>(*std::move(picture)) : damaged();
+}
+
+}  // namespace leitstand
