@@ -3291,6 +3291,50 @@ Funk: %4 %5</translation>
         <source>{}: its file names no service {}</source>
         <translation>{}: Seine Datei nennt keinen Dienst {}</translation>
     </message>
+    <message>
+        <source>picture of depths: expected 16UC1 or 32FC1, found &quot;{}&quot;</source>
+        <translation>Tiefenbild: erwartet 16UC1 oder 32FC1, gefunden &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>picture of depths: its camera_info holds no calibration that is known</source>
+        <translation>Tiefenbild: seine camera_info enthält keine bekannte Kalibrierung</translation>
+    </message>
+    <message>
+        <source>picture of depths: its RVL data are damaged</source>
+        <translation>Tiefenbild: seine RVL-Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>picture of depths: expected at most {} pixels, found {} x {}</source>
+        <translation>Tiefenbild: erwartet höchstens {} Bildpunkte, gefunden {} x {}</translation>
+    </message>
+    <message>
+        <source>picture of depths: expected a PNG of 16 bits</source>
+        <translation>Tiefenbild: erwartet ein PNG mit 16 Bit</translation>
+    </message>
+    <message>
+        <source>picture of depths: expected at least {} bytes, found {}</source>
+        <translation>Tiefenbild: erwartet mindestens {} Bytes, gefunden {}</translation>
+    </message>
+    <message>
+        <source>picture of depths: expected a PNG after 12 bytes, found {} other bytes (format &quot;{}&quot;)</source>
+        <translation>Tiefenbild: erwartet ein PNG nach 12 Bytes, gefunden {} andere Bytes (Format &quot;{}&quot;)</translation>
+    </message>
+    <message>
+        <source>picture: of a video, and damaged; waiting for the next key picture</source>
+        <translation>Bild: aus einem Video und beschädigt; warte auf das nächste Schlüsselbild</translation>
+    </message>
+    <message>
+        <source>picture: of a video whose last key picture is missing or long ago: the encoder sends them too seldom (gop_size), or pictures are lost</source>
+        <translation>Bild: aus einem Video, dessen letztes Schlüsselbild fehlt oder lange her ist: der Encoder sendet sie zu selten (gop_size), oder Bilder gehen verloren</translation>
+    </message>
+    <message>
+        <source>picture: of a video, expected at most {} pixels, found {}</source>
+        <translation>Bild: aus einem Video, erwartet höchstens {} Bildpunkte, gefunden {}</translation>
+    </message>
+    <message>
+        <source>picture: of a video that libavcodec does not decode here</source>
+        <translation>Bild: aus einem Video, das libavcodec hier nicht dekodiert</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -3770,6 +3814,38 @@ Funk: %4 %5</translation>
     <message>
         <source>%1: its goal is cancelled, since you drive</source>
         <translation>%1: Sein Ziel ist aufgehoben, da Sie fahren</translation>
+    </message>
+    <message>
+        <source>Go there &amp;next</source>
+        <translation>&amp;Danach dorthin fahren</translation>
+    </message>
+    <message>
+        <source>Click where the selected robot shall go after the place that it is sent to now</source>
+        <translation>Klicken, wohin der gewählte Roboter nach seinem jetzigen Ziel fahren soll</translation>
+    </message>
+    <message>
+        <source>Return to &amp;start</source>
+        <translation>&amp;Zum Start zurück</translation>
+    </message>
+    <message>
+        <source>Sends the selected robot to where its trail in the map begins</source>
+        <translation>Schickt den gewählten Roboter dorthin, wo seine Spur in der Karte beginnt</translation>
+    </message>
+    <message>
+        <source>Click where %1 shall go next, drag its heading · right button: not at all</source>
+        <translation>Klicken, wohin %1 danach fahren soll, ziehen für die Richtung · rechte Taste: gar nicht</translation>
+    </message>
+    <message>
+        <source>%1 is sent to %2 places already</source>
+        <translation>%1 ist schon zu %2 Orten geschickt</translation>
+    </message>
+    <message>
+        <source>%1 has not driven yet: it has no start to return to</source>
+        <translation>%1 ist noch nicht gefahren: es gibt keinen Start, zu dem er zurückkann</translation>
+    </message>
+    <message>
+        <source>%1: where it was to go next is given up, too</source>
+        <translation>%1: auch die folgenden Ziele sind aufgegeben</translation>
     </message>
 </context>
 <context>
@@ -6555,6 +6631,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>nobody offers %1: STOP cannot call it</source>
         <translation>niemand bietet %1 an: STOP kann es nicht aufrufen</translation>
+    </message>
+    <message>
+        <source>nobody tells where %1 sits: it counts as sitting at the robot&apos;s base</source>
+        <translation>niemand sagt, wo %1 sitzt: es zählt als am Fußpunkt des Roboters</translation>
+    </message>
+    <message>
+        <source>Publish its transform (tf_static), or enter its place in the robot&apos;s file</source>
+        <translation>Die Transformation veröffentlichen (tf_static) oder den Ort in die Roboterdatei eintragen</translation>
     </message>
 </context>
 <context>

@@ -3291,6 +3291,50 @@ Link: %4 %5</source>
         <source>{}: its file names no service {}</source>
         <translation>{}：ファイルにサービス {} がありません</translation>
     </message>
+    <message>
+        <source>picture of depths: expected 16UC1 or 32FC1, found &quot;{}&quot;</source>
+        <translation>深度画像: 16UC1 か 32FC1 のはずが &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>picture of depths: its camera_info holds no calibration that is known</source>
+        <translation>深度画像: camera_info に既知の校正がありません</translation>
+    </message>
+    <message>
+        <source>picture of depths: its RVL data are damaged</source>
+        <translation>深度画像: RVL データが壊れています</translation>
+    </message>
+    <message>
+        <source>picture of depths: expected at most {} pixels, found {} x {}</source>
+        <translation>深度画像: 最大 {} 画素のはずが {} x {}</translation>
+    </message>
+    <message>
+        <source>picture of depths: expected a PNG of 16 bits</source>
+        <translation>深度画像: 16 ビットの PNG のはずです</translation>
+    </message>
+    <message>
+        <source>picture of depths: expected at least {} bytes, found {}</source>
+        <translation>深度画像: 少なくとも {} バイトのはずが {}</translation>
+    </message>
+    <message>
+        <source>picture of depths: expected a PNG after 12 bytes, found {} other bytes (format &quot;{}&quot;)</source>
+        <translation>深度画像: 12 バイトの後に PNG のはずが他の {} バイト (形式 &quot;{}&quot;)</translation>
+    </message>
+    <message>
+        <source>picture: of a video, and damaged; waiting for the next key picture</source>
+        <translation>画像: 動画の画像が壊れています。次のキーフレームを待っています</translation>
+    </message>
+    <message>
+        <source>picture: of a video whose last key picture is missing or long ago: the encoder sends them too seldom (gop_size), or pictures are lost</source>
+        <translation>画像: 動画の直近のキーフレームがないか古すぎます。エンコーダの間隔 (gop_size) が長すぎるか、画像が失われています</translation>
+    </message>
+    <message>
+        <source>picture: of a video, expected at most {} pixels, found {}</source>
+        <translation>画像: 動画は最大 {} 画素のはずが {}</translation>
+    </message>
+    <message>
+        <source>picture: of a video that libavcodec does not decode here</source>
+        <translation>画像: この動画は libavcodec で復号できません</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -3770,6 +3814,38 @@ Link: %4 %5</source>
     <message>
         <source>%1: its goal is cancelled, since you drive</source>
         <translation>%1：手動運転のため目標を取り消しました</translation>
+    </message>
+    <message>
+        <source>Go there &amp;next</source>
+        <translation>次にそこへ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Click where the selected robot shall go after the place that it is sent to now</source>
+        <translation>選択中のロボットが今の目標の次に向かう場所をクリック</translation>
+    </message>
+    <message>
+        <source>Return to &amp;start</source>
+        <translation>出発点へ戻る(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Sends the selected robot to where its trail in the map begins</source>
+        <translation>選択中のロボットを地図上の軌跡の始点へ送ります</translation>
+    </message>
+    <message>
+        <source>Click where %1 shall go next, drag its heading · right button: not at all</source>
+        <translation>%1 が次に向かう場所をクリック、向きをドラッグ · 右ボタン: 取消</translation>
+    </message>
+    <message>
+        <source>%1 is sent to %2 places already</source>
+        <translation>%1 はすでに %2 か所へ送られています</translation>
+    </message>
+    <message>
+        <source>%1 has not driven yet: it has no start to return to</source>
+        <translation>%1 はまだ走っていません。戻る出発点がありません</translation>
+    </message>
+    <message>
+        <source>%1: where it was to go next is given up, too</source>
+        <translation>%1: 次の目標も取り消されました</translation>
     </message>
 </context>
 <context>
@@ -6555,6 +6631,14 @@ F1 でキー一覧</translation>
     <message>
         <source>nobody offers %1: STOP cannot call it</source>
         <translation>%1 を提供するノードがありません。STOP は呼び出せません</translation>
+    </message>
+    <message>
+        <source>nobody tells where %1 sits: it counts as sitting at the robot&apos;s base</source>
+        <translation>%1 の取付位置が不明です。ロボットの基準点にあるとみなします</translation>
+    </message>
+    <message>
+        <source>Publish its transform (tf_static), or enter its place in the robot&apos;s file</source>
+        <translation>その変換 (tf_static) を配信するか、ロボットのファイルに位置を書いてください</translation>
     </message>
 </context>
 <context>

@@ -38,6 +38,8 @@ public:
     /// key picture comes. enterLog() makes them ready.
     void jump() { m_videos.forgetAll(); }
     void jump(const std::string& topic) { m_videos.forget(topic); }
+    /// Whether a video was among the events on @p topic so far.
+    [[nodiscard]] bool isVideo(const std::string& topic) const { return m_videos.isVideo(topic); }
     /// Whether decode() can decode events on @p topic.
     [[nodiscard]] bool knows(const std::string& topic) const;
     /// Samples that could not be decoded so far, by topic.

@@ -51,6 +51,14 @@ std::vector<RawEvent> videoUpTo(BagReader& bag, EventDecoder& decoder, const std
 
 namespace {
 
+/// Whether @p topic carries videos: by its type, or by what came on it. Others are not looked at again, since
+/// that takes long in bags without an index.
+bool isVideo(const BagTopic& topic, const EventDecoder& decoder) {
+    const bool single =
+        topic.info.type == "sensor_msgs/msg/Image" || topic.info.type == "sensor_msgs/msg/CompressedImage";
+    return (isPictureType(topic.info.type) && !single) || decoder.isVideo(topic.info.name);
+}
+
 /// Reads the calibration of the camera that sends the depth pictures of @p depths: the newest one before @p
 /// sequence, or the first one after.
 void readCalibration(BagReader& bag, EventDecoder& decoder, const RobotDescription& robot,
@@ -84,7 +92,7 @@ void enterLog(BagReader& bag, EventDecoder& decoder, std::uint64_t sequence,
     if (sequence == 0) return;
     for (const BagTopic& topic : bag.topics()) {
         const std::string& name = topic.info.name;
-        if (isRead(name) && isPictureType(topic.info.type) && decoder.knows(name))
+        if (isRead(name) && decoder.knows(name) && isVideo(topic, decoder))
             (void)videoUpTo(bag, decoder, name, sequence);
     }
 }

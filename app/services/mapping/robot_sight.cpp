@@ -226,6 +226,7 @@ void RobotSight::fillView(RobotView& robot) const {
 void RobotSight::fillView(RobotView& robot, SteadyTime now) const {
     const std::lock_guard lock(m_mutex);
     for (const auto& [sensor, watch] : m_cameras) robot.cameras.push_back({sensor, watch.at(now)});
+    robot.unplaced = m_poses.unplaced();
     robot.joints = m_joints;
     if (m_joints) robot.jointsAge = secondsBetween(m_jointsCame, now);
 }

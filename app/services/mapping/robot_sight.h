@@ -40,7 +40,7 @@ public:
     /// sees there. @p withoutEyes: whether the operator drives without a view.
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes) const;
     [[nodiscard]] SightCap cap(const DriveVelocity& sticks, bool withoutEyes, SteadyTime now) const;
-    /// Sets cameras and joints of @p robot.
+    /// Sets cameras, joints and scanners without a place of @p robot.
     void fillView(RobotView& robot) const;
     void fillView(RobotView& robot, SteadyTime now) const;
     /// Returns the surroundings as seen from the robot's pose in its newest odometry; empty before any

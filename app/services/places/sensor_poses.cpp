@@ -1,5 +1,8 @@
 #include "app/services/places/sensor_poses.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/base/words.h"
 #include "core/event/event.h"
 #include "core/event/motion_samples.h"
@@ -87,12 +90,20 @@ Pose SensorPoses::describedInBase(const std::string& sensor, const std::string& 
     if (const auto described = m_robot->sensors.find(nameOf(sensor, frame));
         described != m_robot->sensors.end())
         return described->second.sensorInBase;
+    m_unplaced.insert(frame);
     m_remarks.insert(leitstand::fill(
         translate(
             "leitstand::Error",
             "{}: nobody tells where frame \"{}\" sits (neither tf_static nor the robot's file); taken as {}"),
         m_robot->name, frame, m_robot->baseFrame));
     return Pose::Identity();
+}
+
+std::vector<std::string> SensorPoses::unplaced() const {
+    std::vector<std::string> frames;
+    std::copy_if(m_unplaced.begin(), m_unplaced.end(), std::back_inserter(frames),
+                 [this](const std::string& frame) { return !inBaseByTransforms(frame); });
+    return frames;
 }
 
 std::optional<Pose> SensorPoses::sensorInOdom(const Event& event, const SampleHeader& header, Time stamp) {

@@ -45,6 +45,8 @@ public:
     [[nodiscard]] std::optional<std::pair<std::string, Pose>> parentOf(const std::string& frame) const;
     [[nodiscard]] std::optional<Pose> baseInOdom(Time stamp) const { return m_baseInOdom.at(stamp); }
     void forgetBefore(Time stamp) { m_baseInOdom.forgetBefore(stamp); }  ///< drops older odometry
+    /// Returns the frames whose place nobody has told so far, though it was asked for.
+    [[nodiscard]] std::vector<std::string> unplaced() const;
     /// What was missing; each remark is listed once.
     [[nodiscard]] const std::set<std::string>& remarks() const { return m_remarks; }
 
@@ -64,6 +66,7 @@ private:
     std::map<std::string, Parent> m_parents;                 ///< by child frame
     std::map<std::string, ScannerCorrection> m_corrections;  ///< set by setCorrection(), by sensor
     std::set<std::string> m_remarks;
+    std::set<std::string> m_unplaced;  ///< frames that were unknown once
 };
 
 }  // namespace leitstand

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/services/finds/evidence_in_log.h"
+#include "app/services/finds/freezing.h"
 #include "app/services/log/event_decoder.h"
 #include "app/services/log/log_entry.h"
 #include "app/services/log/mission_robots.h"
@@ -58,6 +59,7 @@ std::set<std::uint64_t> evidenceOf(BagReader& bag, const std::vector<RobotDescri
                 continue;
             const std::uint64_t sequence = sequenceInLog(bag, decoder, one, form);
             all.insert(sequence);
+            if (!isPictureEvidence(one)) continue;
             for (const RawEvent& needed : videoUpTo(bag, decoder, one.topic, sequence))
                 all.insert(needed.sequence);
         }

@@ -94,6 +94,11 @@ void judgeStreams(Page& page, const RobotFacts& facts) {
     }
 }
 
+void judgeScanners(Page& page, const RobotFacts& facts) {
+    if (!facts.view.unplaced.empty())
+        page.add(Kind::ScannerUnplaced, CheckState::Attention, joined(facts.view.unplaced));
+}
+
 void judgeClock(Page& page, const LinkStatus& link, double limit) {
     if (!link.clock) return page.add(Kind::ClockUnknown, CheckState::Attention);
     const double ahead = toSeconds(link.clock->ahead);
@@ -162,6 +167,7 @@ void judgeRobot(std::vector<PreflightCheck>& checks, const RobotFacts& facts, Ti
     for (const WireComplaint& complaint : facts.complaints) page.add(complaint);
     if (!there) return;
     judgeStreams(page, facts);
+    judgeScanners(page, facts);
     judgeClock(page, facts.view.link, farClock);
     judgeDriving(page, facts);
     judgeBrake(page, facts, now);

@@ -60,16 +60,17 @@ enum class CheckState : std::uint8_t { Ok, Note, Attention, Fail };
 /// One line of the page. Core finds the facts; widgets put them into words by their kind.
 struct PreflightCheck {
     enum class Kind : std::uint8_t {
-        RobotConnected,  ///< number: round trip [s]; reasons: why it is degraded
-        RobotMissing,    ///< never received, or lost; number: silence [s]
-        StreamsComing,   ///< number: how many streams
-        StreamsMissing,  ///< detail: streams in its file that were never received
-        StreamsStale,    ///< detail: streams that are no longer received
-        PicturesFresh,   ///< number: age of the oldest camera's newest picture [s]
-        PicturesOld,     ///< detail: which cameras; number: age of the oldest of their newest pictures [s]
-        Wire,            ///< wire: why a reader and a writer do not match
-        ClockSteady,     ///< number: how far the robot's clock is ahead [s]
-        ClockFar,        ///< number: as ClockSteady, but too far
+        RobotConnected,   ///< number: round trip [s]; reasons: why it is degraded
+        RobotMissing,     ///< never received, or lost; number: silence [s]
+        StreamsComing,    ///< number: how many streams
+        StreamsMissing,   ///< detail: streams in its file that were never received
+        StreamsStale,     ///< detail: streams that are no longer received
+        PicturesFresh,    ///< number: age of the oldest camera's newest picture [s]
+        PicturesOld,      ///< detail: which cameras; number: age of the oldest of their newest pictures [s]
+        ScannerUnplaced,  ///< detail: frames of scanners of which nobody tells where they sit
+        Wire,             ///< wire: why a reader and a writer do not match
+        ClockSteady,      ///< number: how far the robot's clock is ahead [s]
+        ClockFar,         ///< number: as ClockSteady, but too far
         ClockUnknown,
         Grant,        ///< this station holds it
         GrantFree,    ///< nobody holds it; it is taken when driving begins

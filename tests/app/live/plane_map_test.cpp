@@ -207,6 +207,44 @@ TEST_F(TurtleBotPage, IsSentByItsOwnNavigationUntilItArrivesOrIsStopped) {
     EXPECT_TRUE(soon([&] { return stage() == GoalStage::Cancelled; }));
 }
 
+TEST_F(TurtleBotPage, IsSentFromPlaceToPlaceAndBackToItsStart) {
+    ASSERT_TRUE(soon([&] { return keyScans() > 0 && m_window->missing().isEmpty(); })) << m_robot->out();
+    ASSERT_TRUE(soon([&] { return station().robot("turtlebot4").navigation.offered; }));
+    m_window->layouts().use("map");
+    m_window->selection().select("turtlebot4");
+    const Pose start = baseInMap();
+    const auto awayFrom = [&](const Eigen::Vector3d& place) {
+        return (baseInMap().translation() - place).head<2>().norm();
+    };
+    const auto arrivals = [&] { return m_window->recent().filter("TurtleBot 4 has arrived").size(); };
+    const Eigen::Vector3d first = start * Eigen::Vector3d(0.5, 0, 0),
+                          second = start * Eigen::Vector3d(1.0, 0, 0);
+    ASSERT_TRUE(goesAhead(0.5)) << m_window->recent().join("; ").toStdString();
+    trigger("map.goToNext");
+    emit m_window->mapView().poseDrawn({second, std::nullopt});
+    QTest::qWait(200);
+    lookAt("waypoints");
+    EXPECT_TRUE(soon([&] { return arrivals() == 1; }));
+    EXPECT_LT(awayFrom(first), 0.35);
+    EXPECT_TRUE(soon([&] { return arrivals() == 2; })) << m_window->recent().join("; ").toStdString();
+    EXPECT_LT(awayFrom(second), 0.35);
+    trigger("map.returnToStart");
+    EXPECT_TRUE(soon([&] { return arrivals() == 3; })) << m_window->recent().join("; ").toStdString();
+    EXPECT_LT(awayFrom(start.translation()), 0.35);
+
+    ASSERT_TRUE(goesAhead(0.6));
+    trigger("map.goToNext");
+    emit m_window->mapView().poseDrawn({second, std::nullopt});
+    station().stopAll();
+    EXPECT_TRUE(soon([&] { return stage() == GoalStage::Cancelled; }));
+    ASSERT_TRUE(soon([&] { return station().robot("turtlebot4").stop.standing; }));
+    ASSERT_TRUE(soon([&] { return station().release("turtlebot4").ok(); }));
+    ASSERT_TRUE(soon([&] { return !station().robot("turtlebot4").stop.releasing; }));
+    QTest::qWait(1500);
+    EXPECT_EQ(stage(), GoalStage::Cancelled) << "it is not sent on after a stop";
+    EXPECT_EQ(arrivals(), 3);
+}
+
 TEST_F(TurtleBotPage, ItsServicesAreCalledFromTheMenu) {
     ASSERT_TRUE(soon([&] { return m_window->missing().isEmpty(); })) << m_robot->out();
     m_window->selection().select("turtlebot4");

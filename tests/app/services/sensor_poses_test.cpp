@@ -42,6 +42,20 @@ double pitchOf(const Pose& pose) {
     return std::asin(-(pose.linear() * Eigen::Vector3d::UnitX()).z());
 }
 
+TEST(SensorPoses, AFrameWhosePlaceNobodyTellsIsNamedUntilSomebodyDoes) {
+    RobotDescription robot = robotWithScanner();
+    SensorPoses placed(robot);
+    (void)placed.inBase("scanner", "lidar");
+    EXPECT_TRUE(placed.unplaced().empty()) << "its file tells it";
+    robot.sensors.clear();
+    SensorPoses poses(robot);
+    EXPECT_TRUE(poses.unplaced().empty());
+    EXPECT_TRUE(poses.inBase("", "lidar").isApprox(Pose::Identity()));
+    EXPECT_EQ(poses.unplaced(), std::vector<std::string>{"lidar"});
+    poses.add(mountByTransforms());
+    EXPECT_TRUE(poses.unplaced().empty());
+}
+
 TEST(SensorPoses, ALeanIsInTheMountWhoeverTellsOfIt) {
     const RobotDescription robot = robotWithScanner();
     SensorPoses byFile(robot), byTransforms(robot);

@@ -20,7 +20,8 @@ namespace {
 
 constexpr double SmallestBody = 13.0;  ///< half a body's length on screen; smaller robots become arrows [px]
 constexpr double ArrowSize = 11.0, BadgeSize = 18.0, TargetSize = 9.0;  ///< [px]
-constexpr double GoalAhead = 0.45;                                      ///< length of a goal's heading [m]
+constexpr double NumberSize = 9.0;  ///< radius of a waypoint's number [px]
+constexpr double GoalAhead = 0.45;  ///< length of a goal's heading [m]
 
 std::optional<QPointF> seen(const MapProjection& projection, const Eigen::Vector3d& pointInMap) {
     const auto projected = projection.project(pointInMap);
@@ -185,6 +186,34 @@ void paintGoal(QPainter& painter, const MapProjection& projection, const RobotMa
     painter.drawEllipse(*at, 3.0, 3.0);
 }
 
+/// Paints where @p robot goes after its goal: the way from place to place, and each one's number.
+void paintWaypoints(QPainter& painter, const MapProjection& projection, const RobotMark& robot,
+                    const OverlayStyle& style) {
+    if (!robot.goalInMap || robot.waypoints.empty()) return;
+    const QColor colour = colourOf(robot, style);
+    std::vector<std::optional<QPointF>> places = {seen(projection, robot.goalInMap->translation())};
+    for (const Pose& place : robot.waypoints) places.push_back(seen(projection, place.translation()));
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(asColour(style.colours.background), 4.0), QPen(colour, 2.0)}) {
+        QPen line = pen;
+        line.setStyle(Qt::DashLine);
+        painter.setPen(line);
+        for (std::size_t i = 1; i < places.size(); ++i)
+            if (places[i - 1] && places[i]) painter.drawLine(*places[i - 1], *places[i]);
+    }
+    painter.setFont(sized(style.font, 12, true));
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        if (!places[i]) continue;
+        painter.setPen(QPen(asColour(style.colours.background), 1.5));
+        painter.setBrush(colour);
+        painter.drawEllipse(*places[i], NumberSize, NumberSize);
+        painter.setPen(style.window->window);
+        const QRectF box(places[i]->x() - NumberSize, places[i]->y() - NumberSize, 2 * NumberSize,
+                         2 * NumberSize);
+        painter.drawText(box, Qt::AlignCenter, QString::number(i + 1));
+    }
+}
+
 void paintRobot(QPainter& painter, const MapProjection& projection, const RobotMark& robot, bool dashed,
                 const OverlayStyle& style) {
     const double size = sizeOnScreen(projection, robot);
@@ -312,6 +341,7 @@ void paintRobots(QPainter& painter, const MapProjection& projection, const std::
               [&depth](const RobotMark* a, const RobotMark* b) { return depth(a) > depth(b); });
     for (const RobotMark* robot : order) {
         if (robot->goalInMap) paintGoal(painter, projection, *robot, style);
+        paintWaypoints(painter, projection, *robot, style);
         if (robot->doubtRadius) paintDoubt(painter, projection, *robot, style);
     }
     for (const RobotMark* robot : order) {

@@ -29,6 +29,7 @@ namespace {
 
 constexpr double Arrived = 0.4;               ///< [m]
 constexpr std::chrono::seconds Patience(10);  ///< wait for the grant, and for the robot to begin
+constexpr std::size_t MostNext = 20;          ///< places after the goal
 constexpr auto DrivesByItself = "explore";    ///< mode in which robots drive to goals
 
 bool offers(const RobotState& reported, const std::string& mode) {
@@ -60,9 +61,29 @@ GoTo::GoTo(const LiveContext& context, MapView& map, MapGestures& gestures, Robo
                "floor does the same"),
            .keys = QKeySequence(Qt::Key_O),
            .checkable = true})),
+      m_nextAction(&context.commands.add(
+          {.id = "map.goToNext",
+           .menu = CommandMenu::Robot,
+           .text = tr("Go there &next"),
+           .hint = tr("Click where the selected robot shall go after the place that it is sent to now"),
+           .keys = QKeySequence(Qt::SHIFT | Qt::Key_O),
+           .checkable = true})),
+      m_returnAction(&context.commands.add(
+          {.id = "map.returnToStart",
+           .menu = CommandMenu::Robot,
+           .text = tr("Return to &start"),
+           .hint = tr("Sends the selected robot to where its trail in the map begins")})),
       m_question(new GoalQuestion(context.commands, map, this)),
       m_map(context.station.mapping().scans()) {
-    connect(m_action, &QAction::triggered, this, &GoTo::arm);
+    connect(m_action, &QAction::triggered, this, [this](bool on) {
+        arm(*m_action, on, tr("Click where %1 shall go, drag its heading · right button: not at all"),
+            &GoTo::go);
+    });
+    connect(m_nextAction, &QAction::triggered, this, [this](bool on) {
+        arm(*m_nextAction, on,
+            tr("Click where %1 shall go next, drag its heading · right button: not at all"), &GoTo::goNext);
+    });
+    connect(m_returnAction, &QAction::triggered, this, &GoTo::returnToStart);
     connect(m_question, &GoalQuestion::confirmed, this, &GoTo::begin);
     connect(&context.selection, &Selection::changed, this, &GoTo::showSelected);
     connect(&context.source, &MomentSource::ticked, this, &GoTo::follow);
@@ -72,37 +93,71 @@ GoTo::GoTo(const LiveContext& context, MapView& map, MapGestures& gestures, Robo
 
 void GoTo::showSelected() {
     const RobotDescription* const robot = m_context.selection.robot();
-    m_action->setEnabled(robot != nullptr && robot->takesGoals());
-    if (m_action->isChecked()) m_gestures.disarm();
+    for (QAction* const action : {m_action, m_nextAction, m_returnAction})
+        action->setEnabled(robot != nullptr && robot->takesGoals());
+    if (m_action->isChecked() || m_nextAction->isChecked()) m_gestures.disarm();
 }
 
-void GoTo::arm(bool on) {
+void GoTo::arm(QAction& action, bool on, const QString& hint, void (GoTo::*then)(const GroundPose&)) {
     const std::string robot = m_context.selection.name().toStdString();
     if (!on) return m_gestures.disarm();
-    if (!m_robots.placed(robot)) {
-        m_action->setChecked(false);
-        m_context.notify(tr("%1 is not in the map yet").arg(m_context.selection.face().title));
-        return;
+    if (!maySend()) return action.setChecked(false);
+    m_gestures.armPose(action, m_robots.mark(robot), hint.arg(m_context.selection.face().title),
+                       [this, then](const GroundPose& pose) { (this->*then)(pose); });
+}
+
+bool GoTo::maySend() const {
+    const RobotDescription* const robot = m_context.selection.robot();
+    if (robot == nullptr) return false;
+    const QString title = m_context.selection.face().title;
+    if (!m_action->isEnabled()) {
+        m_context.notify(tr("%1 takes no goals").arg(title));
+    } else if (!m_robots.placed(robot->name)) {
+        m_context.notify(tr("%1 is not in the map yet").arg(title));
+    } else {
+        return true;
     }
-    m_gestures.armPose(*m_action, m_robots.mark(robot),
-                       tr("Click where %1 shall go, drag its heading · right button: not at all")
-                           .arg(m_context.selection.face().title),
-                       [this](const GroundPose& pose) { go(pose); });
+    return false;
+}
+
+Pose GoTo::headed(const GroundPose& pose, const Eigen::Vector3d& from) {
+    const Eigen::Vector3d way = pose.place - from;
+    return poseFrom(pose.place, 0, 0, pose.heading.value_or(std::atan2(way.y(), way.x())));
 }
 
 void GoTo::go(const GroundPose& pose) {
-    const RobotDescription* const robot = m_context.selection.robot();
-    if (robot == nullptr) return;
-    if (!m_action->isEnabled())
-        return m_context.notify(tr("%1 takes no goals").arg(m_context.selection.face().title));
-    if (!m_robots.placed(robot->name)) {
-        m_context.notify(tr("%1 is not in the map yet").arg(m_context.selection.face().title));
-        return;
-    }
-    const Eigen::Vector3d from = m_robots.mark(robot->name).baseInMap.translation();
-    const Eigen::Vector3d way = pose.place - from;
-    const double heading = pose.heading.value_or(std::atan2(way.y(), way.x()));
-    begin(robot->name, poseFrom(pose.place, 0, 0, heading));
+    if (!maySend()) return;
+    const std::string robot = m_context.selection.name().toStdString();
+    begin(robot, headed(pose, m_robots.mark(robot).baseInMap.translation()));
+}
+
+void GoTo::goNext(const GroundPose& pose) {
+    const std::string robot = m_context.selection.name().toStdString();
+    const auto way = m_ways.find(robot);
+    if (way == m_ways.end()) return go(pose);
+    std::vector<Pose>& next = way->second.next;
+    if (next.size() >= MostNext)
+        return m_context.notify(
+            tr("%1 is sent to %2 places already").arg(m_context.selection.face().title).arg(MostNext + 1));
+    const Pose& before = next.empty() ? way->second.goalInMap : next.back();
+    next.push_back(headed(pose, before.translation()));
+    showWay(robot);
+}
+
+void GoTo::returnToStart() {
+    if (!maySend()) return;
+    const std::string robot = m_context.selection.name().toStdString();
+    const TrailPtr trail = m_robots.mark(robot).trail;
+    if (!trail || trail->empty())
+        return m_context.notify(
+            tr("%1 has not driven yet: it has no start to return to").arg(m_context.selection.face().title));
+    go({trail->front().inMap.cast<double>(), std::nullopt});
+}
+
+void GoTo::showWay(const std::string& robot) {
+    const auto way = m_ways.find(robot);
+    if (way == m_ways.end()) return m_robots.setGoal(robot, std::nullopt);
+    m_robots.setGoal(robot, way->second.goalInMap, way->second.next);
 }
 
 void GoTo::begin(const std::string& robot, const Pose& goalInMap) {
@@ -111,7 +166,7 @@ void GoTo::begin(const std::string& robot, const Pose& goalInMap) {
         return m_context.notify(QString::fromStdString(may.error().text));
     m_context.station.requestGrant(robot);
     m_ways[robot] = {goalInMap, m_context.source.moment().now};
-    m_robots.setGoal(robot, goalInMap);
+    showWay(robot);
     m_question->forget(robot);
 }
 
@@ -119,7 +174,11 @@ void GoTo::takeBack() {
     const std::string robot = m_context.selection.name().toStdString();
     m_question->forget(robot);
     const auto way = m_ways.find(robot);
-    if (way == m_ways.end() || (way->second.sent && !way->second.followed)) return;
+    if (way == m_ways.end()) return;
+    if (way->second.sent && !way->second.followed) {
+        way->second.next.clear();  // it may arrive all the same, and is not sent on
+        return showWay(robot);
+    }
     const QString title = m_context.selection.face().title;
     m_context.notify((way->second.sent ? tr("%1: its goal is cancelled, since it was halted")
                                        : tr("%1 is not sent: it was halted"))
@@ -160,15 +219,15 @@ bool GoTo::send(const std::string& robot, const Way& way, const LiveMoment& mome
     return done.ok();
 }
 
-bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
+GoTo::Ending GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
     const bool late = moment.now - way.asked > Patience;
     if (!way.sent) {
         // A stop also cancels what was requested before it.
         const StopStatus& stop = moment.view(robot).stop;
-        if (stop.sent || stop.stopped || stop.releasing) return true;
+        if (stop.sent || stop.stopped || stop.releasing) return Ending::Otherwise;
         const bool mine = moment.view(robot).grant.mine;
         if (mine && placeOf(robot)) {
-            if (!send(robot, way, moment)) return true;
+            if (!send(robot, way, moment)) return Ending::Otherwise;
             way.sent = true;
             way.asked = moment.now;
             // Of a goal that went by the topic, it tells of the one before at most, and that has ended.
@@ -177,36 +236,54 @@ bool GoTo::over(const std::string& robot, Way& way, const LiveMoment& moment) {
             m_context.notify((mine ? tr("%1 was not sent: its odometry restarted, and nobody knows where")
                                    : tr("%1 was not sent: another station has its drive control"))
                                  .arg(titleOf(robot)));
-            return true;
+            return Ending::Otherwise;
         }
-        return false;
+        return Ending::No;
     }
-    if (way.followed) return hasEnded(robot, moment);
+    if (way.followed) return endOf(robot, moment);
     const RobotState& reported = moment.reported(robot);
     const bool drives = reported.mode && reported.mode->sample.mode == DrivesByItself;
     way.began = way.began || drives;
-    if (offers(reported, DrivesByItself) && !drives && (way.began || late)) return true;
-    if (!way.began || moves(reported)) way.moved = moment.now;
-    if (moment.now - way.moved > Patience) return true;  // it has come as near as it can, or gave up
     const RobotMark mark = m_robots.mark(robot);
-    return (mark.baseInMap.translation() - way.goalInMap.translation()).head<2>().norm() < Arrived;
+    const bool there =
+        (mark.baseInMap.translation() - way.goalInMap.translation()).head<2>().norm() < Arrived;
+    if (there) return Ending::Arrived;
+    if (offers(reported, DrivesByItself) && !drives && (way.began || late)) return Ending::Otherwise;
+    if (!way.began || moves(reported)) way.moved = moment.now;
+    // It has come as near as it can, or gave up.
+    return moment.now - way.moved > Patience ? Ending::Otherwise : Ending::No;
 }
 
-bool GoTo::hasEnded(const std::string& robot, const LiveMoment& moment) {
+GoTo::Ending GoTo::endOf(const std::string& robot, const LiveMoment& moment) {
     const RobotView& view = moment.view(robot);
     // As it is now: the moment may have been taken before this goal was sent, and tell of the one before.
     const GoalStage stage = m_context.station.robot(robot).navigation.stage;
     if (const QString end = goalEnd(stage); !end.isEmpty()) {
         // After a stop everybody knows why.
         if (!view.stop.sent && !view.stop.stopped) m_context.notify(end.arg(titleOf(robot)));
-        return true;
+        return stage == GoalStage::Arrived ? Ending::Arrived : Ending::Otherwise;
     }
     if (view.drive.driving && !isZero(view.drive.velocity)) {
         m_context.station.cancelGoal(robot);  // else both would drive it
         m_context.notify(tr("%1: its goal is cancelled, since you drive").arg(titleOf(robot)));
-        return true;
+        return Ending::Otherwise;
     }
-    return false;
+    return Ending::No;
+}
+
+bool GoTo::goOn(const std::string& robot, Way& way, Ending ending) {
+    if (way.next.empty()) return false;
+    if (ending != Ending::Arrived) {
+        const StopStatus& stop = m_context.source.moment().view(robot).stop;
+        if (!stop.sent && !stop.stopped)  // else everybody knows why
+            m_context.notify(tr("%1: where it was to go next is given up, too").arg(titleOf(robot)));
+        return false;
+    }
+    Way on{way.next.front(), m_context.source.moment().now};
+    on.next.assign(way.next.begin() + 1, way.next.end());
+    way = std::move(on);
+    showWay(robot);
+    return true;
 }
 
 void GoTo::follow(const LiveMoment& moment) {
@@ -215,12 +292,14 @@ void GoTo::follow(const LiveMoment& moment) {
         if (stop.sent || stop.stopped || stop.releasing) m_question->forget(robot);
     }
     for (auto way = m_ways.begin(); way != m_ways.end();) {
-        if (!over(way->first, way->second, moment)) {
+        const Ending ending = over(way->first, way->second, moment);
+        if (ending == Ending::No || goOn(way->first, way->second, ending)) {
             ++way;
             continue;
         }
-        m_robots.setGoal(way->first, std::nullopt);
+        const std::string robot = way->first;
         way = m_ways.erase(way);
+        showWay(robot);
     }
 }
 
@@ -271,6 +350,7 @@ void GoTo::followMap(const LiveMapPtr& map) {
     if (places.any()) m_question->follow(places);
     for (auto one = m_ways.begin(); places.any() && one != m_ways.end();) {
         auto& [robot, way] = *one;
+        for (Pose& place : way.next) place = places.at(place.translation()) * place;
         const Pose correction = places.at(way.goalInMap.translation());
         const GoalMove move = goalMove(way.goalInMap, correction, underWay(robot, way));
         if (move == GoalMove::Withdrawn) {
@@ -280,7 +360,7 @@ void GoTo::followMap(const LiveMapPtr& map) {
         }
         if (move == GoalMove::Moves) {
             way.goalInMap = correction * way.goalInMap;
-            m_robots.setGoal(robot, way.goalInMap);
+            showWay(robot);
             (void)send(robot, way, m_context.source.moment());
         }
         ++one;

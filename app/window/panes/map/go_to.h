@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <QObject>
 
@@ -23,8 +24,9 @@ class MapView;
 class RobotsOnMap;
 struct LiveMoment;
 
-/// Sends robots to places on the map: a pose that the operator draws on the floor, or a double click. For
-/// robots that take goals. Requests the grant first, since robots obey only its holder.
+/// Sends robots to places on the map: a pose that the operator draws on the floor, or a double click; to
+/// several places, one after the other; or back to where their trail begins. For robots that take goals.
+/// Requests the grant first, since robots obey only its holder.
 class GoTo final : public QObject {
     Q_OBJECT
 public:
@@ -34,6 +36,10 @@ public:
     /// Sends the selected robot to @p pose. If the pose has no heading, it gets the direction from the robot
     /// to it.
     void go(const GroundPose& pose);
+    /// Adds @p pose to where the selected robot goes after its goal; without a goal, as go().
+    void goNext(const GroundPose& pose);
+    /// Sends the selected robot to where its trail in the map begins.
+    void returnToStart();
     /// Discards the selected robot's goal if it still waits until the robot may be driven, or cancels it if
     /// the robot's navigation follows it. Also ends a question about the goal.
     void takeBack();
@@ -44,10 +50,22 @@ private:
         Pose goalInMap;
         Time asked{};
         bool sent = false, began = false;
-        bool followed = false;  ///< whether the robot's navigation reports what becomes of it
-        Time moved{};           ///< stamp of the last odometry that showed motion
+        bool followed = false;     ///< whether the robot's navigation reports what becomes of it
+        Time moved{};              ///< stamp of the last odometry that showed motion
+        std::vector<Pose> next{};  ///< where it goes after that, in the map
     };
-    void arm(bool on);
+    /// Whether a way has ended, and how.
+    enum class Ending { No, Arrived, Otherwise };
+    void arm(QAction& action, bool on, const QString& hint, void (GoTo::*then)(const GroundPose&));
+    /// Returns @p pose with a heading: its own, or that of the way from @p from.
+    [[nodiscard]] static Pose headed(const GroundPose& pose, const Eigen::Vector3d& from);
+    /// Whether the selected robot can be sent; notifies the operator why not.
+    [[nodiscard]] bool maySend() const;
+    /// Shows goal and further places of @p robot's way; nothing when it has none.
+    void showWay(const std::string& robot);
+    /// Goes on to the next place of the way of @p robot, which has ended so. Returns false when there is
+    /// none.
+    [[nodiscard]] bool goOn(const std::string& robot, Way& way, Ending ending);
     void begin(const std::string& robot, const Pose& goalInMap);
     void follow(const LiveMoment& moment);
     /// Call after scans moved: goals move with the scans around them, or are withdrawn.
@@ -62,17 +80,17 @@ private:
     [[nodiscard]] std::optional<RobotInMap> placeOf(const std::string& robot) const;
     [[nodiscard]] QString titleOf(const std::string& robot) const;  ///< name for the operator
     [[nodiscard]] bool send(const std::string& robot, const Way& way, const LiveMoment& moment);
-    /// Sends the goal when the station holds the grant. Returns whether @p way has ended: reached, given up,
-    /// stopped, or never sent.
-    [[nodiscard]] bool over(const std::string& robot, Way& way, const LiveMoment& moment);
+    /// Sends the goal when the station holds the grant. Returns whether @p way has ended: reached, or given
+    /// up, stopped, never sent.
+    [[nodiscard]] Ending over(const std::string& robot, Way& way, const LiveMoment& moment);
     /// over() for a goal that the robot's navigation follows.
-    [[nodiscard]] bool hasEnded(const std::string& robot, const LiveMoment& moment);
+    [[nodiscard]] Ending endOf(const std::string& robot, const LiveMoment& moment);
     void showSelected();
 
     LiveContext m_context;
     MapGestures& m_gestures;
     RobotsOnMap& m_robots;
-    QAction* m_action;
+    QAction *m_action, *m_nextAction, *m_returnAction;
     GoalQuestion* m_question;
     std::map<std::string, Way> m_ways;
     LiveMapPtr m_map;  ///< newest map

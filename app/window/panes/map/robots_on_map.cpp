@@ -103,9 +103,10 @@ std::string RobotsOnMap::toPlace() const {
     return selected;
 }
 
-void RobotsOnMap::setGoal(const std::string& robot, const std::optional<Pose>& goalInMap) {
+void RobotsOnMap::setGoal(const std::string& robot, const std::optional<Pose>& goalInMap,
+                          const std::vector<Pose>& next) {
     m_goals.erase(robot);
-    if (goalInMap) m_goals.emplace(robot, *goalInMap);
+    if (goalInMap) m_goals.emplace(robot, Goals{*goalInMap, next});
 }
 
 void RobotsOnMap::show(const LiveMoment& moment) {
@@ -121,11 +122,12 @@ void RobotsOnMap::show(const LiveMoment& moment) {
         if (place == places->end()) continue;
         const auto goal = m_goals.find(robot.name);
         auto mark = robotMarkOf(face, robot, *place, moment.view(robot.name).link, robot.name == selected,
-                                goal == m_goals.end() ? std::nullopt : std::optional(goal->second));
+                                goal == m_goals.end() ? std::nullopt : std::optional(goal->second.goalInMap));
         if (!mark) {
             unplaced.push_back(face);
             continue;
         }
+        if (goal != m_goals.end()) mark->waypoints = goal->second.next;
         if (goal != m_goals.end() && mark->note.isEmpty())
             mark->note = goalNote(moment.view(robot.name).navigation);
         mark->plans = m_plans[robot.name].at(moment.reported(robot.name), *place, moment.now);

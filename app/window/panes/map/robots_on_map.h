@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <QObject>
 #include <QString>
@@ -39,8 +40,9 @@ public:
     /// Returns the robot that most needs to be placed: one that is not in the map yet, if possible the
     /// selected one. If all are in the map, returns the selected robot.
     [[nodiscard]] std::string toPlace() const;
-    /// Sets the goal that is shown for @p robot. Empty: none.
-    void setGoal(const std::string& robot, const std::optional<Pose>& goalInMap);
+    /// Sets the goal that is shown for @p robot, and where it goes @p next. Empty: none.
+    void setGoal(const std::string& robot, const std::optional<Pose>& goalInMap,
+                 const std::vector<Pose>& next = {});
 
 private:
     void addCommands();
@@ -53,7 +55,12 @@ private:
     MapGestures& m_gestures;
     std::map<MapFollow, QAction*> m_follow;
     std::map<std::string, RobotMark> m_marks;  ///< marks of robots that are in the map
-    std::map<std::string, Pose> m_goals;
+    /// Where a robot goes.
+    struct Goals {
+        Pose goalInMap;
+        std::vector<Pose> next;
+    };
+    std::map<std::string, Goals> m_goals;
     std::map<std::string, RobotPlans> m_plans;
     QString m_details;
 };

@@ -6,6 +6,7 @@ namespace leitstand {
 
 void VideoChains::link(const std::string& topic, PictureSample& sample) {
     if (!sample.video) return;
+    m_topics.insert(topic);
     Chain& chain = m_chains[topic];
     auto packet = std::make_shared<VideoPacket>(*sample.video);
     const std::shared_ptr<const VideoPacket> last = std::move(chain.newest);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "core/perception/pictures/video/video_bitstream.h"
@@ -26,6 +27,8 @@ public:
     /// Call where reading goes on elsewhere: what comes next on @p topic does not follow.
     void forget(const std::string& topic) { m_chains.erase(topic); }
     void forgetAll() { m_chains.clear(); }
+    /// Whether a video ever came on @p topic.
+    [[nodiscard]] bool isVideo(const std::string& topic) const { return m_topics.contains(topic); }
     /// Whether the newest picture on @p topic can be decoded.
     [[nodiscard]] bool isDecodable(const std::string& topic) const;
 
@@ -36,6 +39,7 @@ private:
         PictureNumbers numbers;
     };
     std::map<std::string, Chain> m_chains;  ///< by topic
+    std::set<std::string> m_topics;         ///< of all videos so far
 };
 
 }  // namespace leitstand

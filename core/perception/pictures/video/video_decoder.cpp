@@ -41,12 +41,10 @@ Error damaged() {
         translate("leitstand::Error", "picture: of a video, and damaged; waiting for the next key picture")};
 }
 
-Error waiting(int pictures) {
-    return {leitstand::fill(
-        translate("leitstand::Error",
-                  "picture: of a video without a key picture among the last {}; the encoder's interval "
-                  "between them (gop_size) is too long, or pictures are lost"),
-        pictures)};
+Error waiting() {
+    return {translate("leitstand::Error",
+                      "picture: of a video whose last key picture is missing or long ago: the encoder sends "
+                      "them too seldom (gop_size), or pictures are lost")};
 }
 
 Error tooLarge(std::int64_t most, std::int64_t pixels) {
@@ -142,7 +140,7 @@ VideoDecoder::VideoDecoder(VideoDecoder&&) noexcept = default;
 VideoDecoder& VideoDecoder::operator=(VideoDecoder&&) noexcept = default;
 
 Result<Picture> VideoDecoder::decode(const std::shared_ptr<const VideoPacket>& packet) {
-    if (!packet->decodable()) return waiting(packet->waited);
+    if (!packet->decodable()) return waiting();
     std::vector<const VideoPacket*> due;
     const VideoPacket* at = packet.get();
     for (; at != m_last.get(); at = at->before.get()) {

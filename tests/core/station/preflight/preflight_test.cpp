@@ -206,6 +206,12 @@ TEST_F(Preflight, AlarmsThatNobodyHearsAreLookedAt) {
     EXPECT_EQ(worstOf(preflight(facts)), CheckState::Attention);
 }
 
+TEST_F(Preflight, AScannerWhosePlaceNobodyTellsIsNamed) {
+    EXPECT_FALSE(has(Kind::ScannerUnplaced));
+    facts.robots.front().view.unplaced = {"livox_frame"};
+    expect(Kind::ScannerUnplaced, CheckState::Attention);
+}
+
 TEST_F(Preflight, OfAStockRobotIsSaidWhatStopIsToItAndThatOthersMayDriveIt) {
     EXPECT_FALSE(has(Kind::NotBound));
     facts.robots.front().robot.streams.clear();

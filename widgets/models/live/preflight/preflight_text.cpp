@@ -120,6 +120,9 @@ QString checkText(const PreflightCheck& check) {
             return Words::tr("never came: %1").arg(detail);
         case Kind::StreamsStale:
             return Words::tr("do not come any more: %1").arg(detail);
+        case Kind::ScannerUnplaced:
+            return Words::tr("nobody tells where %1 sits: it counts as sitting at the robot's base")
+                .arg(detail);
         case Kind::PicturesFresh:
             return Words::tr("camera pictures are fresh");
         case Kind::PicturesOld:
@@ -216,6 +219,8 @@ QString remedyText(const PreflightCheck& check) {
         case Kind::StreamsMissing:
         case Kind::StreamsStale:
             return Words::tr("Is the sensor on? Does the robot's file name its topic?");
+        case Kind::ScannerUnplaced:
+            return Words::tr("Publish its transform (tf_static), or enter its place in the robot's file");
         case Kind::PicturesOld:
             return Words::tr("Is the camera on? Its driver may hang");
         case Kind::Wire:

@@ -27,6 +27,7 @@ struct RobotMark {
     bool afterGap = false;  ///< whether the path from the end of the trail to baseInMap is unknown
     std::shared_ptr<const PlannedPaths> plans = {};  ///< ways that it plans to take; null: none
     std::optional<Pose> goalInMap = {};              ///< where it was sent; empty: nowhere
+    std::vector<Pose> waypoints = {};                ///< where it goes after its goal, in order
     /// The robot is within this distance [m]; empty: its place is certain.
     std::optional<double> doubtRadius = {};
     QString note = {};         ///< text beside it: "place uncertain"; may be empty

@@ -52,8 +52,11 @@ bool sameMark(const RobotMark& a, const RobotMark& b) {
     const auto sameGoal = [](const std::optional<Pose>& x, const std::optional<Pose>& y) {
         return x.has_value() == y.has_value() && (!x || x->matrix() == y->matrix());
     };
+    const auto samePlace = [](const Pose& x, const Pose& y) { return x.matrix() == y.matrix(); };
     return a.face == b.face && a.baseInMap.matrix() == b.baseInMap.matrix() && a.trail == b.trail &&
            a.afterGap == b.afterGap && a.plans == b.plans && sameGoal(a.goalInMap, b.goalInMap) &&
+           std::equal(a.waypoints.begin(), a.waypoints.end(), b.waypoints.begin(), b.waypoints.end(),
+                      samePlace) &&
            a.doubtRadius == b.doubtRadius && a.note == b.note && a.tone == b.tone &&
            a.selected == b.selected && a.stale == b.stale;
 }
