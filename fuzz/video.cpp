@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size < 1) return 0;
     const VideoCodec codec = data[0] % 2 == 0 ? VideoCodec::H264 : VideoCodec::H265;
     PictureLimits limits;
-    limits.maxFilePixels = MostPixels;
+    limits.maxVideoPixels = MostPixels;
     PictureDecoder decoder(limits);
     VideoChains chains;
     std::size_t at = 1;

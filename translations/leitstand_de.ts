@@ -3844,8 +3844,8 @@ Funk: %4 %5</translation>
         <translation>%1 ist noch nicht gefahren: es gibt keinen Start, zu dem er zurückkann</translation>
     </message>
     <message>
-        <source>%1: where it was to go next is given up, too</source>
-        <translation>%1: auch die folgenden Ziele sind aufgegeben</translation>
+        <source>%1: where it was to go next is given up</source>
+        <translation>%1: die folgenden Ziele sind aufgegeben</translation>
     </message>
 </context>
 <context>

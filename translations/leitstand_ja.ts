@@ -3844,8 +3844,8 @@ Link: %4 %5</source>
         <translation>%1 はまだ走っていません。戻る出発点がありません</translation>
     </message>
     <message>
-        <source>%1: where it was to go next is given up, too</source>
-        <translation>%1: 次の目標も取り消されました</translation>
+        <source>%1: where it was to go next is given up</source>
+        <translation>%1: 次の目標を取り消しました</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,8 @@ struct VideoPacket {
     VideoCodec codec = VideoCodec::H264;
     bool key = false;   ///< whether decoding can start here
     SharedBytes bytes;  ///< NAL units with start codes (Annex B of H.264 and H.265)
+    /// Of a key picture whose parameters (SPS, PPS, VPS) were sent before it: these; else nothing.
+    SharedBytes parameters{};
     /// Null: a key picture, or the pictures that it needs are not there.
     std::shared_ptr<const VideoPacket> before{};
     int sinceKey = 0;  ///< number of pictures that have to be decoded before it

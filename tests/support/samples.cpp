@@ -58,7 +58,7 @@ CloudSample cloud() {
         const auto f = static_cast<float>(i);
         cloud.points.push_back({f + 0.5F, f - 2.25F, 0.125F * f});
         cloud.intensities.push_back(f * 10.0F);
-        cloud.times.push_back(i * 1'000'001);
+        cloud.times.push_back(std::int64_t{i} * 1'000'001);
         cloud.rings.push_back(i / 3 + 100);
     }
     return cloud;

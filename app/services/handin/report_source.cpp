@@ -95,7 +95,9 @@ Result<ReportSource> ReportSource::open(const fs::path& folder, const Progress& 
 
 void ReportSource::readState() {
     BagHistory history(*m_bag, *m_decoder);
+    m_decoder->setDepths(false);
     m_input.state = stateAt(history, m_bag->lastSequence());
+    m_decoder->setDepths(true);
 }
 
 void ReportSource::readKeyScans(const fs::path& folder, const Progress& progress) {

@@ -19,6 +19,7 @@ void forEachEvent(BagReader& bag, EventDecoder& decoder, const BagQuery& query,
         return true;
     };
     forEachRaw(bag, query, decode, progress);
+    if (!query.to && !progress.cancelled()) decoder.arrived(query.toSequence, query.topics);
 }
 
 }  // namespace leitstand

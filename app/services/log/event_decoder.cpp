@@ -1,9 +1,11 @@
 #include "app/services/log/event_decoder.h"
 
+#include <chrono>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/event/cloud_sample.h"
 #include "core/event/event.h"
 #include "core/event/picture_samples.h"
 #include "core/event/raw_event.h"
@@ -35,6 +37,11 @@ void EventDecoder::complain(const std::string& topic, const std::string& text) {
     errors.last = text;
 }
 
+bool EventDecoder::isCalibrated(const std::string& robot, const std::string& sensor) const {
+    const auto camera = m_depths.find({robot, sensor});
+    return camera == m_depths.end() || camera->second.calibration.has_value();
+}
+
 Result<std::optional<Event>> EventDecoder::asCloud(Event event) {
     constexpr int Patience = 50;
     DepthCamera& camera = m_depths[{event.robot, event.sensor}];
@@ -42,6 +49,16 @@ Result<std::optional<Event>> EventDecoder::asCloud(Event event) {
         if (++camera.waiting < Patience) return std::optional<Event>();
         return Error{
             fmt::format("{}: depth pictures, but no camera_info of \"{}\"", event.topic, event.sensor)};
+    }
+    constexpr std::chrono::milliseconds Apart(180);
+    if (camera.last && event.received >= *camera.last && event.received - *camera.last < Apart)
+        return std::optional<Event>();
+    camera.last = event.received;
+    if (!m_depthContent) {
+        CloudSample none;
+        none.header = event.sample.as<PictureSample>()->header;
+        event.sample = Sample(std::move(none));
+        return std::optional(std::move(event));
     }
     auto cloud = camera.clouds.of(*event.sample.as<PictureSample>(), *camera.calibration);
     if (!cloud) return Error{fmt::format("{}: {}", event.topic, cloud.error().text)};
@@ -68,6 +85,7 @@ void EventDecoder::decode(const RawEvent& event, const std::function<void(const 
         if (*done) take(**done);
     };
     if (event.topic.starts_with(station_topic::Prefix)) return give(decodeStationEvent(event));
+    m_seen.insert(event.topic);
     const auto [first, last] = m_listings.equal_range(event.topic);
     for (auto listing = first; listing != last; ++listing) {
         const RobotDescription& robot = m_robots[listing->second.robot];

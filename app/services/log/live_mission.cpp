@@ -60,6 +60,7 @@ MissionState earlierState(const std::filesystem::path& folder, EventDecoder& dec
                           const std::function<void(const std::string&)>& notify) {
     const auto bag = BagReader::open(folder);
     if (!bag) return {};
+    decoder.setDepths(false);
     BagHistory history(**bag, decoder);
     MissionState state = stateAt(history, (*bag)->lastSequence());
     for (const std::string& problem : (*bag)->problems()) {

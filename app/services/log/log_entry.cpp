@@ -51,12 +51,15 @@ std::vector<RawEvent> videoUpTo(BagReader& bag, EventDecoder& decoder, const std
 
 namespace {
 
-/// Whether @p topic carries videos: by its type, or by what came on it. Others are not looked at again, since
-/// that takes long in bags without an index.
-bool isVideo(const BagTopic& topic, const EventDecoder& decoder) {
-    const bool single =
-        topic.info.type == "sensor_msgs/msg/Image" || topic.info.type == "sensor_msgs/msg/CompressedImage";
-    return (isPictureType(topic.info.type) && !single) || decoder.isVideo(topic.info.name);
+/// Whether @p topic carries videos: by its type, or by what came on it, of which the newest up to @p sequence
+/// is looked at once.
+bool isVideo(BagReader& bag, EventDecoder& decoder, const BagTopic& topic, std::uint64_t sequence) {
+    const std::string& name = topic.info.name;
+    if (!isPictureType(topic.info.type) || topic.info.type == "sensor_msgs/msg/Image") return false;
+    if (topic.info.type == "sensor_msgs/msg/CompressedImage" && !decoder.hasSeen(name)) {
+        if (const auto raw = bag.lastUpTo(name, sequence)) decoder.decode(*raw, [](const Event&) {});
+    }
+    return topic.info.type != "sensor_msgs/msg/CompressedImage" || decoder.isVideo(name);
 }
 
 /// Reads the calibration of the camera that sends the depth pictures of @p depths: the newest one before @p
@@ -82,17 +85,19 @@ void enterLog(BagReader& bag, EventDecoder& decoder, std::uint64_t sequence,
     const auto isRead = [&](const std::string& topic) {
         return topics.empty() || std::find(topics.begin(), topics.end(), topic) != topics.end();
     };
+    if (decoder.goesOn(sequence, topics)) return;
     decoder.jump();
     for (const RobotDescription& robot : decoder.robots()) {
         for (const StreamDescription& stream : robot.streams) {
-            if (isDepthStream(stream) && isRead(stream.topic))
+            if (isDepthStream(stream) && isRead(stream.topic) &&
+                !decoder.isCalibrated(robot.name, stream.sensor))
                 readCalibration(bag, decoder, robot, stream, sequence);
         }
     }
     if (sequence == 0) return;
     for (const BagTopic& topic : bag.topics()) {
         const std::string& name = topic.info.name;
-        if (isRead(name) && decoder.knows(name) && isVideo(topic, decoder))
+        if (isRead(name) && decoder.knows(name) && isVideo(bag, decoder, topic, sequence))
             (void)videoUpTo(bag, decoder, name, sequence);
     }
 }

@@ -11,6 +11,7 @@
 #include "core/event/motion_samples.h"
 #include "core/event/picture_samples.h"
 #include "core/event/stream_role.h"
+#include "core/event/video_packet.h"
 #include "core/mapping/motion/motion_compensation.h"
 #include "core/perception/surroundings/laser_points.h"
 #include "core/perception/surroundings/robot_profile.h"
@@ -19,6 +20,7 @@
 namespace leitstand {
 namespace {
 
+constexpr std::size_t MostScanners = 16;                                    ///< whose places are judged
 constexpr double SmearedBy = 0.3;                                           ///< of a turn, while driving [m]
 constexpr std::chrono::nanoseconds LongestWait = std::chrono::seconds(10);  ///< in the queue
 constexpr std::chrono::milliseconds LongestHeld(150);                       ///< for odometry
@@ -86,7 +88,7 @@ void RobotSight::onEvent(const Event& event, SteadyTime now) {
         m_poses.forgetBefore(Time::max());  // m_motion holds them
         OdometrySample stamped = *odometry;
         if (stamped.header.stamp == Time{}) stamped.header.stamp = event.received;
-        takeOdometry(std::move(stamped), now);
+        takeOdometry(stamped, now);
     } else if (const auto* imu = event.sample.as<ImuSample>()) {
         ImuSample turning;
         turning.header = imu->header;
@@ -94,6 +96,10 @@ void RobotSight::onEvent(const Event& event, SteadyTime now) {
         turning.angularVelocity = imu->angularVelocity;
         m_motion.add(turning, m_poses.inBase(event.sensor, imu->header.frame));
     } else if (event.sample.is<CloudSample>() || event.sample.is<RangesSample>()) {
+        const auto* const cloud = event.sample.as<CloudSample>();
+        const std::string& frame =
+            cloud != nullptr ? cloud->header.frame : event.sample.get<RangesSample>().header.frame;
+        if (m_scanners.size() < MostScanners) m_scanners.emplace(event.sensor, frame);
         m_held.push_back({event, now});
     } else if (const auto* joints = event.sample.as<JointSample>();
                joints != nullptr && event.role == StreamRole::Joints) {
@@ -106,11 +112,12 @@ void RobotSight::onEvent(const Event& event, SteadyTime now) {
 }
 
 void RobotSight::takePicture(const Event& event, const PictureSample& picture, SteadyTime now) {
+    if (picture.video && !picture.video->decodable()) return;  // the driver does not see it
     if (event.role == StreamRole::Picture) m_cameras[event.sensor].arrived(picture.content.bytes, now);
     if (event.role == StreamRole::Thermal) m_thermal[event.sensor].arrived(picture.content.bytes, now);
 }
 
-void RobotSight::takeOdometry(OdometrySample odometry, SteadyTime now) {
+void RobotSight::takeOdometry(const OdometrySample& odometry, SteadyTime now) {
     const Time stamp = odometry.header.stamp;
     const Pose base = odometry.baseInOdom;
     const int jumps = m_motion.clockJumps();
@@ -226,7 +233,8 @@ void RobotSight::fillView(RobotView& robot) const {
 void RobotSight::fillView(RobotView& robot, SteadyTime now) const {
     const std::lock_guard lock(m_mutex);
     for (const auto& [sensor, watch] : m_cameras) robot.cameras.push_back({sensor, watch.at(now)});
-    robot.unplaced = m_poses.unplaced();
+    for (const auto& [sensor, frame] : m_scanners)
+        if (!m_poses.isPlaced(sensor, frame)) robot.unplaced.push_back(frame);
     robot.joints = m_joints;
     if (m_joints) robot.jointsAge = secondsBetween(m_jointsCame, now);
 }

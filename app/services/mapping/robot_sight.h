@@ -4,7 +4,9 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/services/places/sensor_poses.h"
@@ -61,7 +63,7 @@ private:
         SteadyTime came = {};
     };
     void takePicture(const Event& event, const PictureSample& picture, SteadyTime now);  ///< under the mutex
-    void takeOdometry(OdometrySample odometry, SteadyTime now);                          ///< under the mutex
+    void takeOdometry(const OdometrySample& odometry, SteadyTime now);                   ///< under the mutex
     void placeHeld(SteadyTime now);                                                      ///< under the mutex
     void place(const Held& held);                                                        ///< under the mutex
     [[nodiscard]] std::optional<VirtualScanView> look(SteadyTime now) const;             ///< under the mutex
@@ -81,10 +83,11 @@ private:
     SteadyTime m_arrived = {};       ///< when that odometry arrived
     Pose m_base = Pose::Identity();  ///< base_link in odom at that time
     bool m_hasCamera = false, m_hasScanner = false;
-    std::string m_driversCamera;                    ///< the driver's camera
-    std::map<std::string, PictureWatch> m_cameras;  ///< by sensor
-    std::map<std::string, PictureWatch> m_thermal;  ///< by sensor
-    std::optional<SteadyTime> m_scanned;            ///< when a scan or a slice of a scan last arrived
+    std::string m_driversCamera;                               ///< the driver's camera
+    std::map<std::string, PictureWatch> m_cameras;             ///< by sensor
+    std::map<std::string, PictureWatch> m_thermal;             ///< by sensor
+    std::set<std::pair<std::string, std::string>> m_scanners;  ///< sensors and frames of clouds and turns
+    std::optional<SteadyTime> m_scanned;  ///< when a scan or a slice of a scan last arrived
     /// The newest turn of a plane laser.
     struct Laser {
         std::vector<Eigen::Vector3f> inOdom;  ///< its points in odom [m]

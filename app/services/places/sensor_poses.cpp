@@ -1,8 +1,5 @@
 #include "app/services/places/sensor_poses.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include "core/base/words.h"
 #include "core/event/event.h"
 #include "core/event/motion_samples.h"
@@ -90,7 +87,6 @@ Pose SensorPoses::describedInBase(const std::string& sensor, const std::string& 
     if (const auto described = m_robot->sensors.find(nameOf(sensor, frame));
         described != m_robot->sensors.end())
         return described->second.sensorInBase;
-    m_unplaced.insert(frame);
     m_remarks.insert(leitstand::fill(
         translate(
             "leitstand::Error",
@@ -99,11 +95,9 @@ Pose SensorPoses::describedInBase(const std::string& sensor, const std::string& 
     return Pose::Identity();
 }
 
-std::vector<std::string> SensorPoses::unplaced() const {
-    std::vector<std::string> frames;
-    std::copy_if(m_unplaced.begin(), m_unplaced.end(), std::back_inserter(frames),
-                 [this](const std::string& frame) { return !inBaseByTransforms(frame); });
-    return frames;
+bool SensorPoses::isPlaced(const std::string& sensor, const std::string& frame) const {
+    return !isOfScanner(frame) || inBaseByTransforms(frame) ||
+           m_robot->sensors.contains(nameOf(sensor, frame));
 }
 
 std::optional<Pose> SensorPoses::sensorInOdom(const Event& event, const SampleHeader& header, Time stamp) {

@@ -5,7 +5,6 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "core/cloud/pose_track.h"
 #include "core/robot/robot_description.h"
@@ -45,8 +44,9 @@ public:
     [[nodiscard]] std::optional<std::pair<std::string, Pose>> parentOf(const std::string& frame) const;
     [[nodiscard]] std::optional<Pose> baseInOdom(Time stamp) const { return m_baseInOdom.at(stamp); }
     void forgetBefore(Time stamp) { m_baseInOdom.forgetBefore(stamp); }  ///< drops older odometry
-    /// Returns the frames whose place nobody has told so far, though it was asked for.
-    [[nodiscard]] std::vector<std::string> unplaced() const;
+    /// Whether the place of @p frame of @p sensor is known: by transforms, by the robot's file, or because
+    /// the frame is that of the base or of the odometry.
+    [[nodiscard]] bool isPlaced(const std::string& sensor, const std::string& frame) const;
     /// What was missing; each remark is listed once.
     [[nodiscard]] const std::set<std::string>& remarks() const { return m_remarks; }
 
@@ -66,7 +66,6 @@ private:
     std::map<std::string, Parent> m_parents;                 ///< by child frame
     std::map<std::string, ScannerCorrection> m_corrections;  ///< set by setCorrection(), by sensor
     std::set<std::string> m_remarks;
-    std::set<std::string> m_unplaced;  ///< frames that were unknown once
 };
 
 }  // namespace leitstand

@@ -174,7 +174,10 @@ MissionState ReviewLog::startOf(std::int64_t number, std::uint64_t before) {
     if (const auto known = m_starts.find(number); known != m_starts.end()) return known->second;
     if (before == 0) return {};
     History history(*this);
-    return leitstand::stateAt(history, before);
+    m_decoder.setDepths(false);
+    MissionState state = leitstand::stateAt(history, before);
+    m_decoder.setDepths(true);
+    return state;
 }
 
 const ReviewLog::Segment& ReviewLog::segment(std::int64_t number) {
@@ -217,8 +220,9 @@ MissionState ReviewLog::stateAt(Time at) {
     if (count == here.events.size()) return here.end;
     const auto rung = std::upper_bound(here.ladder.begin(), here.ladder.end(), count,
                                        [](std::size_t n, const auto& one) { return n < one.first; });
-    auto [done, state] = *std::prev(rung);
-    for (; done < count; ++done) state = fold(std::move(state), here.events[done]);
+    const auto& [done, before] = *std::prev(rung);
+    MissionState state = before;
+    for (std::size_t i = done; i < count; ++i) state = fold(std::move(state), here.events[i]);
     return state;
 }
 
@@ -240,8 +244,16 @@ std::optional<Event> ReviewLog::newest(const std::string& topic, Time at) {
     }
     const auto [known, fresh] = m_before.try_emplace({topic, here.number});
     if (fresh && here.before > 0) {
-        if (const auto raw = m_bag->lastUpTo(topic, here.before))
+        const auto raw = m_bag->lastUpTo(topic, here.before);
+        // Of a topic that came to its end, several segments have the same one.
+        const auto same = std::find_if(m_before.begin(), m_before.end(), [&](const auto& one) {
+            return raw && one.second && one.first.first == topic && one.second->sequence == raw->sequence;
+        });
+        if (same != m_before.end()) {
+            known->second = same->second;
+        } else if (raw) {
             known->second = decodedAlone(*m_bag, m_decoder, *raw);
+        }
         if (m_before.size() > 64) {  // pictures: those of a few segments are enough
             auto kept = m_before.extract(known);
             m_before.clear();

@@ -1,6 +1,7 @@
 #include "tests/app/live/quiet_page.h"
 
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
 
@@ -41,6 +42,19 @@ TEST_F(LiveKeys, NoCommandOpensAModalBox) {
     }
     EXPECT_THAT(opened, IsSupersetOf({"keys", "about", "preflight.open", "mission.length", "mission.data",
                                       "mission.report", "layout.save", "pad.controls"}));
+}
+
+TEST_F(LiveKeys, NoTwoCommandsHaveTheSameKey) {
+    std::map<QString, std::string> owners;
+    for (const QAction* one : window().commands().all()) {
+        for (const QKeySequence& keys : one->shortcuts()) {
+            if (keys.isEmpty()) continue;
+            const auto [owner, added] = owners.emplace(keys.toString(), one->objectName().toStdString());
+            EXPECT_TRUE(added) << keys.toString().toStdString() << ": " << owner->second << " and "
+                               << one->objectName().toStdString();
+        }
+    }
+    EXPECT_GT(owners.size(), 40U);
 }
 
 TEST_F(LiveKeys, TheListOfKeysIsCompleteAndTrue) {

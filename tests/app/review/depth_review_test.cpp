@@ -8,6 +8,7 @@
 #include "app/services/log/event_decoder.h"
 #include "app/services/log/log_entry.h"
 #include "core/event/cloud_sample.h"
+#include "core/event/event.h"
 #include "core/event/picture_samples.h"
 #include "core/event/stream_role.h"
 #include "core/io/bag/bag_reader.h"
@@ -41,7 +42,7 @@ RobotDescription robotWithDepths() {
 
 /// A wall at @p depth [mm].
 PictureSample wall(std::uint16_t depth) {
-    const std::vector<std::uint16_t> depths(Width * Height, depth);
+    const std::vector<std::uint16_t> depths(std::size_t{Width} * Height, depth);
     std::vector<std::byte> bytes(depths.size() * 2);
     std::memcpy(bytes.data(), depths.data(), bytes.size());
     PictureSample sample;
@@ -49,7 +50,7 @@ PictureSample wall(std::uint16_t depth) {
     sample.encoding = "16UC1";
     sample.width = Width;
     sample.height = Height;
-    sample.step = Width * 2;
+    sample.step = std::size_t{2} * Width;
     sample.content = sharedBytes(std::move(bytes));
     return sample;
 }

@@ -15,10 +15,12 @@
 #include "core/event/stream_role.h"
 #include "core/event/video_packet.h"
 #include "core/io/bag/bag_reader.h"
+#include "core/io/bag/bag_writer.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "tests/app/review/written_mission.h"
 #include "tests/core/perception/video/filmed.h"
 #include "tests/support/temporary_folder.h"
+#include "transport/convert/encode.h"
 
 namespace leitstand::test {
 namespace {
@@ -99,6 +101,50 @@ TEST_F(VideoReview, EvidenceOfAFindIsThePictureThatItNames) {
     const ReadEvidence read = readEvidence(m_mission, findWith(57));
     ASSERT_EQ(read.pictures.size(), 1U);
     EXPECT_LT(difference(read.pictures.front().picture, movingScene(57, 64, 48)), 8.0);
+}
+
+/// The same video as messages of CompressedImage, as some cameras send it.
+class VideoInCompressedImages : public testing::Test {
+protected:
+    static constexpr int Pictures = 60;
+    VideoInCompressedImages() {
+        auto writer = BagWriter::open(m_mission);
+        EXPECT_TRUE(writer) << writer.error().text;
+        TopicInfo info;
+        info.name = topic();
+        info.type = "sensor_msgs/msg/CompressedImage";
+        (*writer)->addTopic(info);
+        for (int i = 0; i < Pictures; ++i) {
+            RawEvent event;
+            event.sequence = static_cast<std::uint64_t>(i) + 1;
+            event.received = Mission::at(0.1 * (i + 1));
+            event.topic = info.name;
+            event.type = info.type;
+            event.cdr = encode(m_film[static_cast<std::size_t>(i)], info.type).value();
+            (*writer)->write(event);
+        }
+        EXPECT_TRUE((*writer)->close());
+    }
+    static std::string topic() { return Mission::robot().stream(StreamRole::Picture, "left")->topic; }
+
+    const std::vector<PictureSample> m_film = filmed(Pictures, 20, VideoCodec::H264, 64, 48);
+    const TemporaryFolder m_folder;
+    const std::filesystem::path m_mission = m_folder / "mission";
+};
+
+TEST_F(VideoInCompressedImages, EachPictureIsFoundByWhoHasSeenNoneBefore) {
+    for (const int number : {57, 20, 39, 3}) {
+        auto bag = BagReader::open(m_mission);
+        ASSERT_TRUE(bag) << bag.error().text;
+        EventDecoder decoder({Mission::robot()});
+        const auto raw = (*bag)->event(static_cast<std::uint64_t>(number) + 1);
+        ASSERT_TRUE(raw);
+        const auto event = decodedAlone(**bag, decoder, *raw);
+        ASSERT_TRUE(event);
+        const auto picture = decodePicture(event->sample.get<PictureSample>());
+        ASSERT_TRUE(picture) << number << ": " << picture.error().text;
+        EXPECT_LT(difference(*picture, movingScene(number, 64, 48)), 8.0) << number;
+    }
 }
 
 TEST_F(VideoReview, AThinnedMissionKeepsKeyPicturesAndAllThatEvidenceNeeds) {

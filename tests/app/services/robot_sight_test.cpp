@@ -15,6 +15,7 @@
 #include "core/event/motion_samples.h"
 #include "core/event/picture_samples.h"
 #include "core/event/stream_role.h"
+#include "core/event/video_packet.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "core/robot/streams/stream_table.h"
 #include "tests/support/samples.h"
@@ -343,6 +344,23 @@ TEST_F(TwoCameras, AFreshPictureThatIsNotLargeIsNoEyes) {
     now += std::chrono::seconds(2);
     picture(StreamRole::Thermal, "ir", 1);
     EXPECT_EQ(capAfter(0.1).reason, SightReason::FrozenPicture) << "an infrared camera can hang, too";
+    EXPECT_EQ(capAfter(0.1).factor, 0.0);
+}
+
+TEST_F(TwoCameras, PicturesOfAVideoThatCannotBeDecodedAreNotSeen) {
+    const auto film = [&](bool decodable, int content) {
+        PictureSample sample;
+        const auto bytes = std::make_shared<std::vector<std::byte>>(100, static_cast<std::byte>(content));
+        sample.content = {bytes, *bytes};
+        sample.video =
+            std::make_shared<const VideoPacket>(VideoPacket{.key = decodable, .bytes = sample.content});
+        sight().onEvent(eventOf(StreamRole::Picture, "left", sample), now);
+    };
+    film(true, 1);
+    EXPECT_EQ(capAfter(0.1).reason, SightReason::Fresh);
+    now += std::chrono::seconds(2);
+    film(false, 2);
+    EXPECT_EQ(capAfter(0.1).reason, SightReason::OldPicture) << "the driver looks at the one before";
     EXPECT_EQ(capAfter(0.1).factor, 0.0);
 }
 

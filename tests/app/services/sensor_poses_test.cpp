@@ -42,18 +42,17 @@ double pitchOf(const Pose& pose) {
     return std::asin(-(pose.linear() * Eigen::Vector3d::UnitX()).z());
 }
 
-TEST(SensorPoses, AFrameWhosePlaceNobodyTellsIsNamedUntilSomebodyDoes) {
+TEST(SensorPoses, APlaceIsKnownByTheFileByTransformsOrBecauseItIsTheBase) {
     RobotDescription robot = robotWithScanner();
-    SensorPoses placed(robot);
-    (void)placed.inBase("scanner", "lidar");
-    EXPECT_TRUE(placed.unplaced().empty()) << "its file tells it";
+    EXPECT_TRUE(SensorPoses(robot).isPlaced("scanner", "lidar"));
+    EXPECT_TRUE(SensorPoses(robot).isPlaced("", "rover/lidar"));
     robot.sensors.clear();
     SensorPoses poses(robot);
-    EXPECT_TRUE(poses.unplaced().empty());
-    EXPECT_TRUE(poses.inBase("", "lidar").isApprox(Pose::Identity()));
-    EXPECT_EQ(poses.unplaced(), std::vector<std::string>{"lidar"});
+    EXPECT_FALSE(poses.isPlaced("scanner", "lidar"));
+    EXPECT_TRUE(poses.isPlaced("scanner", "base_link"));
+    EXPECT_TRUE(poses.isPlaced("", "odom"));
     poses.add(mountByTransforms());
-    EXPECT_TRUE(poses.unplaced().empty());
+    EXPECT_TRUE(poses.isPlaced("scanner", "lidar"));
 }
 
 TEST(SensorPoses, ALeanIsInTheMountWhoeverTellsOfIt) {

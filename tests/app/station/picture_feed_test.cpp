@@ -36,7 +36,7 @@ Event picture(StreamRole role, const std::string& sensor, std::uint16_t value, i
     sample.encoding = "16UC1";
     sample.width = width;
     sample.height = height;
-    sample.step = 2 * width;
+    sample.step = std::size_t{2} * static_cast<std::size_t>(width);
     sample.content = {bytes, *bytes};
     Event event;
     event.robot = "kurt3d";

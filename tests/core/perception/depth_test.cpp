@@ -17,6 +17,11 @@ namespace {
 using testing::HasSubstr;
 
 constexpr int Width = 64, Height = 48;
+constexpr std::size_t Pixels = std::size_t{Width} * Height;
+
+std::size_t indexOf(int x, int y) {
+    return static_cast<std::size_t>(y) * Width + static_cast<std::size_t>(x);
+}
 
 /// A camera that sees 90 degrees across.
 CameraInfoSample depthCamera() {
@@ -38,14 +43,14 @@ std::vector<std::byte> bytesOfAll(const std::vector<T>& values) {
 
 /// Depths of a wall at 2 m [mm], with a box at 1 m before its middle.
 std::vector<std::uint16_t> wallAndBox() {
-    std::vector<std::uint16_t> depths(Width * Height, 2'000);
+    std::vector<std::uint16_t> depths(Pixels, 2'000);
     for (int y = 16; y < 32; ++y)
-        for (int x = 20; x < 40; ++x) depths[static_cast<std::size_t>(y * Width + x)] = 1'000;
+        for (int x = 20; x < 40; ++x) depths[indexOf(x, y)] = 1'000;
     return depths;
 }
 
 PictureSample rawDepths(const std::vector<std::uint16_t>& depths) {
-    PictureSample sample = rawPicture("16UC1", Width, Height, Width * 2, bytesOfAll(depths));
+    PictureSample sample = rawPicture("16UC1", Width, Height, std::size_t{2} * Width, bytesOfAll(depths));
     sample.header.frame = "optical";
     return sample;
 }
@@ -131,8 +136,7 @@ TEST(DepthCloud, PointsLieWhereTheirPixelsLook) {
 
 TEST(DepthCloud, WhatCamerasMakeUpAtEdgesIsLeftOut) {
     auto depths = wallAndBox();
-    for (int y = 0; y < Height; ++y)
-        depths[static_cast<std::size_t>(y * Width + 10)] = y % 2 == 0 ? 1'500 : 2'600;
+    for (int y = 0; y < Height; ++y) depths[indexOf(10, y)] = y % 2 == 0 ? 1'500 : 2'600;
     DepthCloud clouds;
     const auto cloud = clouds.of(rawDepths(depths), depthCamera());
     ASSERT_TRUE(cloud);
@@ -146,21 +150,20 @@ TEST(DepthCloud, LargePicturesAreThinnedAndTooNearOrFarIsNothing) {
     DepthCloud clouds(settings);
     EXPECT_LE(clouds.of(rawDepths(wallAndBox()), depthCamera())->points.size(), 220U);
     for (const int depth : {0, 100, 9'000})
-        EXPECT_TRUE(
-            clouds
-                .of(rawDepths(std::vector<std::uint16_t>(Width * Height, static_cast<std::uint16_t>(depth))),
-                    depthCamera())
-                ->points.empty());
+        EXPECT_TRUE(clouds
+                        .of(rawDepths(std::vector<std::uint16_t>(Pixels, static_cast<std::uint16_t>(depth))),
+                            depthCamera())
+                        ->points.empty());
 }
 
 TEST(DepthCloud, MetresAreUnderstoodToo) {
-    std::vector<float> depths(Width * Height, 2.0F);
+    std::vector<float> depths(Pixels, 2.0F);
     depths[5] = std::nanf("");
     depths[6] = INFINITY;
     depths[7] = -1.0F;
     DepthCloud clouds;
-    const auto cloud =
-        clouds.of(rawPicture("32FC1", Width, Height, Width * 4, bytesOfAll(depths)), depthCamera());
+    const auto cloud = clouds.of(
+        rawPicture("32FC1", Width, Height, std::size_t{4} * Width, bytesOfAll(depths)), depthCamera());
     ASSERT_TRUE(cloud) << cloud.error().text;
     EXPECT_EQ(cloud->points.size(), depths.size() - 3);
 }
@@ -190,13 +193,13 @@ TEST(DepthFile, PngAndRvlHoldTheSameDepths) {
 
 TEST(DepthFile, InverseDepthsBecomeMetres) {
     // depth = A / (value - B): 1000 / (600 - 100) = 2 m
-    std::vector<std::uint16_t> values(Width * Height, 600);
+    std::vector<std::uint16_t> values(Pixels, 600);
     values[0] = 0;
     const auto picture =
         decodePicture(depthFile("32FC1; compressedDepth png", 1000.0F, 100.0F, pngOf(values)));
     ASSERT_TRUE(picture) << picture.error().text;
     ASSERT_EQ(picture->pixel, Picture::Pixel::Float32);
-    std::vector<float> depths(Width * Height);
+    std::vector<float> depths(Pixels);
     std::memcpy(depths.data(), picture->bytes.data(), picture->bytes.size());
     EXPECT_TRUE(std::isnan(depths[0]));
     EXPECT_FLOAT_EQ(depths[1], 2.0F);

@@ -109,6 +109,7 @@ void readRings(const PointCloud2& from, CloudSample& to, Checks& checks) {
                    ring.datatype);
     if (!checks.ok()) return;
     to.rings.resize(to.points.size());
+    // Rings below 0 are kept as they are: NOLINTNEXTLINE(bugprone-signed-char-misuse)
     forEachValue(ring, [&](std::size_t i, auto value) { to.rings[i] = static_cast<std::int32_t>(value); });
 }
 
@@ -159,13 +160,14 @@ CloudSample fromWire(const PointCloud2& from, const Source&, Checks& checks) {
 }
 
 CloudSample fromWire(const wire::livox_ros_driver2::CustomMsg& from, const Source&, Checks& checks) {
-    constexpr std::int64_t Alike = 1'000'000'000;  // stamp and timebase of one clock [ns]
+    constexpr std::uint64_t Alike = 1'000'000'000;  // stamp and timebase of one clock [ns]
     CloudSample to;
     to.header = checks.header(from.header);
-    const std::int64_t stamp = to.header.stamp.time_since_epoch().count();
+    const auto stamp = static_cast<std::uint64_t>(to.header.stamp.time_since_epoch().count());
     // Both mean the first point. Where somebody stamped anew by another clock, the stamp counts.
-    const std::int64_t apart = static_cast<std::int64_t>(from.timebase) - stamp;
-    const std::int64_t before = std::abs(apart) < Alike ? apart : 0;
+    const std::uint64_t after = from.timebase - stamp;  // modulo 2^64
+    const bool alike = after < Alike || after > ~std::uint64_t{0} - Alike;
+    const std::int64_t before = alike ? static_cast<std::int64_t>(after) : 0;
     const std::size_t count = from.points.size();
     to.points.reserve(count);
     to.intensities.reserve(count);

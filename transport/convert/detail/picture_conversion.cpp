@@ -66,7 +66,7 @@ PictureSample fromWire(const wire::sensor_msgs::Image& from, const Source& sourc
     to.header = checks.header(from.header);
     const PictureEncoding* encoding = findPictureEncoding(from.encoding);
     checks.require(encoding != nullptr, "encoding", "\"{}\" cannot be shown", from.encoding.substr(0, 40));
-    if (!checks.ok()) return to;
+    if (encoding == nullptr || !checks.ok()) return to;
     checkRaw(*encoding, from.width, from.height, from.step, from.data.size(), checks);
     to.encoding = from.encoding;
     to.width = checks.size("width", from.width, MostPixels);
@@ -81,7 +81,7 @@ void toWire(const PictureSample& from, wire::sensor_msgs::Image& to, Buffer&, Ch
     const PictureEncoding* encoding = findPictureEncoding(from.encoding);
     checks.require(!from.compressed && encoding != nullptr, "encoding",
                    "expected an uncompressed picture, found \"{}\"", from.encoding);
-    if (!checks.ok()) return;
+    if (encoding == nullptr || !checks.ok()) return;
     checkRaw(*encoding, checks.wireSize("width", from.width), checks.wireSize("height", from.height),
              from.step, from.content.bytes.size(), checks);
     checks.require(from.step <= UINT32_MAX, "step", "expected less than 2^32, found {}", from.step);

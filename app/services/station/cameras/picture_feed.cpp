@@ -67,7 +67,7 @@ void PictureFeed::run(const std::stop_token& stop) {
         }
         for (const Work& work : taken) {
             if (stop.stop_requested()) return;
-            decode(work);
+            decode(work, stop);
         }
     }
 }
@@ -112,7 +112,7 @@ void PictureFeed::apply(const Work& work, Picture picture, ShownPicture& shown) 
     shown.content = std::move(picture);
 }
 
-void PictureFeed::decode(const Work& work) {
+void PictureFeed::decode(const Work& work, const std::stop_token& stop) {
     const Event& event = work.event;
     const auto& sample = event.sample.get<PictureSample>();
     auto shown = std::make_shared<ShownPicture>();
@@ -131,7 +131,7 @@ void PictureFeed::decode(const Work& work) {
         if (m_listener.onProblem) m_listener.onProblem(fmt::format("{}: {}", event.topic, why));
     };
     if (sample.video && !sample.video->decodable() && sample.video->waited < MostWaited) return;
-    auto picture = m_decoders[{event.robot, event.sensor}].decode(sample);
+    auto picture = m_decoders[{event.robot, event.sensor}].decode(sample, stop);
     if (!picture) return fail(picture.error().text);
     shown->width = picture->width;
     shown->height = picture->height;

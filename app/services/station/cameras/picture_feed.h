@@ -78,7 +78,7 @@ private:
         std::shared_ptr<const CameraInfoSample> info;
     };
     void run(const std::stop_token& stop);
-    void decode(const Work& work);
+    void decode(const Work& work, const std::stop_token& stop);
     void apply(const Work& work, Picture picture, ShownPicture& shown);
     [[nodiscard]] const RobotDescription* robot(const std::string& name) const;
     [[nodiscard]] const ThermalScale* scaleOf(const Event& event) const;

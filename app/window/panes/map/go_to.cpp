@@ -66,7 +66,7 @@ GoTo::GoTo(const LiveContext& context, MapView& map, MapGestures& gestures, Robo
            .menu = CommandMenu::Robot,
            .text = tr("Go there &next"),
            .hint = tr("Click where the selected robot shall go after the place that it is sent to now"),
-           .keys = QKeySequence(Qt::SHIFT | Qt::Key_O),
+           .keys = QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_O),
            .checkable = true})),
       m_returnAction(&context.commands.add(
           {.id = "map.returnToStart",
@@ -175,10 +175,7 @@ void GoTo::takeBack() {
     m_question->forget(robot);
     const auto way = m_ways.find(robot);
     if (way == m_ways.end()) return;
-    if (way->second.sent && !way->second.followed) {
-        way->second.next.clear();  // it may arrive all the same, and is not sent on
-        return showWay(robot);
-    }
+    if (way->second.sent && !way->second.followed) return dropNext(robot, way->second);
     const QString title = m_context.selection.face().title;
     m_context.notify((way->second.sent ? tr("%1: its goal is cancelled, since it was halted")
                                        : tr("%1 is not sent: it was halted"))
@@ -271,14 +268,24 @@ GoTo::Ending GoTo::endOf(const std::string& robot, const LiveMoment& moment) {
     return Ending::No;
 }
 
+bool GoTo::isHeldBack(const std::string& robot, const LiveMoment& moment) {
+    const RobotView& view = moment.view(robot);
+    const bool stopped = view.stop.sent || view.stop.stopped || view.stop.releasing;
+    return stopped || !view.grant.mine || (view.drive.driving && !isZero(view.drive.velocity));
+}
+
+void GoTo::dropNext(const std::string& robot, Way& way) {
+    if (way.next.empty()) return;
+    way.next.clear();
+    showWay(robot);
+    const StopStatus& stop = m_context.source.moment().view(robot).stop;
+    if (!stop.sent && !stop.stopped)
+        m_context.notify(tr("%1: where it was to go next is given up").arg(titleOf(robot)));
+}
+
 bool GoTo::goOn(const std::string& robot, Way& way, Ending ending) {
+    if (ending != Ending::Arrived) dropNext(robot, way);
     if (way.next.empty()) return false;
-    if (ending != Ending::Arrived) {
-        const StopStatus& stop = m_context.source.moment().view(robot).stop;
-        if (!stop.sent && !stop.stopped)  // else everybody knows why
-            m_context.notify(tr("%1: where it was to go next is given up, too").arg(titleOf(robot)));
-        return false;
-    }
     Way on{way.next.front(), m_context.source.moment().now};
     on.next.assign(way.next.begin() + 1, way.next.end());
     way = std::move(on);
@@ -292,6 +299,8 @@ void GoTo::follow(const LiveMoment& moment) {
         if (stop.sent || stop.stopped || stop.releasing) m_question->forget(robot);
     }
     for (auto way = m_ways.begin(); way != m_ways.end();) {
+        // A goal that only the robot knows cannot be taken back; it is not sent on from there.
+        if (way->second.sent && isHeldBack(way->first, moment)) dropNext(way->first, way->second);
         const Ending ending = over(way->first, way->second, moment);
         if (ending == Ending::No || goOn(way->first, way->second, ending)) {
             ++way;
@@ -350,10 +359,22 @@ void GoTo::followMap(const LiveMapPtr& map) {
     if (places.any()) m_question->follow(places);
     for (auto one = m_ways.begin(); places.any() && one != m_ways.end();) {
         auto& [robot, way] = *one;
-        for (Pose& place : way.next) place = places.at(place.translation()) * place;
+        bool moved = false;
+        for (auto place = way.next.begin(); place != way.next.end(); ++place) {
+            const Pose there = places.at(place->translation());
+            const GoalMove move = goalMove(*place, there, true);
+            if (move == GoalMove::Withdrawn) {
+                dropNext(robot, way);  // nobody confirmed where it would go
+                break;
+            }
+            moved = moved || move == GoalMove::Moves;
+            *place = there * *place;
+        }
+        if (moved) showWay(robot);
         const Pose correction = places.at(way.goalInMap.translation());
         const GoalMove move = goalMove(way.goalInMap, correction, underWay(robot, way));
         if (move == GoalMove::Withdrawn) {
+            dropNext(robot, way);
             withdraw(robot, way, correction);
             one = m_ways.erase(one);
             continue;

@@ -63,6 +63,11 @@ private:
     [[nodiscard]] bool maySend() const;
     /// Shows goal and further places of @p robot's way; nothing when it has none.
     void showWay(const std::string& robot);
+    /// Whether something speaks against sending @p robot on by itself: a stop, a driver's sticks, another
+    /// station's drive control.
+    [[nodiscard]] static bool isHeldBack(const std::string& robot, const LiveMoment& moment);
+    /// Gives up where @p robot was to go next, and tells the operator unless everybody knows why.
+    void dropNext(const std::string& robot, Way& way);
     /// Goes on to the next place of the way of @p robot, which has ended so. Returns false when there is
     /// none.
     [[nodiscard]] bool goOn(const std::string& robot, Way& way, Ending ending);

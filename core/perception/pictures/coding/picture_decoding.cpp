@@ -175,7 +175,7 @@ std::vector<float> celsiusOf(const Picture& picture, const ThermalScale& scale) 
 }  // namespace
 
 Result<Picture> decodePicture(const PictureSample& sample, const PictureLimits& limits) {
-    if (sample.video) return VideoDecoder(limits.maxFilePixels).decode(sample.video);
+    if (sample.video) return VideoDecoder(limits.maxVideoPixels).decode(sample.video);
     if (sample.compressed && depth_file::isDepth(sample.encoding)) return decodeDepthFile(sample, limits);
     try {
         return sample.compressed ? decodeFile(sample, limits) : decodeRaw(sample, limits);
@@ -184,8 +184,8 @@ Result<Picture> decodePicture(const PictureSample& sample, const PictureLimits& 
     }
 }
 
-Result<Picture> PictureDecoder::decode(const PictureSample& sample) {
-    return sample.video ? m_video.decode(sample.video) : decodePicture(sample, m_limits);
+Result<Picture> PictureDecoder::decode(const PictureSample& sample, const std::stop_token& stop) {
+    return sample.video ? m_video.decode(sample.video, stop) : decodePicture(sample, m_limits);
 }
 
 Result<ThermalPicture> temperatures(const Picture& picture, const ThermalScale& scale) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <stop_token>
+
 #include "core/base/result.h"
 #include "core/perception/pictures/picture.h"
 #include "core/perception/pictures/video/video_decoder.h"
@@ -15,7 +18,9 @@ struct PictureLimits {
     int maxSide = 16384;                      ///< largest width and height [px]
     std::int64_t maxPixels = 50'000'000;      ///< largest number of pixels of any picture
     std::int64_t maxFilePixels = 16'777'216;  ///< largest number of pixels of a picture that is a file
-    std::int64_t maxFileBytes = 64 << 20;     ///< largest size of a file's decoded pixels [B]
+    /// Largest number of pixels of a picture of a video (4096 x 2304); a decoder holds up to 16 of them.
+    std::int64_t maxVideoPixels = 9'437'184;
+    std::int64_t maxFileBytes = 64 << 20;  ///< largest size of a file's decoded pixels [B]
     /// Largest number of scans of a JPEG; usually there is 1, or about 10 if it is progressive.
     std::int64_t maxScans = 100;
     std::int64_t maxScanPixels = 128'000'000;  ///< largest product of a JPEG's pixels and scans
@@ -31,8 +36,9 @@ struct PictureLimits {
 class PictureDecoder {
 public:
     PictureDecoder() : PictureDecoder(PictureLimits{}) {}
-    explicit PictureDecoder(const PictureLimits& limits) : m_limits(limits), m_video(limits.maxFilePixels) {}
-    [[nodiscard]] Result<Picture> decode(const PictureSample& sample);
+    explicit PictureDecoder(const PictureLimits& limits) : m_limits(limits), m_video(limits.maxVideoPixels) {}
+    /// @p stop: ends the decoding of a video early, with an error.
+    [[nodiscard]] Result<Picture> decode(const PictureSample& sample, const std::stop_token& stop = {});
 
 private:
     PictureLimits m_limits;

@@ -129,6 +129,22 @@ bool isKeyPicture(VideoCodec codec, std::span<const std::byte> bytes) {
     return key;
 }
 
+VideoContents contentsOf(VideoCodec codec, std::span<const std::byte> bytes) {
+    constexpr unsigned LastSlice = 5, LastPicture = 31, SequenceParameters265 = 33;
+    VideoContents contents;
+    forEachUnit(bytes, [&](std::span<const std::byte> unit) {
+        const unsigned head = valueOf(unit.front());
+        const bool h264 = codec == VideoCodec::H264;
+        const unsigned type = h264 ? head & 31U : head >> 1U & 63U;
+        contents.picture =
+            contents.picture || (h264 ? type >= Slice && type <= LastSlice : type <= LastPicture);
+        contents.parameters =
+            contents.parameters || type == (h264 ? SequenceParameters : SequenceParameters265);
+        return true;
+    });
+    return contents;
+}
+
 std::optional<PictureNumbers::Parameters> PictureNumbers::parametersIn(std::span<const std::byte> unit) {
     Parameters found;
     BitReader in(unit.subspan(1));

@@ -21,6 +21,13 @@ namespace leitstand {
 /// a random access point of H.265 (NAL units 16 to 21, table 7-1).
 [[nodiscard]] bool isKeyPicture(VideoCodec codec, std::span<const std::byte> bytes);
 
+/// What the NAL units of a message hold.
+struct VideoContents {
+    bool picture = false;     ///< a picture, or a part of one
+    bool parameters = false;  ///< parameters of the video (SPS)
+};
+[[nodiscard]] VideoContents contentsOf(VideoCodec codec, std::span<const std::byte> bytes);
+
 /// Follows the numbers of reference pictures in a video (frame_num, ITU-T H.264 7.4.3), by which a picture
 /// that is missing shows. H.265 numbers its pictures otherwise; there, nothing is ever missing.
 class PictureNumbers {

@@ -9,16 +9,25 @@ void VideoChains::link(const std::string& topic, PictureSample& sample) {
     m_topics.insert(topic);
     Chain& chain = m_chains[topic];
     auto packet = std::make_shared<VideoPacket>(*sample.video);
-    const std::shared_ptr<const VideoPacket> last = std::move(chain.newest);
-    const bool same = last != nullptr && last->codec == packet->codec;
-    if (!same) chain.numbers = {};
-    const bool complete = chain.numbers.follows(packet->codec, packet->bytes.bytes);
-    const std::size_t bytes = packet->bytes.bytes.size();
     packet->before = nullptr;
     packet->sinceKey = packet->waited = 0;
+    const bool same = chain.codec == packet->codec;
+    if (!same) chain = {};
+    chain.codec = packet->codec;
+    const bool complete = chain.numbers.follows(packet->codec, packet->bytes.bytes);
+    const VideoContents contents = contentsOf(packet->codec, packet->bytes.bytes);
+    if (!contents.picture) {
+        if (contents.parameters) chain.parameters = packet->bytes;
+        packet->waited = 1;  // nothing to be seen, and no fault
+        sample.video = std::move(packet);
+        return;
+    }
+    const std::size_t bytes = packet->bytes.bytes.size();
+    const auto& last = chain.newest;
     if (packet->key) {
+        if (!contents.parameters) packet->parameters = chain.parameters;
         chain.bytes = bytes;
-    } else if (same && complete && last->decodable() && last->sinceKey + 1 < MostPictures &&
+    } else if (last != nullptr && complete && last->decodable() && last->sinceKey + 1 < MostPictures &&
                chain.bytes + bytes <= MostBytes) {
         chain.bytes += bytes;
         packet->before = last;

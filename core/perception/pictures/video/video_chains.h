@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -13,8 +14,9 @@ namespace leitstand {
 struct PictureSample;
 
 /// Links each picture of a video with those before it, back to the last key picture, so that it can be
-/// decoded by itself. Where a picture is missing, those after it are linked with nothing until the next key
-/// picture: what would be decoded of them is wrong.
+/// decoded by itself. Parameters that are sent without a picture go with the next key picture. Where a
+/// picture is missing, those after it are linked with nothing until the next key picture: what would be
+/// decoded of them is wrong.
 class VideoChains {
 public:
     /// Limits of what hangs together: twenty seconds of 30 Hz with the longest intervals between key pictures
@@ -34,9 +36,11 @@ public:
 
 private:
     struct Chain {
+        std::optional<VideoCodec> codec;
         std::shared_ptr<const VideoPacket> newest;
         std::size_t bytes = 0;  ///< of all packets since the key picture
         PictureNumbers numbers;
+        SharedBytes parameters;  ///< newest that came without a picture
     };
     std::map<std::string, Chain> m_chains;  ///< by topic
     std::set<std::string> m_topics;         ///< of all videos so far

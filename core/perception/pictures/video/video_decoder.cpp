@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -73,8 +74,8 @@ public:
         made->m_context->flags |= AV_CODEC_FLAG_LOW_DELAY;
         made->m_context->thread_count = 1;
         // Pictures are decoded in whole blocks, so some pixels are more than what is shown.
-        constexpr std::int64_t Blocks = 128 * 128;
-        made->m_context->max_pixels = 2 * maxPixels + Blocks;
+        constexpr std::int64_t Blocks = std::int64_t{128} * 128;
+        made->m_context->max_pixels = maxPixels + maxPixels / 4 + Blocks;
         return avcodec_open2(made->m_context.get(), found, nullptr) == 0 ? std::move(made) : nullptr;
     }
     explicit Codec(VideoCodec codec) : m_codec(codec) {}
@@ -83,12 +84,14 @@ public:
     void restart() { avcodec_flush_buffers(m_context.get()); }
 
     /// Returns false when the packet is damaged, or no picture came of it.
-    [[nodiscard]] bool put(const SharedBytes& content) {
+    [[nodiscard]] bool put(const VideoPacket& packet) {
+        const auto head = packet.parameters.bytes, body = packet.bytes.bytes;
         // libavcodec reads beyond the end (AV_INPUT_BUFFER_PADDING_SIZE).
-        m_padded.assign(content.bytes.size() + AV_INPUT_BUFFER_PADDING_SIZE, 0);
-        std::memcpy(m_padded.data(), content.bytes.data(), content.bytes.size());
+        m_padded.assign(head.size() + body.size() + AV_INPUT_BUFFER_PADDING_SIZE, 0);
+        if (!head.empty()) std::memcpy(m_padded.data(), head.data(), head.size());
+        std::memcpy(m_padded.data() + head.size(), body.data(), body.size());
         m_packet->data = m_padded.data();
-        m_packet->size = static_cast<int>(content.bytes.size());
+        m_packet->size = static_cast<int>(head.size() + body.size());
         bool came = false;
         const bool taken = avcodec_send_packet(m_context.get(), m_packet.get()) == 0;
         while (avcodec_receive_frame(m_context.get(), m_next.get()) == 0) {
@@ -113,15 +116,23 @@ public:
         const int fullRange = frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0;
         sws_setColorspaceDetails(m_colours.get(), coefficients, fullRange, coefficients, 1, 0, 1 << 16,
                                  1 << 16);
-        Picture picture{frame.width, frame.height, Picture::Pixel::Rgb8, {}};
-        picture.bytes.resize(std::size_t{3} * static_cast<std::size_t>(frame.width) *
-                             static_cast<std::size_t>(frame.height));
-        std::uint8_t* const rows[] = {reinterpret_cast<std::uint8_t*>(picture.bytes.data())};
-        const int strides[] = {3 * frame.width};
+        // libswscale writes whole blocks of pixels, and leaves out the last ones of rows without room for
+        // that.
+        constexpr std::size_t Block = 64;
+        const std::size_t row = std::size_t{3} * static_cast<std::size_t>(frame.width);
+        const std::size_t stride = (row + 2 * Block) / Block * Block;
+        const auto height = static_cast<std::size_t>(frame.height);
+        m_rows.resize(stride * height);
+        std::uint8_t* const rows[] = {m_rows.data()};
+        const int strides[] = {static_cast<int>(stride)};
         if (sws_scale(m_colours.get(), frame.data, frame.linesize, 0, frame.height, rows, strides) !=
             frame.height) {
             return std::nullopt;
         }
+        Picture picture{frame.width, frame.height, Picture::Pixel::Rgb8, {}};
+        picture.bytes.resize(row * height);
+        for (std::size_t y = 0; y < height; ++y)
+            std::memcpy(picture.bytes.data() + y * row, m_rows.data() + y * stride, row);
         return picture;
     }
 
@@ -131,7 +142,7 @@ private:
     Owned<AVPacket> m_packet;
     Owned<AVFrame> m_frame, m_next;
     Owned<SwsContext> m_colours;
-    std::vector<std::uint8_t> m_padded;
+    std::vector<std::uint8_t> m_padded, m_rows;
 };
 
 VideoDecoder::VideoDecoder(std::int64_t maxPixels) : m_maxPixels(maxPixels) {}
@@ -139,7 +150,8 @@ VideoDecoder::~VideoDecoder() = default;
 VideoDecoder::VideoDecoder(VideoDecoder&&) noexcept = default;
 VideoDecoder& VideoDecoder::operator=(VideoDecoder&&) noexcept = default;
 
-Result<Picture> VideoDecoder::decode(const std::shared_ptr<const VideoPacket>& packet) {
+Result<Picture> VideoDecoder::decode(const std::shared_ptr<const VideoPacket>& packet,
+                                     const std::stop_token& stop) {
     if (!packet->decodable()) return waiting();
     std::vector<const VideoPacket*> due;
     const VideoPacket* at = packet.get();
@@ -161,7 +173,7 @@ Result<Picture> VideoDecoder::decode(const std::shared_ptr<const VideoPacket>& p
     std::reverse(due.begin(), due.end());
     for (const VideoPacket* const one : due) {
         if (!m_outcome) break;
-        if (!m_codec->put(one->bytes)) m_outcome = damaged();
+        if (stop.stop_requested() || !m_codec->put(*one)) m_outcome = damaged();
     }
     if (m_outcome && m_codec->pixels() > m_maxPixels) m_outcome = tooLarge(m_maxPixels, m_codec->pixels());
     if (!m_outcome) return m_outcome.error();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <stop_token>
 
 #include "core/base/result.h"
 #include "core/perception/pictures/picture.h"
@@ -23,7 +24,9 @@ public:
 
     /// Returns the picture of @p packet, in colour. Error when pictures that it needs are missing or one of
     /// them is damaged; then those that follow are in error, too, up to the next key picture.
-    [[nodiscard]] Result<Picture> decode(const std::shared_ptr<const VideoPacket>& packet);
+    /// @p stop: ends it early, with an error.
+    [[nodiscard]] Result<Picture> decode(const std::shared_ptr<const VideoPacket>& packet,
+                                         const std::stop_token& stop = {});
 
 private:
     class Codec;

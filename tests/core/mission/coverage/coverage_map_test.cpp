@@ -215,6 +215,21 @@ TEST(SearchField, CamerasBelowMirrorsSeeARing) {
     EXPECT_FALSE(fieldOf({})) << "not calibrated";
 }
 
+TEST(SearchField, AFisheyeSeesACircleUpToItsNearestEdge) {
+    CameraInfoSample info;
+    info.width = 848;
+    info.height = 800;
+    info.distortionModel = "equidistant";
+    info.distortion = {0.0, 0.0, 0.0, 0.0};
+    info.intrinsics = {285.0, 0.0, 424.0, 0.0, 285.0, 400.0, 0.0, 0.0, 1.0};
+    const auto field = fieldOf(info);
+    ASSERT_TRUE(field);
+    EXPECT_NEAR(field->outer, 400.0 / 285.0, degrees(1.5)) << "80 degrees";
+    EXPECT_NEAR(field->pixelsPerRadian, 285.0, 3.0);
+    EXPECT_TRUE(field->holds({std::sin(degrees(70)), 0.0, std::cos(degrees(70))}));
+    EXPECT_FALSE(field->holds({std::sin(degrees(85)), 0.0, std::cos(degrees(85))}));
+}
+
 TEST(CoverageByStorey, EachIsSearchedFromWhereRobotsWereOnIt) {
     SearchBook book;
     constexpr double Up = 3.0;

@@ -93,6 +93,8 @@ TEST_P(Videos, TheNextKeyPictureHealsADamagedOne) {
         const auto picture = decoder.decode(film[i]);
         if (i == 4 && GetParam() == VideoCodec::H264) {
             EXPECT_FALSE(picture.ok()) << "H.265 is decoded to something else, unnoticed";
+        } else if (GetParam() == VideoCodec::H264 && i > 4 && i < 10) {
+            EXPECT_FALSE(picture.ok()) << i << ": what follows a damaged picture is wrong";
         } else if (i < 4 || i >= 10) {
             ASSERT_TRUE(picture.ok()) << i << ": " << picture.error().text;
             EXPECT_LT(difference(*picture, movingScene(static_cast<int>(i))), Alike) << i;
@@ -100,12 +102,65 @@ TEST_P(Videos, TheNextKeyPictureHealsADamagedOne) {
     }
 }
 
+TEST_P(Videos, PicturesOfAnyWidthAreWhole) {
+    for (const int width : {250, 300, 854, 1366}) {
+        const auto film = linked(filmed(1, 10, GetParam(), width, 96));
+        const auto picture = decodePicture(film.front());
+        ASSERT_TRUE(picture) << width << ": " << picture.error().text;
+        Picture edge{16, 96, Picture::Pixel::Rgb8, {}}, wanted = edge;
+        const Picture scene = movingScene(0, width, 96);
+        for (int y = 0; y < 96; ++y) {
+            const auto last = std::ptrdiff_t{3} * (y + 1) * width;
+            edge.bytes.insert(edge.bytes.end(), picture->bytes.begin() + last - 48,
+                              picture->bytes.begin() + last);
+            wanted.bytes.insert(wanted.bytes.end(), scene.bytes.begin() + last - 48,
+                                scene.bytes.begin() + last);
+        }
+        EXPECT_LT(difference(edge, wanted), 8.0) << width;
+    }
+}
+
+TEST_P(Videos, ParametersThatAreSentByThemselvesGoWithTheNextKeyPicture) {
+    auto film = filmed(14, 10, GetParam());
+    // The first message in two: parameters, then the picture. The second key picture comes without
+    // parameters.
+    const auto withoutParameters = [&](const PictureSample& sample, bool parameters) {
+        const auto bytes = sample.content.bytes;
+        std::size_t picture = 0;  // where the unit of the picture begins
+        for (std::size_t at = 0; at + 4 < bytes.size() && picture == 0; ++at) {
+            if (!hasStartCode(bytes.subspan(at))) continue;
+            if (contentsOf(GetParam(), bytes.subspan(at, std::min<std::size_t>(6, bytes.size() - at)))
+                    .picture)
+                picture = at;
+        }
+        PictureSample part = sample;
+        const auto chosen = parameters ? bytes.first(picture) : bytes.subspan(picture);
+        part.content = sharedBytes({chosen.begin(), chosen.end()});
+        part.video = std::make_shared<const VideoPacket>(VideoPacket{
+            .codec = GetParam(), .key = isKeyPicture(GetParam(), part.content.bytes), .bytes = part.content});
+        return part;
+    };
+    const PictureSample parameters = withoutParameters(film[0], true);
+    ASSERT_FALSE(contentsOf(GetParam(), parameters.content.bytes).picture);
+    film[0] = withoutParameters(film[0], false);
+    film[10] = withoutParameters(film[10], false);
+    film.insert(film.begin(), parameters);
+    film = linked(std::move(film));
+    PictureDecoder decoder;
+    EXPECT_FALSE(decoder.decode(film.front()).ok());
+    for (std::size_t i = 1; i < film.size(); ++i) {
+        const auto picture = decoder.decode(film[i]);
+        ASSERT_TRUE(picture) << i << ": " << picture.error().text;
+        EXPECT_LT(difference(*picture, movingScene(static_cast<int>(i) - 1)), Alike) << i;
+    }
+}
+
 TEST_P(Videos, WhatIsTooLargeIsRefused) {
     const auto film = linked(filmed(1, 10, GetParam()));
     PictureLimits limits;
-    limits.maxFilePixels = 160 * 120 - 1;
+    limits.maxVideoPixels = 160 * 120 - 1;
     EXPECT_FALSE(decodePicture(film.front(), limits).ok());
-    limits.maxFilePixels = 160 * 120;
+    limits.maxVideoPixels = 160 * 120;
     EXPECT_TRUE(decodePicture(film.front(), limits).ok());
 }
 
