@@ -158,9 +158,9 @@ TEST_P(Videos, ParametersThatAreSentByThemselvesGoWithTheNextKeyPicture) {
 TEST_P(Videos, WhatIsTooLargeIsRefused) {
     const auto film = linked(filmed(1, 10, GetParam()));
     PictureLimits limits;
-    limits.maxVideoPixels = 160 * 120 - 1;
+    limits.maxVideoPixels = std::int64_t{160} * 120 - 1;
     EXPECT_FALSE(decodePicture(film.front(), limits).ok());
-    limits.maxVideoPixels = 160 * 120;
+    limits.maxVideoPixels = std::int64_t{160} * 120;
     EXPECT_TRUE(decodePicture(film.front(), limits).ok());
 }
 
