@@ -45,9 +45,9 @@ struct RobotView {
     GrantView grant;
     StopStatus stop;
     DriveView drive;
-    NavigationView navigation;                  ///< the robot's own navigation
-    std::optional<VirtualScanView> around;      ///< virtual scan; empty: it was not requested
-    std::vector<CameraView> cameras;            ///< cameras that sent pictures, except thermal ones
+    NavigationView navigation;              ///< the robot's own navigation
+    std::optional<VirtualScanView> around;  ///< virtual scan; empty: it was not requested
+    std::vector<CameraView> cameras;        ///< cameras that sent pictures, except thermal ones
     /// Frames of scanners of which neither tf nor the robot's file tells the place; the base counts as it.
     std::vector<std::string> unplaced;
     std::shared_ptr<const JointSample> joints;  ///< newest joint states, including pan and tilt; null: none

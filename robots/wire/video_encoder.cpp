@@ -6,22 +6,15 @@
 #include <utility>
 
 extern "C" {
-#include <libavcodec/avcodec.h>
 #include <libavutil/opt.h>
-#include <libswscale/swscale.h>
 }
+
+#include "core/perception/pictures/video/libav.h"
 
 namespace leitstand {
 namespace {
 
-struct Free {
-    void operator()(AVCodecContext* one) const { avcodec_free_context(&one); }
-    void operator()(AVPacket* one) const { av_packet_free(&one); }
-    void operator()(AVFrame* one) const { av_frame_free(&one); }
-    void operator()(SwsContext* one) const { sws_freeContext(one); }
-};
-template <class Kind>
-using Owned = std::unique_ptr<Kind, Free>;
+using libav::Owned;
 
 const char* encoderOf(VideoCodec codec) {
     switch (codec) {

@@ -7,25 +7,14 @@
 #include <utility>
 #include <vector>
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libswscale/swscale.h>
-}
-
 #include "core/base/words.h"
 #include "core/event/video_packet.h"
+#include "core/perception/pictures/video/libav.h"
 
 namespace leitstand {
 namespace {
 
-struct Free {
-    void operator()(AVCodecContext* one) const { avcodec_free_context(&one); }
-    void operator()(AVPacket* one) const { av_packet_free(&one); }
-    void operator()(AVFrame* one) const { av_frame_free(&one); }
-    void operator()(SwsContext* one) const { sws_freeContext(one); }
-};
-template <class Kind>
-using Owned = std::unique_ptr<Kind, Free>;
+using libav::Owned;
 
 AVCodecID idOf(VideoCodec codec) {
     switch (codec) {
