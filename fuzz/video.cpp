@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "core/event/picture_samples.h"
-#include "core/event/video_packet.h"
 #include "core/perception/pictures/coding/picture_decoding.h"
 #include "core/perception/pictures/video/video_bitstream.h"
 #include "core/perception/pictures/video/video_chains.h"
+#include "core/perception/pictures/video/video_packet.h"
 #include "fuzz/input_file.h"
 
 /// A video as a robot sends it. The first byte chooses the codec; then pictures, each after two bytes with

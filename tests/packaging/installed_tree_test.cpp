@@ -142,7 +142,7 @@ TEST(ProgramsWithoutTests, AreConfiguredWithoutTheTestsFolderAndWhatItNeeds) {
     ASSERT_EQ(run.exitCode, 0) << run.out << run.err;
     const std::string cache = readText(build / "CMakeCache.txt");
     EXPECT_THAT(cache, Not(HasSubstr("GTEST")));
-    EXPECT_THAT(cache, Not(HasSubstr("LIBAV")));
+    EXPECT_THAT(cache, Not(HasSubstr("LIBAVFORMAT")));
     const std::string rules = readText(build / "build.ninja");
     EXPECT_THAT(rules, HasSubstr("bin/leitstandctl"));
     EXPECT_THAT(rules, Not(HasSubstr("/tests/")));

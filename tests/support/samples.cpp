@@ -16,7 +16,7 @@
 #include "core/event/station_samples.h"
 #include "core/event/status_samples.h"
 #include "core/event/stream_role.h"
-#include "core/event/video_packet.h"
+#include "core/perception/pictures/video/video_packet.h"
 
 namespace leitstand::test {
 namespace {

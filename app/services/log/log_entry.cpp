@@ -10,9 +10,9 @@
 #include "core/event/picture_samples.h"
 #include "core/event/raw_event.h"
 #include "core/event/stream_role.h"
-#include "core/event/video_packet.h"
 #include "core/io/bag/bag_reader.h"
 #include "core/io/bag/raw_events.h"
+#include "core/perception/pictures/video/video_packet.h"
 #include "core/robot/streams/stream_table.h"
 
 namespace leitstand {
@@ -51,8 +51,8 @@ std::vector<RawEvent> videoUpTo(BagReader& bag, EventDecoder& decoder, const std
 
 namespace {
 
-/// Whether @p topic carries videos: by its type, or by what came on it, of which the newest up to @p sequence
-/// is looked at once.
+/// Whether @p topic carries videos: by its type, or by what came on it. The newest event up to @p sequence is
+/// looked at once for that.
 bool isVideo(BagReader& bag, EventDecoder& decoder, const BagTopic& topic, std::uint64_t sequence) {
     const std::string& name = topic.info.name;
     if (!isPictureType(topic.info.type) || topic.info.type == "sensor_msgs/msg/Image") return false;

@@ -12,9 +12,9 @@ class EventDecoder;
 struct Event;
 struct RawEvent;
 
-/// Returns the newest picture of the video on @p topic up to @p sequence, with all that it is decoded from:
-/// the events of the topic from its key picture on. Empty when the topic holds no video, or no key picture
-/// within the 20 s before. Afterwards @p decoder goes on from there.
+/// Returns the newest picture of the video on @p topic up to @p sequence, with all that it is decoded from.
+/// These are the events of the topic from its key picture on. Empty when the topic holds no video, or no key
+/// picture within the 20 s before. Afterwards @p decoder goes on from there.
 [[nodiscard]] std::vector<RawEvent> videoUpTo(BagReader& bag, EventDecoder& decoder, const std::string& topic,
                                               std::uint64_t sequence);
 

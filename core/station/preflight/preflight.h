@@ -67,7 +67,7 @@ struct PreflightCheck {
         StreamsStale,     ///< detail: streams that are no longer received
         PicturesFresh,    ///< number: age of the oldest camera's newest picture [s]
         PicturesOld,      ///< detail: which cameras; number: age of the oldest of their newest pictures [s]
-        ScannerUnplaced,  ///< detail: frames of scanners of which nobody tells where they sit
+        ScannerUnplaced,  ///< detail: frames of scanners whose place nobody tells
         Wire,             ///< wire: why a reader and a writer do not match
         ClockSteady,      ///< number: how far the robot's clock is ahead [s]
         ClockFar,         ///< number: as ClockSteady, but too far

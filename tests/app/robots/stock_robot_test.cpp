@@ -169,7 +169,7 @@ TEST(StockRobots, DepthsOfATurtleBot4AreCloudsWhereItsFileNamesThem) {
     writeText(file, writeRobot(robot));
     Recording recording(domain, mission, {"--robot", file.string()});
     const std::string depths = "/oakd/stereo/image_raw/compressedDepth";
-    ASSERT_TRUE(waitUntil([&] { return recordedOn(mission, depths).size() > 5; }, 90s)) << recording.out();
+    ASSERT_TRUE(waitUntil([&] { return recordedOn(mission, depths).size() > 10; }, 90s)) << recording.out();
     ASSERT_EQ(recording.stop(), 0) << recording.out();
     auto bag = BagReader::open(mission);
     ASSERT_TRUE(bag) << bag.error().text;

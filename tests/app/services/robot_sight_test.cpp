@@ -15,7 +15,7 @@
 #include "core/event/motion_samples.h"
 #include "core/event/picture_samples.h"
 #include "core/event/stream_role.h"
-#include "core/event/video_packet.h"
+#include "core/perception/pictures/video/video_packet.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "core/robot/streams/stream_table.h"
 #include "tests/support/samples.h"

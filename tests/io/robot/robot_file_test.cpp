@@ -214,6 +214,7 @@ private:
             }
             const auto types = typesOf(role);
             stream.type = types[static_cast<std::size_t>(below(int(types.size())))];
+            if (isDepthStream(stream) && stream.sensor.empty()) stream.sensor = robot.sensors.begin()->first;
             stream.topic = fmt::format("/{}/{}{}", word(), word(), ++number);
             stream.qos = {static_cast<Qos::Reliability>(below(2)), static_cast<Qos::Durability>(below(2)),
                           below(1000), role == StreamRole::StopCommand ? 0.0 : below(100) / 7.0,

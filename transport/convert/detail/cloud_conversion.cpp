@@ -164,7 +164,7 @@ CloudSample fromWire(const wire::livox_ros_driver2::CustomMsg& from, const Sourc
     CloudSample to;
     to.header = checks.header(from.header);
     const auto stamp = static_cast<std::uint64_t>(to.header.stamp.time_since_epoch().count());
-    // Both mean the first point. Where somebody stamped anew by another clock, the stamp counts.
+    // Both mean the first point. If somebody stamped it again by another clock, the stamp counts.
     const std::uint64_t after = from.timebase - stamp;  // modulo 2^64
     const bool alike = after < Alike || after > ~std::uint64_t{0} - Alike;
     const std::int64_t before = alike ? static_cast<std::int64_t>(after) : 0;

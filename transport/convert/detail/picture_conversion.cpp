@@ -1,11 +1,11 @@
 #include <algorithm>
 
 #include "core/event/all_samples.h"
-#include "core/event/video_packet.h"
 #include "core/perception/pictures/coding/depth_file.h"
 #include "core/perception/pictures/coding/picture_encoding.h"
 #include "core/perception/pictures/coding/picture_file.h"
 #include "core/perception/pictures/video/video_bitstream.h"
+#include "core/perception/pictures/video/video_packet.h"
 #include "messages/ffmpeg_image_transport_msgs.h"
 #include "messages/foxglove_msgs.h"
 #include "messages/sensor_msgs.h"

@@ -7,8 +7,8 @@
 
 #include "core/event/picture_samples.h"
 #include "core/event/stream_role.h"
-#include "core/event/video_packet.h"
 #include "core/perception/pictures/content_hash.h"
+#include "core/perception/pictures/video/video_packet.h"
 
 namespace leitstand {
 namespace {

@@ -24,8 +24,8 @@ class MapView;
 class RobotsOnMap;
 struct LiveMoment;
 
-/// Sends robots to places on the map: a pose that the operator draws on the floor, or a double click; to
-/// several places, one after the other; or back to where their trail begins. For robots that take goals.
+/// Sends robots to places on the map: a pose that the operator draws on the floor, or a double click. Also to
+/// several places, one after the other, or back to where their trail begins. For robots that take goals.
 /// Requests the grant first, since robots obey only its holder.
 class GoTo final : public QObject {
     Q_OBJECT

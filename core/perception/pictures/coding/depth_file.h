@@ -10,7 +10,7 @@ namespace leitstand {
 struct PictureSample;
 
 /// A depth picture that compressed_depth_image_transport sends: 12 bytes (a format and two parameters), then
-/// a PNG of 16 bits, or data of RVL (Wilson 2017) after the numbers of columns and rows.
+/// its data. These are a PNG of 16 bits, or RVL (Wilson 2017) after the numbers of columns and rows.
 namespace depth_file {
 
 constexpr std::size_t Head = 12;    ///< format, A, B: 4 bytes each [B]

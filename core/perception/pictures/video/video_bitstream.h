@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/event/video_packet.h"
+#include "core/perception/pictures/video/video_packet.h"
 
 namespace leitstand {
 
@@ -17,8 +17,8 @@ namespace leitstand {
 /// Whether @p bytes begin with a start code of Annex B (ITU-T H.264 B.1.1): 0 0 1, or 0 0 0 1.
 [[nodiscard]] bool hasStartCode(std::span<const std::byte> bytes);
 
-/// Whether decoding can start with the picture in @p bytes: an IDR picture of H.264 (NAL unit 5, table 7-1),
-/// a random access point of H.265 (NAL units 16 to 21, table 7-1).
+/// Whether decoding can start with the picture in @p bytes. That is an IDR picture of H.264 (NAL unit 5), or
+/// a random access point of H.265 (NAL units 16 to 21); table 7-1 of both.
 [[nodiscard]] bool isKeyPicture(VideoCodec codec, std::span<const std::byte> bytes);
 
 /// What the NAL units of a message hold.

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/words.h"
-#include "core/event/video_packet.h"
 #include "core/perception/pictures/video/libav.h"
+#include "core/perception/pictures/video/video_packet.h"
 
 namespace leitstand {
 namespace {

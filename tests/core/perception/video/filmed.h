@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/event/picture_samples.h"
-#include "core/event/video_packet.h"
 #include "core/perception/pictures/picture.h"
+#include "core/perception/pictures/video/video_packet.h"
 
 namespace leitstand::test {
 
