@@ -32,7 +32,7 @@ Lens lensOf(const CameraInfoSample& camera) {
 }
 
 /// Where a fisheye lens shows a direction that is @p angle off its axis, and how fast that grows with the
-/// angle (Kannala & Brandt 2006, as OpenCV and ROS have it).
+/// angle. Model: Kannala & Brandt 2006, as OpenCV and ROS have it.
 std::pair<double, double> shownAt(double angle, const std::vector<double>& d) {
     const auto term = [&d](std::size_t i) { return i < d.size() ? d[i] : 0.0; };
     const double a2 = angle * angle;
