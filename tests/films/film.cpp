@@ -8,23 +8,19 @@
 #include <string>
 
 extern "C" {
-#include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
-#include <libswscale/swscale.h>
 }
+
+#include "core/perception/pictures/video/libav.h"
 
 namespace leitstand::test {
 namespace {
 
-struct Free {
+using libav::Owned;
+
+struct CloseInput {
     void operator()(AVFormatContext* one) const { avformat_close_input(&one); }
-    void operator()(AVCodecContext* one) const { avcodec_free_context(&one); }
-    void operator()(AVPacket* one) const { av_packet_free(&one); }
-    void operator()(AVFrame* one) const { av_frame_free(&one); }
-    void operator()(SwsContext* one) const { sws_freeContext(one); }
 };
-template <class Kind>
-using Owned = std::unique_ptr<Kind, Free>;
 
 void expect(bool good, const std::filesystem::path& file, const char* what) {
     if (!good) throw std::runtime_error(file.string() + ": " + what);
@@ -45,7 +41,7 @@ Picture pictureOf(const AVFrame& frame, SwsContext& colours) {
 void readFilm(const std::filesystem::path& file, const std::function<bool(const Picture&, Time)>& take) {
     AVFormatContext* opened = nullptr;
     expect(avformat_open_input(&opened, file.c_str(), nullptr, nullptr) == 0, file, "cannot be opened");
-    const Owned<AVFormatContext> format(opened);
+    const std::unique_ptr<AVFormatContext, CloseInput> format(opened);
     expect(avformat_find_stream_info(format.get(), nullptr) >= 0, file, "has no streams");
     const AVCodec* codec = nullptr;
     const int number = av_find_best_stream(format.get(), AVMEDIA_TYPE_VIDEO, -1, -1, &codec, 0);
