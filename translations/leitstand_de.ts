@@ -235,6 +235,10 @@
         <source>Messages</source>
         <translation>Meldungen</translation>
     </message>
+    <message>
+        <source>Flippers and arm</source>
+        <translation>Flipper und Arm</translation>
+    </message>
 </context>
 <context>
     <name>PdfText</name>
@@ -3335,6 +3339,82 @@ Funk: %4 %5</translation>
         <source>picture: of a video that libavcodec does not decode here</source>
         <translation>Bild: aus einem Video, das libavcodec hier nicht dekodiert</translation>
     </message>
+    <message>
+        <source>expected a name of the group, of letters, digits and _, found {}</source>
+        <translation>erwartet: ein Name der Gruppe aus Buchstaben, Ziffern und _, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected at most {}, found {}</source>
+        <translation>erwartet: höchstens {}, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected a list of joints, found none</source>
+        <translation>erwartet: eine Liste von Gelenken, gefunden: keine</translation>
+    </message>
+    <message>
+        <source>expected the name of a joint as in joint_states, found nothing</source>
+        <translation>erwartet: der Name eines Gelenks wie in joint_states, gefunden: nichts</translation>
+    </message>
+    <message>
+        <source>expected each joint once, found {} again</source>
+        <translation>erwartet: jedes Gelenk einmal, gefunden: {} noch einmal</translation>
+    </message>
+    <message>
+        <source>expected less than upper, {}{}, found {}</source>
+        <translation>erwartet: weniger als upper, {}{}, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected lower and upper of a prismatic joint, found not both</source>
+        <translation>erwartet: lower und upper eines Schubgelenks, gefunden: nicht beide</translation>
+    </message>
+    <message>
+        <source>expected how long it is, found nothing</source>
+        <translation>erwartet: seine Länge, gefunden: nichts</translation>
+    </message>
+    <message>
+        <source>expected a joint that stands before it, found {}</source>
+        <translation>erwartet: ein Gelenk, das davor steht, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected one of the group&apos;s joints, each once, found {}</source>
+        <translation>erwartet: eines der Gelenke der Gruppe, jedes einmal, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected its title, found nothing</source>
+        <translation>erwartet: ein Titel, gefunden: nichts</translation>
+    </message>
+    <message>
+        <source>expected {} positions, one for each joint, found none</source>
+        <translation>erwartet: {} Stellungen, eine für jedes Gelenk, gefunden: keine</translation>
+    </message>
+    <message>
+        <source>expected {} within its limits, found {}</source>
+        <translation>erwartet: {} innerhalb seiner Grenzen, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected a name of its own, found {} again</source>
+        <translation>erwartet: ein eigener Name, gefunden: {} noch einmal</translation>
+    </message>
+    <message>
+        <source>expected a stream joint_command with the group {}, found none</source>
+        <translation>erwartet: ein Datenstrom joint_command mit der Gruppe {}, gefunden: keiner</translation>
+    </message>
+    <message>
+        <source>expected it only for joint_command, found it for {}</source>
+        <translation>nur für joint_command erwartet, gefunden bei {}</translation>
+    </message>
+    <message>
+        <source>expected the name of one of joint_groups, found {}{}</source>
+        <translation>erwartet: ein Name aus joint_groups, gefunden: {}{}</translation>
+    </message>
+    <message>
+        <source>expected one stream for each group, found {} of line {} again</source>
+        <translation>erwartet: ein Datenstrom für jede Gruppe, gefunden: {} aus Zeile {} noch einmal</translation>
+    </message>
+    <message>
+        <source>expected positions in a JointTrajectory, found a group that is commanded by velocity</source>
+        <translation>erwartet: Stellungen in einer JointTrajectory, gefunden: eine Gruppe, die durch Geschwindigkeiten bewegt wird</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -4101,6 +4181,110 @@ Apache License 2.0</source>
         <translation>Die Bedienstation für Rettungsroboter: registriert 3D-Laserscans zu einer Karte und zeigt sie, nach den Methoden des RoboCup-Rescue-Teams Deutschland1.
 
 Apache License 2.0</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::JointDrawing</name>
+    <message>
+        <source>Flippers and arm, from the right</source>
+        <translation>Flipper und Arm, von rechts</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::JointRowsModel</name>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Stellung</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::JointTexts</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source> (%1 to %2)</source>
+        <translation> (%1 bis %2)</translation>
+    </message>
+    <message>
+        <source>%1: blocked, given up</source>
+        <translation>%1: blockiert, aufgegeben</translation>
+    </message>
+    <message>
+        <source>%1: the robot does not tell where they are</source>
+        <translation>%1: der Roboter meldet ihre Stellung nicht</translation>
+    </message>
+    <message>
+        <source>%1: to %2</source>
+        <translation>%1: nach %2</translation>
+    </message>
+    <message>
+        <source>%1: no drive control</source>
+        <translation>%1: kein Fahrrecht</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::JointsFeature</name>
+    <message>
+        <source>Joints move only with drive control of a robot that is not stopped</source>
+        <translation>Gelenke bewegen sich nur mit dem Fahrrecht eines Roboters, der nicht angehalten ist</translation>
+    </message>
+    <message>
+        <source>&amp;Next flippers or joint</source>
+        <translation>&amp;Nächste Flipper oder nächstes Gelenk</translation>
+    </message>
+    <message>
+        <source>J raises what is chosen while it is held, K lowers it</source>
+        <translation>J hebt das Gewählte, solange es gedrückt ist, K senkt es</translation>
+    </message>
+    <message>
+        <source>Gamepad moves &amp;joints</source>
+        <translation>Gamepad bewegt &amp;Gelenke</translation>
+    </message>
+    <message>
+        <source>With the trigger held, the stick that turns cameras raises and lowers what is chosen instead</source>
+        <translation>Bei gehaltenem Abzug hebt und senkt der Stick der Kameras stattdessen das Gewählte</translation>
+    </message>
+    <message>
+        <source>Joints to preset %1</source>
+        <translation>Gelenke in Grundstellung %1</translation>
+    </message>
+    <message>
+        <source>Moves all joints of the chosen group to a pose of the robot&apos;s file; Space or STOP ends it</source>
+        <translation>Bewegt alle Gelenke der gewählten Gruppe in eine Stellung aus der Datei des Roboters; Leertaste oder STOP beendet das</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächste</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>flippers: a preset</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::JointsPanel</name>
+    <message>
+        <source>Flippers and arm</source>
+        <translation>Flipper und Arm</translation>
+    </message>
+    <message>
+        <source>What the controls of joints move</source>
+        <translation>Was die Bedienung der Gelenke bewegt</translation>
+    </message>
+    <message>
+        <source>The file of %1 names no flippers and no arm</source>
+        <translation>Die Datei von %1 nennt weder Flipper noch Arm</translation>
     </message>
 </context>
 <context>

@@ -235,6 +235,10 @@
         <source>Messages</source>
         <translation>メッセージ</translation>
     </message>
+    <message>
+        <source>Flippers and arm</source>
+        <translation>フリッパーとアーム</translation>
+    </message>
 </context>
 <context>
     <name>PdfText</name>
@@ -3335,6 +3339,82 @@ Link: %4 %5</source>
         <source>picture: of a video that libavcodec does not decode here</source>
         <translation>画像: この動画は libavcodec で復号できません</translation>
     </message>
+    <message>
+        <source>expected a name of the group, of letters, digits and _, found {}</source>
+        <translation>グループの名前（文字、数字、_）が必要ですが、{}でした</translation>
+    </message>
+    <message>
+        <source>expected at most {}, found {}</source>
+        <translation>{}以下が必要ですが、{}でした</translation>
+    </message>
+    <message>
+        <source>expected a list of joints, found none</source>
+        <translation>関節のリストが必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected the name of a joint as in joint_states, found nothing</source>
+        <translation>joint_statesにある関節の名前が必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected each joint once, found {} again</source>
+        <translation>関節は一度だけ書く必要がありますが、{}が再び書かれています</translation>
+    </message>
+    <message>
+        <source>expected less than upper, {}{}, found {}</source>
+        <translation>upper（{}{}）より小さい値が必要ですが、{}でした</translation>
+    </message>
+    <message>
+        <source>expected lower and upper of a prismatic joint, found not both</source>
+        <translation>直動関節にはlowerとupperの両方が必要ですが、そろっていません</translation>
+    </message>
+    <message>
+        <source>expected how long it is, found nothing</source>
+        <translation>長さが必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected a joint that stands before it, found {}</source>
+        <translation>それより前に書かれた関節が必要ですが、{}でした</translation>
+    </message>
+    <message>
+        <source>expected one of the group&apos;s joints, each once, found {}</source>
+        <translation>グループの関節を一度ずつ書く必要がありますが、{}でした</translation>
+    </message>
+    <message>
+        <source>expected its title, found nothing</source>
+        <translation>タイトルが必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected {} positions, one for each joint, found none</source>
+        <translation>関節ごとに一つ、{}個の位置が必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected {} within its limits, found {}</source>
+        <translation>{}は範囲内である必要がありますが、{}でした</translation>
+    </message>
+    <message>
+        <source>expected a name of its own, found {} again</source>
+        <translation>固有の名前が必要ですが、{}が再び使われています</translation>
+    </message>
+    <message>
+        <source>expected a stream joint_command with the group {}, found none</source>
+        <translation>グループ{}のjoint_commandストリームが必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected it only for joint_command, found it for {}</source>
+        <translation>joint_commandにだけ書けますが、{}に書かれています</translation>
+    </message>
+    <message>
+        <source>expected the name of one of joint_groups, found {}{}</source>
+        <translation>joint_groupsのいずれかの名前が必要ですが、{}でした{}</translation>
+    </message>
+    <message>
+        <source>expected one stream for each group, found {} of line {} again</source>
+        <translation>グループごとにストリームは一つですが、{}（{}行目）が再び書かれています</translation>
+    </message>
+    <message>
+        <source>expected positions in a JointTrajectory, found a group that is commanded by velocity</source>
+        <translation>JointTrajectoryには位置が必要ですが、速度で動かすグループでした</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -4101,6 +4181,110 @@ Apache License 2.0</source>
         <translation>救助ロボット用の操作卓: 3D レーザースキャンを 1 つの地図に位置合わせして表示する。RoboCup Rescue チーム Deutschland1 の手法に基づく。
 
 Apache License 2.0</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::JointDrawing</name>
+    <message>
+        <source>Flippers and arm, from the right</source>
+        <translation>フリッパーとアーム（右から）</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::JointRowsModel</name>
+    <message>
+        <source>Joints</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::JointTexts</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source> (%1 to %2)</source>
+        <translation>（%1～%2）</translation>
+    </message>
+    <message>
+        <source>%1: blocked, given up</source>
+        <translation>%1：動かないため中止</translation>
+    </message>
+    <message>
+        <source>%1: the robot does not tell where they are</source>
+        <translation>%1：ロボットが位置を報告していません</translation>
+    </message>
+    <message>
+        <source>%1: to %2</source>
+        <translation>%1：%2へ</translation>
+    </message>
+    <message>
+        <source>%1: no drive control</source>
+        <translation>%1：操縦権なし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::JointsFeature</name>
+    <message>
+        <source>Joints move only with drive control of a robot that is not stopped</source>
+        <translation>関節は、停止していないロボットの操縦権があるときだけ動きます</translation>
+    </message>
+    <message>
+        <source>&amp;Next flippers or joint</source>
+        <translation>次のフリッパーまたは関節(&amp;N)</translation>
+    </message>
+    <message>
+        <source>J raises what is chosen while it is held, K lowers it</source>
+        <translation>Jを押している間、選択中のものを上げ、Kで下げます</translation>
+    </message>
+    <message>
+        <source>Gamepad moves &amp;joints</source>
+        <translation>ゲームパッドで関節を動かす(&amp;J)</translation>
+    </message>
+    <message>
+        <source>With the trigger held, the stick that turns cameras raises and lowers what is chosen instead</source>
+        <translation>トリガーを押している間、カメラのスティックが代わりに選択中のものを上げ下げします</translation>
+    </message>
+    <message>
+        <source>Joints to preset %1</source>
+        <translation>関節をプリセット%1へ</translation>
+    </message>
+    <message>
+        <source>Moves all joints of the chosen group to a pose of the robot&apos;s file; Space or STOP ends it</source>
+        <translation>選択中のグループの全関節をロボットのファイルの姿勢へ動かします。スペースまたはSTOPで終わります</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>次へ</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>flippers: a preset</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::JointsPanel</name>
+    <message>
+        <source>Flippers and arm</source>
+        <translation>フリッパーとアーム</translation>
+    </message>
+    <message>
+        <source>What the controls of joints move</source>
+        <translation>関節の操作で動くもの</translation>
+    </message>
+    <message>
+        <source>The file of %1 names no flippers and no arm</source>
+        <translation>%1のファイルにはフリッパーもアームもありません</translation>
     </message>
 </context>
 <context>

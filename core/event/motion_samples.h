@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -46,6 +47,29 @@ struct JointSample {
 };
 using TrackCommand = JointSample;    ///< velocities of the tracks
 using PanTiltCommand = JointSample;  ///< positions of left_pan, left_tilt, right_pan, right_tilt
+
+/// Where joints are at one moment of a trajectory.
+struct TrajectoryPoint {
+    std::vector<double> positions;   ///< empty, or one per name [rad, m]
+    std::vector<double> velocities;  ///< empty, or one per name [rad/s, m/s]
+    std::chrono::nanoseconds fromStart{};
+};
+
+/// Asks joints to follow a trajectory (trajectory_msgs/msg/JointTrajectory). Accelerations and efforts, which
+/// only come from others, are dropped.
+struct JointTrajectorySample {
+    static constexpr std::size_t MostPoints = 100'000;
+
+    SampleHeader header;  ///< a stamp of zero: from now on
+    std::vector<std::string> names;
+    std::vector<TrajectoryPoint> points;
+};
+
+/// Numbers that mean something to their receiver: setpoints of joints in its own order
+/// (std_msgs/msg/Float64MultiArray, without its layout).
+struct NumbersSample {
+    std::vector<double> values;
+};
 
 /// Pose of one frame in another.
 struct FrameTransform {

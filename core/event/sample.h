@@ -26,12 +26,14 @@ struct GrantSample;
 struct GridUpdateSample;
 struct ImuSample;
 struct JointSample;
+struct JointTrajectorySample;
 struct KeyScanSample;
 struct MapCropSample;
 struct MissionInfoSample;
 struct ModeCommandSample;
 struct ModeSample;
 struct NoteSample;
+struct NumbersSample;
 struct OccupancyGridSample;
 struct OdometrySample;
 struct PathSample;
@@ -75,7 +77,7 @@ using SampleTypes =
              KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
              CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample, MissionInfoSample,
              MapCropSample, ScanLinksSample, ScanBodiesSample, OccupancyGridSample, GridUpdateSample,
-             PathSample, DriveLockSample>;
+             PathSample, DriveLockSample, JointTrajectorySample, NumbersSample>;
 
 template <class Type>
 concept IsSample = (SampleTypes::indexOf<Type>() < SampleTypes::Size);

@@ -43,6 +43,7 @@ enum class StreamRole : std::uint8_t {
     StreamCommand = 24,
     Ping = 25,
     StopLock = 29,
+    JointCommand = 30,
 };
 
 /// The name of @p role in robot files: "points", "drive_command"; empty if the number is no role.
@@ -108,15 +109,17 @@ enum class StreamRole : std::uint8_t {
             return "ping";
         case StreamRole::StopLock:
             return "stop_lock";
+        case StreamRole::JointCommand:
+            return "joint_command";
     }
     return {};
 }
 
 /// Roles of the topics that the station sends.
-inline constexpr auto CommandRoles =
-    std::to_array<StreamRole>({StreamRole::DriveCommand, StreamRole::TrackCommand, StreamRole::StopCommand,
-                               StreamRole::ModeCommand, StreamRole::GoalPose, StreamRole::PanTiltCommand,
-                               StreamRole::StreamCommand, StreamRole::Ping, StreamRole::StopLock});
+inline constexpr auto CommandRoles = std::to_array<StreamRole>(
+    {StreamRole::DriveCommand, StreamRole::TrackCommand, StreamRole::StopCommand, StreamRole::ModeCommand,
+     StreamRole::GoalPose, StreamRole::PanTiltCommand, StreamRole::StreamCommand, StreamRole::Ping,
+     StreamRole::StopLock, StreamRole::JointCommand});
 
 /// Whether the station sends topics of @p role.
 [[nodiscard]] bool isCommand(StreamRole role);

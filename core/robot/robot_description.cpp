@@ -76,6 +76,13 @@ const StreamDescription* RobotDescription::stream(StreamRole role, const std::st
     return found == streams.end() ? nullptr : &*found;
 }
 
+const StreamDescription* RobotDescription::commandsOf(const JointGroup& group) const {
+    const auto found = std::find_if(streams.begin(), streams.end(), [&](const StreamDescription& stream) {
+        return stream.role == StreamRole::JointCommand && stream.group == group.name;
+    });
+    return found == streams.end() ? nullptr : &*found;
+}
+
 const ServiceDescription* RobotDescription::navigation() const {
     const auto found = std::find_if(services.begin(), services.end(), [](const ServiceDescription& service) {
         const ServiceFacts* const facts = serviceFacts(service.type);

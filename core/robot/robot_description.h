@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "core/base/pose.h"
+#include "core/robot/joints/joint_group.h"
 #include "core/robot/scanner_correction.h"
 #include "core/robot/services/service_description.h"
 #include "core/robot/streams/qos.h"
@@ -38,6 +39,7 @@ struct StreamDescription {
     std::string type;    ///< "sensor_msgs/msg/PointCloud2"
     Qos qos;
     StampSource stamp = StampSource::Robot;  ///< for commands that have a stamp
+    std::string group;                       ///< for JointCommand: name of its JointGroup
     ThermalScale thermal;                    ///< for Thermal
     /// For Diagnostics: statuses whose hardware_id begins with this belong to the robot.
     std::string hardwareId;
@@ -88,6 +90,7 @@ struct RobotDescription {
     std::string title;      ///< name for the operator, "Kurt3D"
     std::vector<StreamDescription> streams;
     std::vector<ServiceDescription> services;
+    std::vector<JointGroup> jointGroups;
     std::map<std::string, SensorDescription> sensors;
     std::string baseFrame, odomFrame;
     TfPrefix tfPrefix = TfPrefix::Topic;
@@ -106,6 +109,8 @@ struct RobotDescription {
 
     /// The first stream with @p role (and @p sensor, if given); null when the robot has none.
     [[nodiscard]] const StreamDescription* stream(StreamRole role, const std::string& sensor = {}) const;
+    /// The stream by which @p group is commanded; null: there is none.
+    [[nodiscard]] const StreamDescription* commandsOf(const JointGroup& group) const;
     /// The action by which the robot's own navigation takes goals; null: its file names none.
     [[nodiscard]] const ServiceDescription* navigation() const;
     /// Whether the robot can be sent to a place, by its navigation or by a topic.

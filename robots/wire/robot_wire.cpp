@@ -94,7 +94,7 @@ void RobotWire::State::receive(const StreamDescription& stream, const ReceivedSa
     if (!decoded) countBroken();
     if (!decoded && !drives(stream.role)) return;
     put({stream.role, false, decoded ? std::move(decoded).value() : Sample(noNumber()),
-         senderOf(sample.writer), sample.event.received});
+         senderOf(sample.writer), sample.event.received, stream.group});
 }
 
 void RobotWire::State::receiveGrant(const ReceivedSample& sample) {

@@ -19,8 +19,9 @@ struct ReceivedCommand {
     StreamRole role = StreamRole::DriveCommand;  ///< role of the command stream; not used for grants
     bool grant = false;                          ///< whether the sample is a GrantSample
     Sample sample;
-    Sender from;    ///< process that sent it
-    Time received;  ///< when all of it had been received, this computer's clock
+    Sender from;             ///< process that sent it
+    Time received;           ///< when all of it had been received, this computer's clock
+    std::string group = {};  ///< of a joint command: the group of joints
 };
 
 struct RobotWireCounts {

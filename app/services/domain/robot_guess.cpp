@@ -67,6 +67,13 @@ std::optional<StreamRole> roleInTable(const SeenTopic& topic, bool commands) {
     return found == nullptr ? std::nullopt : std::optional(found->role);
 }
 
+/// Whether a controller of joints listens to @p topic. Only a robot's file tells which joints these are.
+bool movesJoints(const SeenTopic& topic) {
+    const auto types = typesOf(StreamRole::JointCommand);
+    const bool known = std::find(types.begin(), types.end(), topic.type) != types.end();
+    return topic.read && known && topic.type != "sensor_msgs/msg/JointState";
+}
+
 /// Parts of the names of pictures that hold distances.
 constexpr std::array<std::string_view, 1> OfDepth = {"depth"}, OfStereo = {"stereo"};
 constexpr std::array<std::string_view, 2> OfEyes = {"left", "right"};
@@ -136,6 +143,7 @@ StreamDescription streamOf(const SeenTopic& topic, StreamRole role, const RobotG
                              .topic = topic.name,
                              .type = topic.type,
                              .qos = topic.qos,
+                             .group = {},
                              .thermal = {},
                              .hardwareId = {}};
     const StreamFacts& facts = streamFacts(role);
@@ -239,6 +247,10 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
         return std::nullopt;
     }
     const bool ours = topic.type.starts_with("leitstand_msgs/");
+    if (movesJoints(topic)) {
+        remark = "moves joints: the station uses it once the robot's file describes them (joint_groups)";
+        return std::nullopt;
+    }
     if (const auto command = roleInTable(topic, true)) {
         if (!topic.read && !ours) remark = "nobody listens to it";
         return command;

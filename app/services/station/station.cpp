@@ -89,6 +89,9 @@ std::vector<WireComplaint> Station::mismatches() const {
 
 void Station::setDriveFocus(const std::string& robot) {
     giveSticks(m_state->lines, robot);
+    for (const auto& [name, line] : m_state->lines) {
+        if (name != robot) m_state->joints->halt(name);
+    }
 }
 
 void Station::setStick(const DriveVelocity& sticks, bool withoutEyes) {
@@ -103,6 +106,7 @@ void Station::halt() {
     for (const auto& [name, line] : m_state->lines) {
         if (line->drive() == nullptr || !line->drive()->status().focus) continue;
         line->drive()->halt();
+        m_state->joints->halt(name);
         const auto robot = recorded->robots.find(name);
         if (robot != recorded->robots.end() && robot->second->mode && robot->second->mode->sample.autonomous)
             (void)setMode(name, "teleoperation");  // one that takes no modes stops by its sticks alone
@@ -227,6 +231,10 @@ StationGuards& Station::guards() {
 
 StationCameras& Station::cameras() {
     return *m_state->cameras;
+}
+
+JointMoving& Station::joints() {
+    return *m_state->joints;
 }
 
 StationStreams& Station::streams() {

@@ -28,6 +28,7 @@ struct SearchedFloor;
 class FindDesk;
 class StationAlarms;
 class StationBrakes;
+class JointMoving;
 class StationCameras;
 class StationGuards;
 class StationStreams;
@@ -98,14 +99,14 @@ public:
     [[nodiscard]] std::vector<SeenTopic> visibleTopics() const;
     [[nodiscard]] const StationSettings& settings() const;  ///< settings with which it was opened
 
-    /// Gives the sticks to one robot; all other robots stand. Empty: to no robot.
+    /// Gives the sticks to one robot; all other robots stand, with their joints. Empty: to no robot.
     void setDriveFocus(const std::string& robot);
     /// Sets the present position of the sticks, also when they are neutral. Call at least ten times a second.
     /// The speed is limited by the age of what the driver sees (SightCap), for any input device, unless
     /// @p withoutEyes is set.
     void setStick(const DriveVelocity& sticks, bool withoutEyes = false);
-    /// Stops the robot that has the sticks, until the sticks were neutral. If it drives itself, requests that
-    /// it obeys the sticks again.
+    /// Stops the robot that has the sticks, and its joints, until the sticks were neutral. If it drives
+    /// itself, requests that it obeys the sticks again.
     void halt();
     /// Sets that the driver of @p robot looks through the camera @p sensor. At first it is the robot's first
     /// camera.
@@ -142,6 +143,7 @@ public:
     [[nodiscard]] StationGuards& guards();    ///< guards of robots that continue to drive when commands end
     [[nodiscard]] StationStreams& streams();  ///< rates and qualities of what robots send, and the thin link
     [[nodiscard]] StationCameras& cameras();
+    [[nodiscard]] JointMoving& joints();  ///< moves flippers and arms
 
 private:
     struct State;

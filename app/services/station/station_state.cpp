@@ -46,6 +46,7 @@ Station::State::~State() {
     coverage.reset();
     finds.reset();
     cameras.reset();
+    joints.reset();  // its thread uses the lines
     alarms.reset();
     sharing.reset();
     intake.reset();
@@ -65,61 +66,6 @@ void Station::State::refresh(const std::string& robot) {
     for (const auto& [name, line] : lines) {
         if ((robot.empty() || name == robot) && line->drive() != nullptr) line->drive()->refresh();
     }
-}
-
-Result<void> Station::State::control() {
-    GrantListener held;
-    held.onChange = [this] {
-        refresh({});
-        const std::lock_guard lock(mutex);
-        if (open) sharing->look();
-    };
-    held.onHeld = [this](const std::vector<HeldGrant>& now) {
-        if (const auto kept = memory->remember(now); !kept) notify(kept.error().text);
-    };
-    auto keeper = GrantKeeper::create(*node, memory->identity(), std::move(held));
-    if (!keeper) return keeper.error();
-    grants = std::move(keeper).value();
-    StopSenderSettings stopping;
-    stopping.station = memory->identity().id;
-    stopping.mayRelease = [this](const std::string& robot) { return grants->mayAct(driveGrant(robot)); };
-    stopping.onChange = [this](const std::string& robot) { refresh(robot); };
-    auto sender = StopSender::create(*node, settings.mission.robots, std::move(stopping));
-    if (!sender) return sender.error();
-    stops = std::move(sender).value();
-    return {};
-}
-
-Result<void> Station::State::lineTo(const RobotDescription& robot) {
-    const auto conditions = [this, name = robot.name] {
-        const bool may = grants->mayAct(driveGrant(name)) && stops->allowsDriving(name) &&
-                         !brakes->refuses(name) && guards->allows(name);
-        return DriveConditions{may, stops->holdsByZeros(name), brakes->silences(name)};
-    };
-    const auto pulse = [this, name = robot.name](const GuardPulse& now) { guards->pulse(name, now); };
-    LinkListener watch;
-    watch.onStatus = [this](const LinkStatus& link) {
-        if (!open) return;
-        streams->take(link);
-        brakes->look(link.robot);
-    };
-    watch.onState = [this, title = robot.title](const LinkStatus& link) {
-        notify(fmt::format("{}: {}", title, linkStateWords(link.state)));
-    };
-    watch.onClockOffset = [this](const ClockOffsetSample& offset) {
-        const std::lock_guard lock(mutex);
-        if (open)
-            (void)mission->record(offset, station_topic::ClockOffsets);  // a plain sample can be encoded
-    };
-    const auto called = [this, title = robot.title](const RobotCalls::Outcome& outcome) {
-        notify(title + ": " + worded(outcome));
-    };
-    auto line = RobotLine::create(*node, robot, memory->identity().id, {conditions, pulse},
-                                  {std::move(watch), called});
-    if (!line) return line.error();
-    for (const std::string& problem : (*line)->problems()) notify(robot.title + ": " + problem);
-    lines.emplace(robot.name, std::move(line).value());
-    return {};
 }
 
 void Station::State::map(std::vector<KeyScanSample> earlier, std::vector<ScanLinksSample> links) {
@@ -182,9 +128,9 @@ void Station::State::share() {
 }
 
 void Station::State::follow() {
-    const auto all =
-        std::to_array<EventSink*>({brakes.get(), alarms.get(), mapping.get(), victims.get(), coverage.get(),
-                                   finds.get(), &cameras->turning(), intake.get(), sharing.get()});
+    const auto all = std::to_array<EventSink*>({brakes.get(), alarms.get(), mapping.get(), victims.get(),
+                                                coverage.get(), finds.get(), joints.get(),
+                                                &cameras->turning(), intake.get(), sharing.get()});
     for (EventSink* const service : all) services.add(*service);
 }
 
@@ -264,62 +210,6 @@ void Station::State::watchStreams() {
         });
 }
 
-void Station::State::watchBrakes() {
-    StationBrakes::Hands hands = brakeHands(lines, *grants, *stops);
-    hands.focus = [this](const std::string& robot, bool on) {
-        if (on) {
-            giveSticks(lines, robot);
-            grants->requestGrant(driveGrant(robot));
-        } else if (DriveStreamer* const drive = lines.at(robot)->drive()) {
-            drive->setFocus(false);  // others may be driven by now
-        }
-    };
-    hands.refresh = [this](const std::string& robot) {
-        guards->want(robot, brakes->needsGuard(robot));
-        refresh(robot);
-    };
-    hands.done = [this](const std::string& robot, const BrakeResult& result, const Result<void>& kept) {
-        if (!kept) notify(kept.error().text);
-        const NoteSample note{stationTime(), memory->identity().id, robot, toString(result)};
-        const RobotDescription& described = lines.at(robot)->robot();
-        notify(described.title + ": " + brakeWorded(note.text));
-        const std::lock_guard lock(mutex);
-        if (open) (void)mission->record(note, station_topic::Notes);  // a plain sample can be encoded
-    };
-    const std::filesystem::path file = settings.memory.parent_path() / "brakes.yaml";
-    brakes = std::make_unique<StationBrakes>(settings.mission.robots, file, std::move(hands));
-}
-
-void Station::State::guardRobots() {
-    StationGuards::Setup setup;
-    setup.program = guardProgram();
-    for (const RobotDescription& robot : settings.mission.robots) {
-        const auto message = driveMessageFor(robot);
-        if (!message) continue;  // it is not driven
-        GuardArguments arguments;
-        arguments.network.domain = settings.domain.domain;
-        arguments.network.interfaces = settings.domain.interfaces;
-        arguments.network.initialPeers = settings.domain.initialPeers;
-        arguments.network.multicast = settings.domain.multicast;
-        arguments.network.discoveryServer = settings.domain.discoveryServer;
-        if (isSecured(settings.domain)) arguments.keys = settings.domain.keys;
-        arguments.guard.robot = robot.name;
-        arguments.guard.station = memory->identity().id;
-        arguments.guard.driver = senderOf(node->guid());
-        arguments.guard.message = *message;
-        setup.words.emplace(robot.name, wordsOf(arguments));
-    }
-    setup.onChange = [this](const std::string& robot) { refresh(robot); };
-    setup.onTrouble = [this](const std::string& robot, const std::string& problem) {
-        for (const RobotDescription& one : settings.mission.robots) {
-            if (one.name != robot) continue;
-            notify(leitstand::fill(translate("leitstand::Station", "{} has no guard and is not driven: {}"),
-                                   one.title, problem));
-        }
-    };
-    guards = std::make_unique<StationGuards>(std::move(setup));
-}
-
 Result<void> Station::State::start() {
     auto network = nodeSettings(settings.domain, "leitstand");
     if (!network) return network.error();
@@ -354,6 +244,7 @@ Result<void> Station::State::start() {
     for (const RobotDescription& robot : settings.mission.robots) {
         if (auto made = lineTo(robot); !made) return made;
     }
+    moveJoints();
     cameras = std::make_unique<StationCameras>(
         settings.mission, *grants,
         [this](const std::string& robot, const PanTiltCommand& command) {

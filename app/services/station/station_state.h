@@ -15,6 +15,7 @@
 #include "app/services/heap_keeper.h"
 #include "app/services/log/mission_feed.h"
 #include "app/services/station/cameras/station_cameras.h"
+#include "app/services/station/joints/joint_moving.h"
 #include "app/services/station/lines/robot_lines.h"
 #include "app/services/station/safety/station_alarms.h"
 #include "app/services/station/safety/station_brakes.h"
@@ -51,6 +52,7 @@ struct Station::State {
     std::unique_ptr<StationBrakes> brakes;
     std::unique_ptr<StationGuards> guards;
     RobotLines lines;  ///< not changed while open
+    std::unique_ptr<JointMoving> joints;
     std::unique_ptr<StationCameras> cameras;
     std::unique_ptr<LiveMission> mission;
     std::unique_ptr<StationMapping> mapping;
@@ -79,6 +81,9 @@ struct Station::State {
     void watchStreams();
     void watchBrakes();
     void guardRobots();
+    void moveJoints();
+    /// Whether the operator may move @p robot now, by driving it or otherwise.
+    [[nodiscard]] bool mayMove(const std::string& robot) const;
     void map(std::vector<KeyScanSample> earlier, std::vector<ScanLinksSample> links);
     void search();
     void cover(std::vector<KeyScanSample> earlier);

@@ -21,6 +21,7 @@
 #include "app/window/panes/alarms/alarms_feature.h"
 #include "app/window/panes/camera/camera_feature.h"
 #include "app/window/panes/drive/drive_feature.h"
+#include "app/window/panes/joints/joints_feature.h"
 #include "app/window/panes/link/link_feature.h"
 #include "app/window/panes/map/map_feature.h"
 #include "app/window/panes/view_context.h"
@@ -92,8 +93,16 @@ void LiveWindow::connectFeatures() {
     connect(m_selection, &Selection::changed, this, watch);
     connect(m_features.cameras, &CameraFeature::driveWanted, this, [this] { setDriving(true); });
     connect(m_layouts, &LayoutFeature::padBound, m_pads, &PadFeature::useLayout);
-    connect(&m_pads->input(), &PadInput::panTilt, m_features.cameras,
-            [this](const PanTiltRate& rate) { m_features.cameras->setRate(rate.pan, -rate.tilt); });
+    connect(&m_pads->input(), &PadInput::panTilt, m_features.cameras, [this](const PanTiltRate& rate) {
+        const bool joints = m_features.joints != nullptr && m_features.joints->padMoves();
+        const PanTiltRate its = joints ? PanTiltRate{} : rate;
+        m_features.cameras->setRate(its.pan, -its.tilt);
+    });
+    if (m_features.joints != nullptr) {
+        connect(&m_pads->input(), &PadInput::joints, m_features.joints, [this](double share) {
+            if (m_features.joints->padMoves()) m_features.joints->move(share);
+        });
+    }
     connect(&m_pads->input(), &PadInput::padsChanged, m_preflight,
             [this] { m_preflight->setGamepad(QString::fromStdString(m_pads->input().chosen().name)); });
     connect(m_features.alarms, &AlarmsFeature::soundTroubleChanged, m_preflight,

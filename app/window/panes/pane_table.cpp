@@ -11,6 +11,7 @@
 #include "app/services/coverage/coverage_replay.h"
 #include "app/services/station/station.h"
 #include "app/window/frame/pane_docks.h"
+#include "app/window/input/selection.h"
 #include "app/window/panes/alarms/alarms_feature.h"
 #include "app/window/panes/alarms/logged_alarms.h"
 #include "app/window/panes/camera/camera_feature.h"
@@ -23,6 +24,7 @@
 #include "app/window/panes/finds/finds_by_click.h"
 #include "app/window/panes/finds/finds_feature.h"
 #include "app/window/panes/finds/victims_feature.h"
+#include "app/window/panes/joints/joints_feature.h"
 #include "app/window/panes/link/link_feature.h"
 #include "app/window/panes/link/logged_streams.h"
 #include "app/window/panes/map/decisions/decisions_feature.h"
@@ -117,6 +119,17 @@ QWidget& surroundings(PaneMaking& from) {
     return from.made.scan->pane();
 }
 
+QWidget& joints(PaneMaking& from) {
+    from.made.joints = new JointsFeature(from.view);
+    return from.made.joints->pane();
+}
+
+bool hasJoints(const PaneMaking& from) {
+    const auto& robots = from.view.selection.robots();
+    return std::any_of(robots.begin(), robots.end(),
+                       [](const RobotDescription& robot) { return !robot.jointGroups.empty(); });
+}
+
 QWidget& victims(PaneMaking& from) {
     from.made.victims = new VictimsFeature(*from.live, *from.made.map, *from.made.cameras);
     new FindPointing(*from.live, *from.made.map, *from.made.cameras, *from.made.scan);
@@ -187,6 +200,8 @@ constexpr PaneRow Table[] = {
     {"changes", QT_TRANSLATE_NOOP("Panes", "Changed"), changes, changes},
     {"surroundings", QT_TRANSLATE_NOOP("Panes", "Virtual scan"), surroundings, surroundings, Kind::Plain, 0,
      "scan"},
+    {"joints", QT_TRANSLATE_NOOP("Panes", "Flippers and arm"), joints, joints, Kind::Plain, 0, "", nullptr,
+     hasJoints},
     {"victims", QT_TRANSLATE_NOOP("Panes", "Victims"), victims, nullptr},
     {"finds", QT_TRANSLATE_NOOP("Panes", "Finds"), nullptr, finds, Kind::Plain, 6},
     {"form", QT_TRANSLATE_NOOP("Panes", "Form"), victimForm, findForm, Kind::Sheet},
@@ -217,7 +232,7 @@ PaneFeatures makeAll(PaneMaking from) {
     PaneDocks& docks = from.view.panes;
     for (const PaneRow& row : Table) {
         const PaneRow::Make make = makerFor(from, row);
-        if (make == nullptr) continue;
+        if (make == nullptr || (row.needed != nullptr && !row.needed(from))) continue;
         const QString id = QLatin1String(row.id);
         const QString title = QCoreApplication::translate("Panes", row.title);
         docks.add(id, title, make(from), QLatin1String(row.formerId));

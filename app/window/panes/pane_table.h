@@ -14,6 +14,7 @@ class CameraFeature;
 class CompareFeature;
 class DriveFeature;
 class FindsFeature;
+class JointsFeature;
 class LinkFeature;
 class MapActions;
 class MapFeature;
@@ -26,6 +27,7 @@ struct PaneFeatures {
     CameraFeature* cameras = nullptr;
     MapFeature* map = nullptr;
     ScanFeature* scan = nullptr;
+    JointsFeature* joints = nullptr;  ///< null: no robot has flippers or an arm
     // Of a live window only.
     DriveFeature* drive = nullptr;
     MapActions* actions = nullptr;
@@ -50,6 +52,7 @@ struct PaneMaking {
 /// One pane: its names, its place, and what makes it in each kind of window.
 struct PaneRow {
     using Make = QWidget& (*)(PaneMaking&);
+    using Needed = bool (*)(const PaneMaking&);
     enum class Kind : std::uint8_t {
         Plain,
         Kept,   ///< no other pane opens as a tab over it as long as there is another host (keepInSight())
@@ -66,6 +69,7 @@ struct PaneRow {
     int hostRank = 0;
     const char* formerId = "";  ///< its id in older layouts and arrangements; empty: the same
     Make byHand = nullptr;      ///< null: the window that corrects a map by hand has no such pane
+    Needed needed = nullptr;    ///< whether the window's robots need it; null: always
 };
 
 /// Returns every pane that a window can have, in the order in which they are made and listed.

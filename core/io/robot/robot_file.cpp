@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "core/base/words.h"
+#include "core/io/robot/joint_reader.h"
 #include "core/io/robot/robot_keys.h"
 #include "core/io/robot/robot_names.h"
 #include "core/io/robot/service_reader.h"
@@ -221,7 +222,9 @@ RobotDescription readAll(const YAML::Node& root, YamlErrors& errors) {
     fields.flag("refine_turns", robot.refineTurns);
     if (fields.has("limits")) readLimits(fields.at("limits"), robot, errors);
     readSensors(fields, robot, errors);
+    detail::readJointGroups(fields, robot, errors);
     detail::readStreams(fields, robot, errors);
+    detail::checkJointCommands(fields, robot);
     detail::readServices(fields, robot, errors);
     readBindings(fields, robot, errors);
     readLinkLoss(fields, robot, errors);

@@ -19,6 +19,11 @@ std::vector<std::string> allRobotKeys() {
     add("streams[].qos.", QosKeys);
     add("streams[].thermal.", ThermalKeys);
     add("services[].", ServiceKeys);
+    add("joint_groups[].", JointGroupKeys);
+    add("joint_groups[].joints[].", JointKeys);
+    add("joint_groups[].joints[].link.", JointLinkKeys);
+    add("joint_groups[].axes[].", JointAxisKeys);
+    add("joint_groups[].presets[].", JointPresetKeys);
     all.emplace_back("sensors.NAME");
     all.emplace_back("bindings.ACTION");
     all.emplace_back("link_loss.MODE");

@@ -60,6 +60,16 @@ const Words<TfPrefix>& prefixWords() {
     return words;
 }
 
+const Words<JointType>& jointTypeWords() {
+    static const Words<JointType> words = wordsUpTo(JointType::Prismatic);
+    return words;
+}
+
+const Words<JointCommandMode>& jointCommandWords() {
+    static const Words<JointCommandMode> words = wordsUpTo(JointCommandMode::Velocity);
+    return words;
+}
+
 const Words<LinkLossRule>& linkLossWords() {
     static const Words<LinkLossRule> words = wordsUpTo(LinkLossRule::ReturnToLink);
     return words;

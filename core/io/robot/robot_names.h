@@ -20,6 +20,8 @@ using Words = std::vector<std::pair<std::string, T>>;
 [[nodiscard]] const Words<SensorMotion>& motionWords();
 [[nodiscard]] const Words<TfPrefix>& prefixWords();
 [[nodiscard]] const Words<LinkLossRule>& linkLossWords();
+[[nodiscard]] const Words<JointType>& jointTypeWords();
+[[nodiscard]] const Words<JointCommandMode>& jointCommandWords();
 
 /// Returns the word that stands for @p meaning in a robot's file.
 template <class T>

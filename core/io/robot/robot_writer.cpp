@@ -91,6 +91,7 @@ void writeStream(YAML::Emitter& out, const StreamDescription& stream, const std:
         entry(out, "measured", stream.thermal.measured ? "true" : "false");
         out << YAML::EndMap;
     }
+    if (!stream.group.empty()) entry(out, "group", stream.group);
     if (stream.hardwareId != usual.hardwareId) entry(out, "hardware_id", stream.hardwareId);
     if (!stream.record) entry(out, "record", "false");
     if (stream.maps) entry(out, "maps", "true");
@@ -108,6 +109,70 @@ void writeServices(YAML::Emitter& out, const std::vector<ServiceDescription>& se
         if (service.stop) entry(out, "stop", *service.stop ? "true" : "false");
         out << YAML::EndMap;
     }
+    out << YAML::EndSeq;
+}
+
+/// Returns @p position as files have it: in degrees, or in metres.
+std::string position(const MovedJoint& joint, double value) {
+    return joint.type == JointType::Revolute ? angle(value) : number(value);
+}
+
+void writeJoint(YAML::Emitter& out, const MovedJoint& joint) {
+    out << YAML::Flow << YAML::BeginMap;
+    entry(out, "name", joint.name);
+    if (joint.type != JointType::Revolute) entry(out, "type", toString(joint.type));
+    if (joint.lower) entry(out, "lower", position(joint, *joint.lower));
+    if (joint.upper) entry(out, "upper", position(joint, *joint.upper));
+    entry(out, "rate", position(joint, joint.rate));
+    if (joint.reversed) entry(out, "reversed", "true");
+    if (joint.link) {
+        out << YAML::Key << "link" << YAML::Value << YAML::Flow << YAML::BeginMap;
+        list(out, "at", {number(joint.link->place.x()), number(joint.link->place.y())});
+        entry(out, "length", number(joint.link->length));
+        if (joint.link->zero != 0.0) entry(out, "zero", angle(joint.link->zero));
+        if (!joint.link->parent.empty()) entry(out, "parent", joint.link->parent);
+        out << YAML::EndMap;
+    }
+    out << YAML::EndMap;
+}
+
+void writeJointGroup(YAML::Emitter& out, const JointGroup& group) {
+    out << YAML::BeginMap;
+    entry(out, "name", group.name);
+    entry(out, "title", group.title);
+    entry(out, "command", toString(group.mode));
+    out << YAML::Key << "joints" << YAML::Value << YAML::BeginSeq;
+    for (const MovedJoint& joint : group.joints) writeJoint(out, joint);
+    out << YAML::EndSeq << YAML::Key << "axes" << YAML::Value << YAML::BeginSeq;
+    for (const JointAxis& axis : group.axes) {
+        std::vector<std::string> names;
+        for (const std::size_t joint : axis.joints) names.push_back(group.joints[joint].name);
+        out << YAML::Flow << YAML::BeginMap;
+        entry(out, "title", axis.title);
+        list(out, "joints", names);
+        out << YAML::EndMap;
+    }
+    out << YAML::EndSeq;
+    if (!group.presets.empty()) {
+        out << YAML::Key << "presets" << YAML::Value << YAML::BeginSeq;
+        for (const JointPreset& preset : group.presets) {
+            std::vector<std::string> positions;
+            for (std::size_t i = 0; i < preset.positions.size(); ++i)
+                positions.push_back(position(group.joints[i], preset.positions[i]));
+            out << YAML::Flow << YAML::BeginMap;
+            entry(out, "title", preset.title);
+            list(out, "positions", positions);
+            out << YAML::EndMap;
+        }
+        out << YAML::EndSeq;
+    }
+    out << YAML::EndMap;
+}
+
+void writeJointGroups(YAML::Emitter& out, const std::vector<JointGroup>& groups) {
+    if (groups.empty()) return;
+    out << YAML::Key << "joint_groups" << YAML::Value << YAML::BeginSeq;
+    for (const JointGroup& group : groups) writeJointGroup(out, group);
     out << YAML::EndSeq;
 }
 
@@ -181,6 +246,7 @@ std::string writeRobot(const RobotDescription& given) {
     for (const StreamDescription& stream : robot.streams) writeStream(out, stream, robot.name);
     out << YAML::EndSeq;
     writeServices(out, robot.services);
+    writeJointGroups(out, robot.jointGroups);
     writeMaps(out, robot);
     out << YAML::EndMap;
     return std::string(out.c_str()) + "\n";

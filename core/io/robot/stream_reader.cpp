@@ -166,6 +166,7 @@ private:
                      translatable("leitstand::Error",
                                   "expected one stream that makes the map, found {} of line {} again"));
         }
+        readGroup(fields, stream);
         if (!only(
                 "thermal", stream.role == StreamRole::Thermal,
                 translatable("leitstand::Error", "expected it only for thermal, found it for {} of type {}")))
@@ -176,10 +177,41 @@ private:
         thermal.flag("measured", stream.thermal.measured);
     }
 
+    void readGroup(const YamlFields& fields, StreamDescription& stream) {
+        if (stream.role != StreamRole::JointCommand) {
+            if (fields.has("group"))
+                fields.fail("group", leitstand::fill(translate("leitstand::Error",
+                                                               "expected it only for joint_command, found it "
+                                                               "for {}"),
+                                                     toString(stream.role)));
+            return;
+        }
+        std::vector<std::string> names;
+        for (const JointGroup& group : m_robot.jointGroups) names.push_back(group.name);
+        const auto refuse = [&](const std::string& found) {
+            fields.fail("group",
+                        leitstand::fill(translate("leitstand::Error",
+                                                  "expected the name of one of joint_groups, found {}{}"),
+                                        found, likely(stream.group, names)));
+        };
+        if (!fields.has("group")) return refuse(translate("leitstand::Error", "nothing"));
+        if (!fields.text("group", stream.group)) return;
+        const auto found = std::find_if(m_robot.jointGroups.begin(), m_robot.jointGroups.end(),
+                                        [&](const JointGroup& group) { return group.name == stream.group; });
+        if (found == m_robot.jointGroups.end()) return refuse(shown(stream.group));
+        once(fields, m_groups, stream.group, "group",
+             translatable("leitstand::Error",
+                          "expected one stream for each group, found {} of line {} again"));
+        if (found->mode == JointCommandMode::Velocity && stream.type == "trajectory_msgs/msg/JointTrajectory")
+            fields.fail("type", translate("leitstand::Error",
+                                          "expected positions in a JointTrajectory, found a group that is "
+                                          "commanded by velocity"));
+    }
+
     RobotDescription& m_robot;
     YamlErrors& m_errors;
     std::vector<std::string> m_sensors;
-    Lines m_topics, m_roles, m_maps;
+    Lines m_topics, m_roles, m_maps, m_groups;
 };
 
 }  // namespace

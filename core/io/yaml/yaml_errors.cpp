@@ -14,7 +14,7 @@ constexpr std::size_t LongestQuote = 40;  ///< [B]
 constexpr std::size_t LongestWord = 64;   ///< of a word to compare with others [B]
 constexpr std::size_t MostErrors = 100;   ///< that are reported
 constexpr std::size_t MostKept = 10'000;  ///< kept, so that the reported ones are the first
-constexpr std::size_t MostAlternatives = 30;
+constexpr std::size_t MostAlternatives = 40;
 
 /// Returns the Levenshtein distance.
 std::size_t distance(std::string_view a, std::string_view b) {

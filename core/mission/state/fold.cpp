@@ -316,6 +316,8 @@ private:
     void handle(const CloudSample&) {}
     void handle(const RangesSample&) {}
     void handle(const JointSample&) {}
+    void handle(const JointTrajectorySample&) {}
+    void handle(const NumbersSample&) {}
     void handle(const PictureSample&) {}
     void handle(const CameraInfoSample&) {}
     void handle(const PongSample&) {}

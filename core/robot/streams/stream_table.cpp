@@ -42,6 +42,8 @@ constexpr Type StreamOrder[] = {"leitstand_msgs/msg/StreamCommand"};
 constexpr Type Occupancy[] = {"nav_msgs/msg/OccupancyGrid"};
 constexpr Type OccupancyChange[] = {"map_msgs/msg/OccupancyGridUpdate"};
 constexpr Type Flag[] = {"std_msgs/msg/Bool"};
+constexpr Type JointOrder[] = {"trajectory_msgs/msg/JointTrajectory", "std_msgs/msg/Float64MultiArray",
+                               "sensor_msgs/msg/JointState"};
 constexpr Type PlannedPath[] = {"nav_msgs/msg/Path"};
 constexpr Type Question[] = {"leitstand_msgs/msg/Ping"};
 
@@ -348,6 +350,13 @@ constexpr StreamFacts Table[] = {
      .topic = "stop_lock",
      .qos = Command,
      .single = true,
+     .guessedBy = GuessedBy::Name},
+    {.role = StreamRole::JointCommand,
+     .types = JointOrder,
+     .topic = "joint_trajectory",
+     .qos = Stick,
+     .several = true,
+     .thinnedAs = ThinnedAs::Other,
      .guessedBy = GuessedBy::Name},
 };
 

@@ -113,10 +113,11 @@ PadBindings defaultBindings(PadLayout layout) {
     stick(PadAction::PanLeft, axis::RightX, -1);
     stick(PadAction::TiltUp, axis::RightY, -1);
     bindings.commands = {
-        {"robot.next", padButton(button::Y)},     {"camera.recentre", padButton(button::RightStick)},
-        {"pad.legend", padButton(button::Back)},  {"victim.freeze", padButton(button::X)},
-        {"victim.confirm", padButton(button::A)}, {"form.previous", padButton(button::Up)},
-        {"form.next", padButton(button::Down)},   {"form.change", padButton(button::Right)}};
+        {"robot.next", padButton(button::Y)},      {"camera.recentre", padButton(button::RightStick)},
+        {"pad.legend", padButton(button::Back)},   {"victim.freeze", padButton(button::X)},
+        {"victim.confirm", padButton(button::A)},  {"form.previous", padButton(button::Up)},
+        {"form.next", padButton(button::Down)},    {"form.change", padButton(button::Right)},
+        {"joints.next", padButton(button::Start)}, {"joints.pad", padButton(button::LeftStick)}};
     return bindings;
 }
 

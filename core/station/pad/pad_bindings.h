@@ -90,7 +90,7 @@ struct PadBindings {
 /// Returns the default bindings of a known pad. Other joysticks have none, so that nothing moves
 /// unexpectedly. Left trigger: dead-man; right trigger: turbo. Right shoulder: slow; left shoulder: drives
 /// without eyes. Left stick: drives; right stick: turns cameras. B stops all, X files a victim, A confirms
-/// it, the cross fills in its form.
+/// it, the cross fills in its form. Left stick pressed: the right one moves joints; Start: the next of them.
 [[nodiscard]] PadBindings defaultBindings(PadLayout layout);
 
 /// Binds @p action to @p control, and the opposite action to the other end of a stick. Earlier bindings of

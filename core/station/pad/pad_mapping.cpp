@@ -92,7 +92,9 @@ void PadMapping::readCameras(const PadState& state, PadRequests& requests) {
     const double pan = shapedOf(m_bindings, PadAction::PanLeft, state),
                  tilt = shapedOf(m_bindings, PadAction::TiltUp, state);
     if (pan == 0.0 && tilt == 0.0) m_camerasFree = true;
-    if (m_camerasFree) requests.cameras = {m_bindings.cameraRate * pan, m_bindings.cameraRate * tilt};
+    if (!m_camerasFree) return;
+    requests.cameras = {m_bindings.cameraRate * pan, m_bindings.cameraRate * tilt};
+    if (requests.driving) requests.joints = tilt;
 }
 
 }  // namespace leitstand

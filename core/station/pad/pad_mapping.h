@@ -23,6 +23,7 @@ struct PadRequests {
     bool withoutEyes = false;           ///< while driving: old pictures do not limit the speed
     bool needsNeutral = false;          ///< the trigger is held, but trigger or sticks must be released first
     PanTiltRate cameras;                ///< needs no trigger, since turning cameras is harmless
+    double joints = 0.0;                ///< while driving: share for joints, up positive (stick of TiltUp)
     bool stop = false;                  ///< the button that stops all robots was pressed
     std::vector<std::string> commands;  ///< commands whose controls were pressed
     friend bool operator==(const PadRequests&, const PadRequests&) = default;

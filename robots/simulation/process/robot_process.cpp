@@ -31,6 +31,7 @@
 #include "robots/simulation/process/pace.h"
 #include "robots/simulation/process/truth_exchange.h"
 #include "robots/simulation/simulated_hardware.h"
+#include "robots/simulation/stock/stock_joints.h"
 #include "robots/simulation/stock/stock_localisation.h"
 #include "robots/simulation/stock/stock_navigation.h"
 #include "robots/simulation/stock/stock_others.h"
@@ -138,18 +139,22 @@ struct Life {
     const StockServices& services;
     StockNavigation* navigation;  ///< null: the robot has none
     StockLocalisation& localisation;
+    StockJoints& joints;
     TruthExchange& truth;
     FrozenPictures& cameras;
     double gravity;  ///< unit of accelerations that it reports [m/s2]
 };
 
 void turn(const Life& life) {
-    auto& [world, agent, wire, others, services, navigation, localisation, truth, cameras, gravity] = life;
+    auto& [world, agent, wire, others, services, navigation, localisation, joints, truth, cameras, gravity] =
+        life;
     truth.take(world);
     world.advance(Pace::Step);
     for (const ReceivedCommand& command : wire.take()) {
         if (const auto* grant = command.sample.as<GrantSample>()) {
             agent.receive(*grant, command.from);
+        } else if (command.role == StreamRole::JointCommand) {
+            joints.receive(command.group, command.sample);
         } else if (!services.motorsAreOff() || command.role != StreamRole::DriveCommand) {
             agent.receive(command.role, command.sample, command.from);
         }
@@ -160,10 +165,12 @@ void turn(const Life& life) {
         const auto command = navigation->step(world.now(), samples);
         if (command && !services.motorsAreOff()) agent.receive(StreamRole::DriveCommand, *command, {});
     }
+    joints.step(world.now(), !services.motorsAreOff());
     for (HardwareSample& added : localisation.step(world, samples)) samples.push_back(std::move(added));
     for (HardwareSample& sample : samples) {
         if (services.camerasAreOff() && streamFacts(sample.role).picture) continue;
         cameras.pass(sample, frozen != 0);
+        if (auto* const said = sample.sample.edit<JointSample>()) joints.addTo(*said);
         auto* const imu = gravity == 1.0 ? nullptr : sample.sample.edit<ImuSample>();
         if (imu != nullptr && imu->linearAcceleration) *imu->linearAcceleration /= gravity;
         wire.publish(sample);
@@ -262,8 +269,9 @@ Result<void> runRobot(const RobotOptions& options) {
     std::fflush(stdout);
     FrozenPictures cameras;
     StockLocalisation localisation(world, number, *robot);
-    live({world, **agent, **wire, others, **services, navigation->get(), localisation, **truth, cameras,
-          options.stock != nullptr ? options.stock->gravity : 1.0},
+    StockJoints joints(*robot);
+    live({world, **agent, **wire, others, **services, navigation->get(), localisation, joints, **truth,
+          cameras, options.stock != nullptr ? options.stock->gravity : 1.0},
          pace);
     return {};
 }

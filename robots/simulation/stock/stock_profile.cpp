@@ -105,18 +105,17 @@ constexpr StockTopic Livox[] = {
     {"joint_states", "sensor_msgs/msg/JointState", Default, 50.0},
 };
 
-// ros2_controllers: diff_drive_controller, joint_state_broadcaster, joint_trajectory_controller;
-// velodyne_pointcloud; ffmpeg_image_transport beside usb_cam.
+// ros2_controllers: diff_drive_controller, joint_state_broadcaster, joint_trajectory_controller,
+// velocity_controllers (JointGroupVelocityController); velodyne_pointcloud; ffmpeg_image_transport beside
+// usb_cam.
 constexpr StockTopic Tracked[] = {
     {"/rosout", "rcl_interfaces/msg/Log", Latched, 1.0},
     {"/parameter_events", "rcl_interfaces/msg/ParameterEvent", Default, 0.0},
     {"robot_description", "std_msgs/msg/String", Latched, 0.0},
-    {"joint_states", "sensor_msgs/msg/JointState", Default, 50.0},
     {"dynamic_joint_states", "control_msgs/msg/DynamicJointState", Default, 50.0},
     {"flipper_controller/controller_state", "control_msgs/msg/JointTrajectoryControllerState", Default, 50.0},
     {"flipper_controller/transition_event", "lifecycle_msgs/msg/TransitionEvent", Default, 0.0},
-    {"arm_controller/controller_state", "control_msgs/msg/JointTrajectoryControllerState", Default, 50.0},
-    {"arm_controller/transition_event", "lifecycle_msgs/msg/TransitionEvent", Default, 0.0},
+    {"arm_velocity_controller/transition_event", "lifecycle_msgs/msg/TransitionEvent", Default, 0.0},
     {"velodyne_packets", "velodyne_msgs/msg/VelodyneScan", SensorData, 10.0},
 };
 

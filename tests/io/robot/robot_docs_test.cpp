@@ -19,8 +19,10 @@
 namespace leitstand::test {
 namespace {
 
+/// The pages about robots' files.
 std::string page() {
-    return readText(std::filesystem::path(sourceFolder()) / "docs/robots.md");
+    const std::filesystem::path docs = std::filesystem::path(sourceFolder()) / "docs";
+    return readText(docs / "robots.md") + readText(docs / "robot-joints.md");
 }
 
 /// Rows of the tables in the chapter @p title whose first cell is code: their cells.

@@ -15,6 +15,27 @@
 namespace leitstand::test {
 namespace {
 
+void expectSame(const JointGroup& a, const JointGroup& b) {
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.title, b.title);
+    EXPECT_EQ(a.mode, b.mode);
+    EXPECT_EQ(a.axes, b.axes);
+    EXPECT_EQ(a.presets, b.presets);
+    ASSERT_EQ(a.joints.size(), b.joints.size());
+    for (std::size_t i = 0; i < a.joints.size(); ++i) {
+        const MovedJoint &one = a.joints[i], &other = b.joints[i];
+        EXPECT_EQ(one.name, other.name);
+        EXPECT_EQ(one.type, other.type);
+        EXPECT_EQ(one.reversed, other.reversed);
+        EXPECT_EQ(one.link, other.link);
+        EXPECT_NEAR(one.rate, other.rate, 1e-11);
+        ASSERT_EQ(one.lower.has_value(), other.lower.has_value());
+        ASSERT_EQ(one.upper.has_value(), other.upper.has_value());
+        EXPECT_NEAR(one.lower.value_or(0.0), other.lower.value_or(0.0), 1e-11);
+        EXPECT_NEAR(one.upper.value_or(0.0), other.upper.value_or(0.0), 1e-11);
+    }
+}
+
 void expectSame(const RobotDescription& a, const RobotDescription& b) {
     EXPECT_EQ(a.letter, b.letter);
     EXPECT_EQ(a.name, b.name);
@@ -35,6 +56,8 @@ void expectSame(const RobotDescription& a, const RobotDescription& b) {
     EXPECT_EQ(a.drive, b.drive);
     EXPECT_EQ(a.bindings, b.bindings);
     EXPECT_EQ(a.linkLoss, b.linkLoss);
+    ASSERT_EQ(a.jointGroups.size(), b.jointGroups.size());
+    for (std::size_t i = 0; i < a.jointGroups.size(); ++i) expectSame(a.jointGroups[i], b.jointGroups[i]);
     ASSERT_EQ(a.sensors.size(), b.sensors.size());
     for (const auto& [name, sensor] : a.sensors) {
         ASSERT_TRUE(b.sensors.contains(name)) << name;
@@ -224,12 +247,39 @@ private:
             if (role == StreamRole::Thermal)
                 stream.thermal = {0.1 / (1 + below(9)), 1.0 / 3.0, below(2) == 0};
             if (role == StreamRole::Diagnostics) stream.hardwareId = below(2) == 0 ? "" : title();
+            if (role == StreamRole::JointCommand) addGroup(robot, stream);
             stream.record = below(2) == 0;
             stream.maps = role == StreamRole::Points && below(2) == 0;
             robot.streams.push_back(stream);
         }
     }
 
+    /// Adds a group of joints that @p stream commands. Positions are whole degrees, which files hold exactly.
+    void addGroup(RobotDescription& robot, StreamDescription& stream) {
+        JointGroup group;
+        group.name = stream.group = word();
+        group.title = title();
+        const bool trajectories = stream.type == "trajectory_msgs/msg/JointTrajectory";
+        group.mode = trajectories ? JointCommandMode::Position : static_cast<JointCommandMode>(below(2));
+        for (int i = below(4); i >= 0; --i) {
+            MovedJoint joint;
+            joint.name = fmt::format("{} {}", title(), i);
+            joint.type = static_cast<JointType>(below(2));
+            const double one = joint.type == JointType::Revolute ? degrees(1) : 0.125;
+            if (joint.type == JointType::Prismatic || below(2) == 0) joint.lower = -one * below(40);
+            if (joint.type == JointType::Prismatic || below(2) == 0) joint.upper = one * (1 + below(40));
+            joint.rate = one * (1 + below(9));
+            joint.reversed = below(2) == 0;
+            if (below(2) == 0)
+                joint.link =
+                    JointLink{{number(-1, 1), number(-1, 1)}, number(0.1, 1), degrees(below(90)), {}};
+            if (joint.link && !group.joints.empty()) joint.link->parent = group.joints.front().name;
+            group.joints.push_back(joint);
+        }
+        group.axes = {{title(), {0}}, {title(), {group.joints.size() - 1}}};
+        group.presets = {{title(), std::vector<double>(group.joints.size(), 0.0)}};
+        robot.jointGroups.push_back(group);
+    }
     int below(int end) { return std::uniform_int_distribution<int>(0, end - 1)(m_random); }
     double number(double from, double to) { return std::uniform_real_distribution<>(from, to)(m_random); }
     std::string word() {

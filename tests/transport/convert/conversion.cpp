@@ -11,7 +11,9 @@
 #include "messages/map_msgs.h"
 #include "messages/nav_msgs.h"
 #include "messages/sensor_msgs.h"
+#include "messages/std_msgs.h"
 #include "messages/tf2_msgs.h"
+#include "messages/trajectory_msgs.h"
 
 namespace leitstand::test {
 namespace {
@@ -44,22 +46,23 @@ const std::vector<Entry>& allEntries() {
     static const auto all = entries<
         builtin_interfaces::Time, builtin_interfaces::Duration, std_msgs::Header, std_msgs::Bool,
         std_msgs::Empty, std_msgs::Float32, std_msgs::Float64, std_msgs::Int32, std_msgs::String,
-        std_msgs::UInt32, geometry_msgs::Vector3, geometry_msgs::Point, geometry_msgs::Quaternion,
-        geometry_msgs::Pose, geometry_msgs::PoseStamped, geometry_msgs::PoseWithCovariance,
-        geometry_msgs::Twist, geometry_msgs::TwistStamped, geometry_msgs::TwistWithCovariance,
-        geometry_msgs::Transform, geometry_msgs::TransformStamped, nav_msgs::Odometry, nav_msgs::MapMetaData,
-        nav_msgs::OccupancyGrid, nav_msgs::Path, map_msgs::OccupancyGridUpdate, tf2_msgs::TFMessage,
-        diagnostic_msgs::KeyValue, diagnostic_msgs::DiagnosticStatus, diagnostic_msgs::DiagnosticArray,
-        sensor_msgs::PointField, sensor_msgs::PointCloud2, sensor_msgs::LaserScan, sensor_msgs::Image,
-        sensor_msgs::CompressedImage, sensor_msgs::RegionOfInterest, sensor_msgs::CameraInfo,
-        sensor_msgs::Imu, sensor_msgs::JointState, sensor_msgs::BatteryState, lm::GasConcentration, lm::Mode,
-        lm::Bumper, lm::Bumps, lm::Sighting, lm::Sightings, lm::StopState, lm::Pong, lm::StopCommand,
-        lm::ModeCommand, lm::StreamCommand, lm::Ping, lm::Grant, lm::VictimSign, lm::VictimEvidence,
-        lm::Victim, lm::Cue, lm::Candidate, lm::MissionInfo, lm::KeyScan, lm::ScanPose, lm::ScanPoses,
-        lm::ScanLink, lm::ScanLinks, lm::BodyInScan, lm::BodiesOfScan, lm::ScanBodies, lm::MapCrop,
-        lm::RobotPlace, lm::MissionClock, lm::ClockOffset, lm::Undo, lm::Checkpoint, lm::Note, lm::Session,
-        lm::Alarm, ffmpeg_image_transport_msgs::FFMPEGPacket, foxglove_msgs::CompressedVideo,
-        livox_ros_driver2::CustomPoint, livox_ros_driver2::CustomMsg>();
+        std_msgs::UInt32, std_msgs::MultiArrayDimension, std_msgs::MultiArrayLayout,
+        std_msgs::Float64MultiArray, trajectory_msgs::JointTrajectoryPoint, trajectory_msgs::JointTrajectory,
+        geometry_msgs::Vector3, geometry_msgs::Point, geometry_msgs::Quaternion, geometry_msgs::Pose,
+        geometry_msgs::PoseStamped, geometry_msgs::PoseWithCovariance, geometry_msgs::Twist,
+        geometry_msgs::TwistStamped, geometry_msgs::TwistWithCovariance, geometry_msgs::Transform,
+        geometry_msgs::TransformStamped, nav_msgs::Odometry, nav_msgs::MapMetaData, nav_msgs::OccupancyGrid,
+        nav_msgs::Path, map_msgs::OccupancyGridUpdate, tf2_msgs::TFMessage, diagnostic_msgs::KeyValue,
+        diagnostic_msgs::DiagnosticStatus, diagnostic_msgs::DiagnosticArray, sensor_msgs::PointField,
+        sensor_msgs::PointCloud2, sensor_msgs::LaserScan, sensor_msgs::Image, sensor_msgs::CompressedImage,
+        sensor_msgs::RegionOfInterest, sensor_msgs::CameraInfo, sensor_msgs::Imu, sensor_msgs::JointState,
+        sensor_msgs::BatteryState, lm::GasConcentration, lm::Mode, lm::Bumper, lm::Bumps, lm::Sighting,
+        lm::Sightings, lm::StopState, lm::Pong, lm::StopCommand, lm::ModeCommand, lm::StreamCommand, lm::Ping,
+        lm::Grant, lm::VictimSign, lm::VictimEvidence, lm::Victim, lm::Cue, lm::Candidate, lm::MissionInfo,
+        lm::KeyScan, lm::ScanPose, lm::ScanPoses, lm::ScanLink, lm::ScanLinks, lm::BodyInScan,
+        lm::BodiesOfScan, lm::ScanBodies, lm::MapCrop, lm::RobotPlace, lm::MissionClock, lm::ClockOffset,
+        lm::Undo, lm::Checkpoint, lm::Note, lm::Session, lm::Alarm, ffmpeg_image_transport_msgs::FFMPEGPacket,
+        foxglove_msgs::CompressedVideo, livox_ros_driver2::CustomPoint, livox_ros_driver2::CustomMsg>();
     return all;
 }
 

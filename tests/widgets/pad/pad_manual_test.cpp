@@ -81,10 +81,11 @@ TEST(PadManual, TellsWhatEachControlOfANewPadDoes) {
 
 TEST(PadManual, TellsTheCommandsThatANewPadGives) {
     const std::map<std::string, std::string> words = {
-        {"robot.next", "next robot"},      {"camera.recentre", "re-centres the cameras"},
-        {"pad.legend", "this table"},      {"victim.freeze", "files what the robot sees"},
-        {"victim.confirm", "confirms"},    {"form.previous", "the previous field"},
-        {"form.next", "goes to the next"}, {"form.change", "field's next choice"}};
+        {"robot.next", "next robot"},       {"camera.recentre", "re-centres the cameras"},
+        {"pad.legend", "this table"},       {"victim.freeze", "files what the robot sees"},
+        {"victim.confirm", "confirms"},     {"form.previous", "the previous field"},
+        {"form.next", "goes to the next"},  {"form.change", "field's next choice"},
+        {"joints.pad", "flippers and arm"}, {"joints.next", "the next of them"}};
     const PadBindings bindings = defaultBindings(PadLayout::Standard);
     for (const PadCommand& command : bindings.commands) {
         ASSERT_TRUE(words.contains(command.id)) << command.id << " is new: add it to the manual and here";

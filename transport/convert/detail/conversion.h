@@ -106,6 +106,7 @@ Conversion decoding() {
 [[nodiscard]] std::vector<Conversion> pictureConversions();
 [[nodiscard]] std::vector<Conversion> statusConversions();
 [[nodiscard]] std::vector<Conversion> commandConversions();
+[[nodiscard]] std::vector<Conversion> jointConversions();
 [[nodiscard]] std::vector<Conversion> mapConversions();
 [[nodiscard]] std::vector<Conversion> stationConversions();
 [[nodiscard]] std::vector<Conversion> victimConversions();

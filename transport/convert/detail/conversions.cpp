@@ -5,9 +5,10 @@ namespace leitstand::detail {
 const std::vector<Conversion>& conversions() {
     static const std::vector<Conversion> all = [] {
         std::vector<Conversion> rows;
-        for (const auto& some : {cloudConversions(), motionConversions(), navigationConversions(),
-                                 pictureConversions(), statusConversions(), commandConversions(),
-                                 mapConversions(), stationConversions(), victimConversions()})
+        for (const auto& some :
+             {cloudConversions(), motionConversions(), navigationConversions(), pictureConversions(),
+              statusConversions(), commandConversions(), jointConversions(), mapConversions(),
+              stationConversions(), victimConversions()})
             rows.insert(rows.end(), some.begin(), some.end());
         return rows;
     }();

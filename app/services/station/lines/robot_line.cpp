@@ -7,6 +7,7 @@
 #include "core/base/time.h"
 #include "core/base/words.h"
 #include "core/event/stream_role.h"
+#include "core/robot/joints/joint_message.h"
 #include "transport/convert/encode.h"
 
 namespace leitstand {
@@ -37,6 +38,13 @@ Result<void> RobotLine::open(Node& node, const std::string& station, Driving wit
         auto publisher = node.publisher({stream->topic, stream->type, qos, Flow::Immediate});
         if (!publisher) return publisher.error();
         m_commands.emplace(role, Command{stream->type, std::move(publisher).value()});
+    }
+    for (const JointGroup& group : m_robot.jointGroups) {
+        const StreamDescription* const stream = m_robot.commandsOf(group);
+        if (stream == nullptr) continue;
+        auto publisher = node.publisher({stream->topic, stream->type, stream->qos, Flow::Immediate});
+        if (!publisher) return publisher.error();
+        m_joints.emplace(group.name, Command{stream->type, std::move(publisher).value()});
     }
     if (const ServiceDescription* const action = m_robot.navigation()) {
         auto navigation = NavigationClient::create(node, action->name);
@@ -101,6 +109,17 @@ Result<void> RobotLine::publish(StreamRole role, const Sample& command) {
                                      m_robot.name, toString(role))};
     }
     const auto cdr = encode(command, found->second.type);
+    if (!cdr) return cdr.error();
+    return found->second.publisher->write(*cdr);
+}
+
+Result<void> RobotLine::moveJoints(const JointGroup& group, const JointSetpoints& setpoints) {
+    const auto found = m_joints.find(group.name);
+    if (found == m_joints.end()) {
+        return Error{leitstand::fill(translate("leitstand::Error", "{}: its file names no {} stream"),
+                                     m_robot.name, toString(StreamRole::JointCommand))};
+    }
+    const auto cdr = encode(jointMessage(group, setpoints, found->second.type), found->second.type);
     if (!cdr) return cdr.error();
     return found->second.publisher->write(*cdr);
 }

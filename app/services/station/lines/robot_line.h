@@ -12,6 +12,7 @@
 #include "app/services/mapping/robot_sight.h"
 #include "app/services/station/lines/robot_calls.h"
 #include "core/base/result.h"
+#include "core/robot/joints/joint_control.h"
 #include "core/robot/robot_description.h"
 #include "transport/link/drive_streamer.h"
 #include "transport/link/link_client.h"
@@ -54,6 +55,9 @@ public:
     /// Publishes a command other than for driving and stopping. Error when the robot does not take such
     /// commands.
     Result<void> publish(StreamRole role, const Sample& command);
+    /// Tells the joints of @p group @p setpoints. Errors: nothing commands that group, or it cannot be
+    /// written.
+    Result<void> moveJoints(const JointGroup& group, const JointSetpoints& setpoints);
     /// Sends the robot to @p goal: by the action of its navigation if that is offered, otherwise by its
     /// topic.
     Result<void> goTo(const PoseSample& goal);
@@ -73,6 +77,7 @@ private:
     std::atomic<bool> m_linkLost = false;
     std::atomic<std::int64_t> m_clockAhead = 0;  ///< robot's clock minus station's clock [ns]
     std::map<StreamRole, Command> m_commands;
+    std::map<std::string, Command> m_joints;  ///< by group
     std::vector<std::string> m_problems;
     std::unique_ptr<RobotCalls> m_calls;
     std::unique_ptr<LinkClient> m_link;

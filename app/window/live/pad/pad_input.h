@@ -62,6 +62,8 @@ signals:
     /// @p needs: the trigger is held without effect, because trigger or sticks must be released first. False:
     /// no longer.
     void needsNeutral(bool needs);
+    void joints(
+        double share);  ///< as panTilt(), of the stick that tilts cameras; only while the trigger is held
     void panTilt(const leitstand::PanTiltRate& rate);  ///< sent at 20 Hz while it is not zero, then one zero
     void stopPressed();
     void commandWanted(const QString& id);
