@@ -41,8 +41,6 @@ JointsPanel::JointsPanel(QWidget* parent)
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->horizontalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(JointRowsModel::Title, QHeaderView::Stretch);
-    m_table->horizontalHeader()->setSectionResizeMode(JointRowsModel::Position,
-                                                      QHeaderView::ResizeToContents);
     m_table->setTextElideMode(Qt::ElideRight);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -99,6 +97,10 @@ void JointsPanel::show(const RobotDescription* robot, const JointGroupViews& now
         const QSignalBlocker quiet(m_table->selectionModel());
         m_model.show(rows);
     }
+    // The header is hidden: its word needs no room.
+    m_table->horizontalHeader()->resizeSection(
+        JointRowsModel::Position,
+        static_cast<QAbstractItemView*>(m_table)->sizeHintForColumn(JointRowsModel::Position));
     const int row = at == rows.end() ? -1 : static_cast<int>(at - rows.begin());
     if (m_table->currentIndex().row() != row) chooseRow(*m_table, row);
     std::vector<JointLine> lines;
