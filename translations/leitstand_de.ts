@@ -239,6 +239,10 @@
         <source>Flippers and arm</source>
         <translation>Flipper und Arm</translation>
     </message>
+    <message>
+        <source>Topics</source>
+        <translation>Topics</translation>
+    </message>
 </context>
 <context>
     <name>PdfText</name>
@@ -3429,6 +3433,23 @@ Funk: %4 %5</translation>
     <message>
         <source>no pictures</source>
         <translation>keine Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FieldRowsModel</name>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>%1
+A click plots it</source>
+        <translation>%1
+Ein Klick zeichnet den Verlauf</translation>
     </message>
 </context>
 <context>
@@ -9648,6 +9669,101 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::TopicRowsModel</name>
+    <message>
+        <source>Topic</source>
+        <translation>Topic</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Nobody publishes it</source>
+        <translation>Niemand veröffentlicht es</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TopicWords</name>
+    <message>
+        <source>Nothing came yet</source>
+        <translation>Noch nichts gekommen</translation>
+    </message>
+    <message>
+        <source>%1 ms ago</source>
+        <translation>vor %1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>vor %1 s</translation>
+    </message>
+    <message>
+        <source>%1 Hz · %2 Mbit/s · %3</source>
+        <translation>%1 Hz · %2 Mbit/s · %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Topics</name>
+    <message>
+        <source>{} numbers: {} ...</source>
+        <translation>{} Zahlen: {} ...</translation>
+    </message>
+    <message>
+        <source> ({} to {})</source>
+        <translation> ({} bis {})</translation>
+    </message>
+    <message>
+        <source>{} elements</source>
+        <translation>{} Elemente</translation>
+    </message>
+    <message>
+        <source>The text of {} is not known here: its fields cannot be shown</source>
+        <translation>Der Text von {} ist hier nicht bekannt: seine Felder können nicht gezeigt werden</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TopicsFeature</name>
+    <message>
+        <source>&amp;Topics of the network</source>
+        <translation>&amp;Topics im Netz</translation>
+    </message>
+    <message>
+        <source>Lists all topics, and shows what comes on one of them</source>
+        <translation>Listet alle Topics auf und zeigt, was auf einem davon kommt</translation>
+    </message>
+    <message>
+        <source> · not all of its fields</source>
+        <translation> · nicht alle Felder</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TopicsPanel</name>
+    <message>
+        <source>Topics</source>
+        <translation>Topics</translation>
+    </message>
+    <message>
+        <source>Words of topic, type or node</source>
+        <translation>Wörter aus Topic, Typ oder Knoten</translation>
+    </message>
+    <message>
+        <source>Topics of the domain</source>
+        <translation>Topics der Domäne</translation>
+    </message>
+    <message>
+        <source>The newest message of the chosen topic</source>
+        <translation>Die neueste Nachricht des gewählten Topics</translation>
+    </message>
+    <message>
+        <source>Choose a topic: what comes on it is shown here, and only then loads the link</source>
+        <translation>Ein Topic wählen: hier steht dann, was darauf kommt; erst dann belastet es die Verbindung</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::TransportBar</name>
     <message>
         <source>Speed of the review</source>
@@ -9660,6 +9776,13 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
     <message>
         <source>%1   %2 of %3</source>
         <translation>%1   %2 von %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TrendPlot</name>
+    <message>
+        <source>Plot</source>
+        <translation>Verlauf</translation>
     </message>
 </context>
 <context>

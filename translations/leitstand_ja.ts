@@ -239,6 +239,10 @@
         <source>Flippers and arm</source>
         <translation>フリッパーとアーム</translation>
     </message>
+    <message>
+        <source>Topics</source>
+        <translation>トピック</translation>
+    </message>
 </context>
 <context>
     <name>PdfText</name>
@@ -3429,6 +3433,23 @@ Link: %4 %5</source>
     <message>
         <source>no pictures</source>
         <translation>画像なし</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FieldRowsModel</name>
+    <message>
+        <source>Field</source>
+        <translation>フィールド</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>%1
+A click plots it</source>
+        <translation>%1
+クリックでグラフ表示</translation>
     </message>
 </context>
 <context>
@@ -9648,6 +9669,101 @@ A function of this program, no certified emergency stop.</source>
     </message>
 </context>
 <context>
+    <name>leitstand::TopicRowsModel</name>
+    <message>
+        <source>Topic</source>
+        <translation>トピック</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>型</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>ノード</translation>
+    </message>
+    <message>
+        <source>Nobody publishes it</source>
+        <translation>誰も送信していません</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TopicWords</name>
+    <message>
+        <source>Nothing came yet</source>
+        <translation>まだ何も届いていません</translation>
+    </message>
+    <message>
+        <source>%1 ms ago</source>
+        <translation>%1 ms前</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>%1 s前</translation>
+    </message>
+    <message>
+        <source>%1 Hz · %2 Mbit/s · %3</source>
+        <translation>%1 Hz · %2 Mbit/s · %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Topics</name>
+    <message>
+        <source>{} numbers: {} ...</source>
+        <translation>数値{}個: {} ...</translation>
+    </message>
+    <message>
+        <source> ({} to {})</source>
+        <translation>（{}～{}）</translation>
+    </message>
+    <message>
+        <source>{} elements</source>
+        <translation>要素{}個</translation>
+    </message>
+    <message>
+        <source>The text of {} is not known here: its fields cannot be shown</source>
+        <translation>{}の定義が不明なため、フィールドを表示できません</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TopicsFeature</name>
+    <message>
+        <source>&amp;Topics of the network</source>
+        <translation>ネットワークのトピック(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Lists all topics, and shows what comes on one of them</source>
+        <translation>すべてのトピックを一覧し、その一つに届く内容を表示します</translation>
+    </message>
+    <message>
+        <source> · not all of its fields</source>
+        <translation> · フィールドは一部のみ</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TopicsPanel</name>
+    <message>
+        <source>Topics</source>
+        <translation>トピック</translation>
+    </message>
+    <message>
+        <source>Words of topic, type or node</source>
+        <translation>トピック、型、ノードの語</translation>
+    </message>
+    <message>
+        <source>Topics of the domain</source>
+        <translation>ドメインのトピック</translation>
+    </message>
+    <message>
+        <source>The newest message of the chosen topic</source>
+        <translation>選択中のトピックの最新メッセージ</translation>
+    </message>
+    <message>
+        <source>Choose a topic: what comes on it is shown here, and only then loads the link</source>
+        <translation>トピックを選ぶと届く内容がここに表示され、選んだときだけ回線を使います</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::TransportBar</name>
     <message>
         <source>Speed of the review</source>
@@ -9660,6 +9776,13 @@ A function of this program, no certified emergency stop.</source>
     <message>
         <source>%1   %2 of %3</source>
         <translation>%1   %2 / %3</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::TrendPlot</name>
+    <message>
+        <source>Plot</source>
+        <translation>グラフ</translation>
     </message>
 </context>
 <context>

@@ -217,6 +217,10 @@ std::vector<SeenTopic> Station::visibleTopics() const {
     return seenTopics(m_state->node->endpoints(), m_state->rosNodes->nodes());
 }
 
+TopicWatch& Station::topicWatch() {
+    return *m_state->topicWatch;
+}
+
 const StationSettings& Station::settings() const {
     return m_state->settings;
 }

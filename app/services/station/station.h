@@ -32,6 +32,7 @@ class JointMoving;
 class StationCameras;
 class StationGuards;
 class StationStreams;
+class TopicWatch;
 
 /// Settings of a station in a domain.
 struct StationSettings {
@@ -97,6 +98,7 @@ public:
     [[nodiscard]] std::vector<std::string> limits() const;
     /// Topics that others publish or subscribe to.
     [[nodiscard]] std::vector<SeenTopic> visibleTopics() const;
+    [[nodiscard]] TopicWatch& topicWatch();  ///< looks at one topic, whether it is recorded or not
     [[nodiscard]] const StationSettings& settings() const;  ///< settings with which it was opened
 
     /// Gives the sticks to one robot; all other robots stand, with their joints. Empty: to no robot.

@@ -57,6 +57,7 @@ Station::State::~State() {
     stops.reset();
     grants.reset();
     rosNodes.reset();
+    topicWatch.reset();
     node.reset();
 }
 
@@ -221,6 +222,7 @@ Result<void> Station::State::start() {
     auto joined = Node::create(*network);
     if (!joined) return joined.error();
     node = std::move(joined).value();
+    topicWatch.emplace(*node);
     rosNodes.emplace(*node);
     for (const std::string& warning : node->warnings()) notify(warning);
     LiveMission::Listener log;

@@ -27,6 +27,7 @@
 #include "app/services/station/station_streams.h"
 #include "app/services/team/mission_sharing.h"
 #include "app/services/team/shared_intake.h"
+#include "app/services/topics/topic_watch.h"
 #include "app/services/victims/victim_watch.h"
 #include "core/io/settings/station_file.h"
 #include "core/robot/link/screen_report.h"
@@ -45,6 +46,7 @@ struct Station::State {
     StationListener listener;
     std::optional<StationFile> memory;
     std::unique_ptr<Node> node;
+    std::optional<TopicWatch> topicWatch;
     std::optional<RosNodeWatch> rosNodes;  ///< knows the nodes of all processes in the domain
     std::unique_ptr<GrantKeeper> grants;
     std::unique_ptr<StopSender> stops;

@@ -36,6 +36,7 @@
 #include "app/window/panes/scan/scan_feature.h"
 #include "app/window/panes/score/hand_in_feature.h"
 #include "app/window/panes/score/report_feature.h"
+#include "app/window/panes/topics/topics_feature.h"
 #include "app/window/source/review_bridge.h"
 #include "core/mission/state/find_state.h"
 #include "core/mission/state/session_state.h"
@@ -184,6 +185,10 @@ QWidget& compare(PaneMaking& from) {
     return from.made.compare->pane();
 }
 
+QWidget& topics(PaneMaking& from) {
+    return (new TopicsFeature(*from.live))->pane();
+}
+
 QWidget& messages(PaneMaking& from) {
     return (new MessagesFeature(from.view))->pane();
 }
@@ -207,6 +212,7 @@ constexpr PaneRow Table[] = {
     {"form", QT_TRANSLATE_NOOP("Panes", "Form"), victimForm, findForm, Kind::Sheet},
     {"score", QT_TRANSLATE_NOOP("Panes", "Score"), liveScore, loggedScore, Kind::Plain, 5},
     {"link", QT_TRANSLATE_NOOP("Panes", "Link"), link, loggedStreams, Kind::Plain, 2},
+    {"topics", QT_TRANSLATE_NOOP("Panes", "Topics"), topics, nullptr},
     {"alarms", QT_TRANSLATE_NOOP("Panes", "Alarms"), alarms, loggedAlarms, Kind::Kept},
     {"compare", QT_TRANSLATE_NOOP("Panes", "Compare"), nullptr, compare, Kind::Plain, 7},
     {"messages", QT_TRANSLATE_NOOP("Panes", "Messages"), messages, messages, Kind::Plain, 0, "", messages},

@@ -2,55 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstring>
 #include <limits>
-#include <set>
 #include <utility>
-
-#include "core/base/words.h"
 
 namespace leitstand::detail {
 namespace {
 
-constexpr int Deepest = 32;  ///< types within types
-constexpr std::size_t LongestText = 1U << 20U;
 constexpr std::size_t FreeSteps = 100'000;  ///< fields of a message, and four for each of its bytes
-constexpr auto Numbers = std::to_array<std::pair<std::string_view, std::size_t>>({
-    {"bool", 1},
-    {"int8", 1},
-    {"uint8", 1},
-    {"byte", 1},
-    {"char", 1},
-    {"int16", 2},
-    {"uint16", 2},
-    {"int32", 4},
-    {"uint32", 4},
-    {"float32", 4},
-    {"int64", 8},
-    {"uint64", 8},
-    {"float64", 8},
-});
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// Returns the lines of @p text one after the other.
-template <class Take>
-void forEachLine(std::string_view text, Take take) {
-    while (!text.empty()) {
-        const auto end = text.find('\n');
-        take(trimmed(text.substr(0, end)));
-        text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
-    }
-}
-
-std::string packageOf(const std::string& type) {
-    return type.substr(0, type.find('/'));
-}
 
 }  // namespace
 
@@ -60,93 +19,41 @@ std::string ros2TypeOf(const std::string& type) {
     return slash == std::string::npos ? type : type.substr(0, slash) + "/msg" + type.substr(slash);
 }
 
-Result<Ros1Layout::Field> Ros1Layout::fieldOf(const std::string& word, const std::string& package) {
+Ros1Layout::Field Ros1Layout::fieldOf(const MessageField& said) {
     Field field;
-    std::string name = word;
-    if (const auto bracket = name.find('['); bracket != std::string::npos) {
-        field.array = true;
-        const std::string_view count = std::string_view(name).substr(bracket + 1);
-        std::uint32_t number = 0;
-        const auto read = std::from_chars(count.data(), count.data() + count.size(), number);
-        if (read.ptr != count.data()) field.count = number;
-        if (std::string_view(read.ptr, static_cast<std::size_t>(count.data() + count.size() - read.ptr)) !=
-            "]")
-            return Error{leitstand::fill(translate("leitstand::Error", "expected a type, found \"{}\""),
-                                         word.substr(0, 80))};
-        name.resize(bracket);
-    }
-    const auto* const known =
-        std::find_if(Numbers.begin(), Numbers.end(), [&](const auto& one) { return one.first == name; });
-    if (known != Numbers.end()) {
-        field.size = known->second;
-    } else if (name == "string") {
+    field.array = said.array;
+    field.count = said.count;
+    if (field.size = sizeOfNumber(said.type); field.size > 0) return field;
+    if (isTextType(said.type)) {
         field.kind = Kind::Text;
-    } else if (name == "time" || name == "duration") {
+    } else if (said.type == "time" || said.type == "duration") {
         field.kind = Kind::Moment;
     } else {
         field.kind = Kind::Type;
-        field.type = name == "Header"                      ? "std_msgs/Header"
-                     : name.find('/') == std::string::npos ? package + "/" + name
-                                                           : name;
+        field.type = said.type;
     }
     return field;
 }
 
 Result<Ros1Layout> Ros1Layout::parse(const std::string& type, std::string_view definition) {
-    if (definition.size() > LongestText)
-        return Error{leitstand::fill(translate("leitstand::Error", "{}: expected a text of at most {} bytes"),
-                                     type, LongestText)};
+    const auto text = MessageText::parse(type, definition);
+    if (!text) return text.error();
     Ros1Layout layout;
-    layout.m_type = type;
-    std::string current = type;
-    layout.m_types[current];
-    std::optional<Error> problem;
-    forEachLine(definition, [&](std::string_view line) {
-        if (problem || line.starts_with("===")) return;
-        if (line.starts_with("MSG:")) {
-            current = std::string(trimmed(line.substr(4)));
-            layout.m_types[current].clear();
-            return;
+    layout.m_type = text->type();
+    for (const auto& [name, fields] : text->types()) {
+        Fields& its = layout.m_types[name];
+        for (const MessageField& one : fields) {
+            its.push_back(fieldOf(one));
+            its.back().leftOut = name == "std_msgs/Header" && one.name == "seq";
+            if (name == "sensor_msgs/BatteryState" && one.name == "voltage") {
+                Field temperature;
+                temperature.size = 4;
+                temperature.added = true;
+                its.push_back(temperature);
+            }
         }
-        line = trimmed(line.substr(0, line.find('#')));
-        const auto space = line.find_first_of(" \t");
-        if (line.empty() || space == std::string_view::npos) return;
-        const std::string word(line.substr(0, space));
-        const std::string_view name = trimmed(line.substr(space));
-        if (name.find('=') != std::string_view::npos) return;  // a constant
-        auto field = fieldOf(word, packageOf(current));
-        if (!field) {
-            problem = Error{current + ": " + field.error().text};
-            return;
-        }
-        Field made = std::move(field).value();
-        made.leftOut = current == "std_msgs/Header" && name == "seq";
-        layout.m_types[current].push_back(std::move(made));
-        if (current == "sensor_msgs/BatteryState" && name == "voltage") {
-            Field temperature;
-            temperature.size = 4;
-            temperature.added = true;
-            layout.m_types[current].push_back(temperature);
-        }
-    });
-    if (problem) return *problem;
-    std::set<std::string> checked;
-    if (const auto whole = layout.check(type, 0, checked); !whole) return whole.error();
-    return layout;
-}
-
-Result<void> Ros1Layout::check(const std::string& type, int depth, std::set<std::string>& checked) const {
-    const auto fields = m_types.find(type);
-    if (fields == m_types.end() || depth > Deepest)
-        return Error{leitstand::fill(translate("leitstand::Error", "{}: its text lacks the type {}"), m_type,
-                                     type.substr(0, 120))};
-    if (checked.contains(type)) return {};
-    for (const Field& field : fields->second) {
-        if (field.kind != Kind::Type) continue;
-        if (auto whole = check(field.type, depth + 1, checked); !whole) return whole;
     }
-    checked.insert(type);
-    return {};
+    return layout;
 }
 
 /// Turns one message.
@@ -159,7 +66,7 @@ public:
     }
 
     void fields(const std::string& type) {
-        m_ok = m_ok && ++m_depth <= Deepest;
+        m_ok = m_ok && ++m_depth <= MessageText::Deepest;
         if (!m_ok) return;
         const Fields& all = m_layout.m_types.at(type);
         const bool nothing =

@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/io/messages/message_text.h"
 
 namespace leitstand::detail {
 
@@ -43,9 +43,7 @@ private:
     using Fields = std::vector<Field>;
     class Writing;
 
-    [[nodiscard]] static Result<Field> fieldOf(const std::string& word, const std::string& package);
-    [[nodiscard]] Result<void> check(const std::string& type, int depth,
-                                     std::set<std::string>& checked) const;
+    [[nodiscard]] static Field fieldOf(const MessageField& said);
 
     std::string m_type;
     std::map<std::string, Fields> m_types;
