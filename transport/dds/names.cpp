@@ -25,6 +25,10 @@ std::string rosTopicOf(std::string_view ddsTopic) {
     return std::string(ddsTopic.starts_with("rt/") ? ddsTopic.substr(2) : ddsTopic);
 }
 
+bool isRosTopic(std::string_view ddsTopic) {
+    return ddsTopic.starts_with("rt/") || ddsTopic.starts_with("rq/") || ddsTopic.starts_with("rr/");
+}
+
 std::string ddsTypeOf(std::string_view rosType) {
     const auto parts = split(rosType, "/");
     if (parts.size() != 3 || parts[0].empty() || parts[1].empty() || parts[2].empty()) {

@@ -11,6 +11,9 @@ namespace leitstand {
 /// "rt/kurt3d/odom" -> "/kurt3d/odom"; any other name (also ROS services "rq/...") is not changed.
 [[nodiscard]] std::string rosTopicOf(std::string_view ddsTopic);
 
+/// Whether @p ddsTopic is a topic, service or action of ROS: its name begins with "rt/", "rq/" or "rr/".
+[[nodiscard]] bool isRosTopic(std::string_view ddsTopic);
+
 /// "nav_msgs/msg/Odometry" -> "nav_msgs::msg::dds_::Odometry_"; names of another form are not changed.
 [[nodiscard]] std::string ddsTypeOf(std::string_view rosType);
 /// "nav_msgs::msg::dds_::Odometry_" -> "nav_msgs/msg/Odometry"; names of another form are not changed.

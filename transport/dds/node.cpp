@@ -1,6 +1,7 @@
 #include "transport/dds/node.h"
 
 #include "transport/dds/detail/participant.h"
+#include "transport/dds/names.h"
 #include "transport/dds/network/library_mends.h"
 #include "transport/dds/network/socket_buffers.h"
 
@@ -104,6 +105,14 @@ std::vector<RemoteParticipant> Node::participants() const {
 }
 std::vector<RemoteEndpoint> Node::endpoints() const {
     return m_impl->participant->discovery().endpoints();
+}
+Node::OwnEndpoints Node::ownEndpoints() const {
+    OwnEndpoints own;
+    for (const auto& [guid, endpoint] : m_impl->participant->discovery().local()) {
+        if (!isRosTopic(endpoint.ddsTopic)) continue;
+        (endpoint.kind == detail::LocalEndpoint::Kind::Reader ? own.readers : own.writers).push_back(guid);
+    }
+    return own;
 }
 std::vector<Mismatch> Node::mismatches() const {
     return m_impl->participant->discovery().mismatches();

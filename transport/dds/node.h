@@ -120,6 +120,12 @@ public:
     [[nodiscard]] std::vector<RemoteParticipant> participants() const;
     [[nodiscard]] std::vector<RemoteEndpoint> endpoints()
         const;  ///< on all topics, including those that do not belong to ROS
+    /// Our own readers and writers whose names are those of ROS: topics, services and actions.
+    struct OwnEndpoints {
+        std::vector<Guid> readers, writers;  ///< sorted
+        friend bool operator==(const OwnEndpoints&, const OwnEndpoints&) = default;
+    };
+    [[nodiscard]] OwnEndpoints ownEndpoints() const;
     [[nodiscard]] std::vector<Mismatch> mismatches() const;  ///< between our readers or writers and others
     /// Returns what is announced on the topics to which we subscribe, and from which writers samples were
     /// received.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "transport/cdr/cdr_reader.h"
+#include "transport/cdr/cdr_writer.h"
 
 namespace leitstand {
 namespace {
@@ -46,6 +47,43 @@ void decode(CdrReader& in, NodeEntities<Size>& to) {
 }
 
 template <std::size_t Size>
+void encode(CdrWriter& out, const Gid<Size>& from) {
+    out.write(from.data);
+}
+template <std::size_t Size>
+void encode(CdrWriter& out, const NodeEntities<Size>& from) {
+    out.write(from.space);
+    out.write(from.name);
+    out.write(from.readers);
+    out.write(from.writers);
+}
+
+template <std::size_t Size>
+Gid<Size> gidOf(const Guid& guid) {
+    Gid<Size> gid;
+    std::copy(guid.bytes.begin(), guid.bytes.end(), gid.data.begin());
+    return gid;
+}
+
+template <std::size_t Size>
+Payload announcement(const RosProcess& process) {
+    std::vector<NodeEntities<Size>> nodes;
+    for (const RosNode& node : process.nodes) {
+        const auto slash = node.name.rfind('/');
+        NodeEntities<Size> entities;
+        entities.space = slash == 0 || slash == std::string::npos ? "/" : node.name.substr(0, slash);
+        entities.name = node.name.substr(slash == std::string::npos ? 0 : slash + 1);
+        for (const Guid& guid : node.readers) entities.readers.push_back(gidOf<Size>(guid));
+        for (const Guid& guid : node.writers) entities.writers.push_back(gidOf<Size>(guid));
+        nodes.push_back(std::move(entities));
+    }
+    CdrWriter out;
+    out.write(gidOf<Size>(process.participant));
+    out.write(nodes);
+    return std::make_shared<const std::vector<std::byte>>(std::move(out).finish());
+}
+
+template <std::size_t Size>
 std::vector<Guid> guidsOf(const std::vector<Gid<Size>>& gids) {
     std::vector<Guid> guids;
     guids.reserve(gids.size());
@@ -82,6 +120,10 @@ Result<RosProcess> rosProcess(std::span<const std::byte> cdr) {
     return processIn<16>(cdr);
 }
 
+Payload rosAnnouncement(const RosProcess& process) {
+    return process.gidSize == 24 ? announcement<24>(process) : announcement<16>(process);
+}
+
 void RosNodes::add(const RosProcess& process) {
     const std::lock_guard lock(m_mutex);
     if (const auto before = m_processes.find(process.participant); before != m_processes.end()) {
@@ -106,6 +148,23 @@ std::string RosNodes::of(const Guid& endpoint) const {
     const std::lock_guard lock(m_mutex);
     const auto node = m_nodes.find(endpoint);
     return node == m_nodes.end() ? std::string() : node->second;
+}
+
+std::optional<std::size_t> RosNodes::gidSize(std::span<const Guid> participants,
+                                             const std::string& unlike) const {
+    const std::lock_guard lock(m_mutex);
+    std::optional<std::size_t> size;
+    for (const Guid& one : participants) {
+        const auto process = m_processes.find(one);
+        if (process == m_processes.end()) continue;
+        const auto& nodes = process->second.nodes;
+        const bool other =
+            std::any_of(nodes.begin(), nodes.end(), [&](const RosNode& node) { return node.name != unlike; });
+        if (!other) continue;
+        if (size && *size != process->second.gidSize) return std::nullopt;
+        size = process->second.gidSize;
+    }
+    return size;
 }
 
 RosNodeWatch::RosNodeWatch(Node& node) {

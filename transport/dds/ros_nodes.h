@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,12 +36,19 @@ struct RosProcess {
 /// error when it is no such announcement.
 [[nodiscard]] Result<RosProcess> rosProcess(std::span<const std::byte> cdr);
 
+/// Returns the announcement of @p process, with identities of RosProcess::gidSize bytes (16 or 24).
+[[nodiscard]] Payload rosAnnouncement(const RosProcess& process);
+
 /// Finds the ROS 2 nodes to which the readers and writers of a domain belong. Any thread.
 class RosNodes {
 public:
     void add(const RosProcess& process);  ///< replaces the process's previous announcement
     /// Returns the full name of the node that has @p endpoint; empty: unknown.
     [[nodiscard]] std::string of(const Guid& endpoint) const;
+    /// Returns the size of identities in the announcements of those of @p participants that announced nodes
+    /// other than @p unlike. Empty: none did, or they use different sizes.
+    [[nodiscard]] std::optional<std::size_t> gidSize(std::span<const Guid> participants,
+                                                     const std::string& unlike = {}) const;
 
 private:
     static constexpr std::size_t MostProcesses = 1'000, MostEndpoints = 100'000;

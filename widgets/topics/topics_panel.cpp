@@ -11,15 +11,15 @@
 #include <QVBoxLayout>
 
 #include "widgets/tables/chosen_row.h"
-#include "widgets/tables/column_fitter.h"
 #include "widgets/tables/table_dress.h"
 #include "widgets/topics/trend_plot.h"
 
 namespace leitstand {
 namespace {
 
-constexpr int RowHeight = 21;      // [px]
-constexpr int LeastForPlot = 240;  // [px]
+constexpr int RowHeight = 21;                                       // [px]
+constexpr int LeastForPlot = 240;                                   // [px]
+constexpr int TopicWidth = 180, TypeWidth = 190, NodesWidth = 150;  // [px]
 
 QTableView* table(QWidget* parent, QAbstractItemModel& model, const char* name) {
     auto* const made = new QTableView(parent);
@@ -45,7 +45,13 @@ TopicsPanel::TopicsPanel(QWidget* parent)
     m_filter->setPlaceholderText(tr("Words of topic, type or node"));
     m_filter->setClearButtonEnabled(true);
     m_topicTable->setAccessibleName(tr("Topics of the domain"));
-    new ColumnFitter(*m_topicTable, {TopicRowsModel::Nodes, TopicRowsModel::Type}, TopicRowsModel::Topic);
+    m_topicTable->setTextElideMode(Qt::ElideLeft);  // ends of names tell them apart
+    m_topicTable->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_topicTable->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
+    m_topicTable->horizontalHeader()->setSectionResizeMode(TopicRowsModel::Topic, QHeaderView::Stretch);
+    m_topicTable->horizontalHeader()->resizeSection(TopicRowsModel::Type, TypeWidth);
+    m_topicTable->horizontalHeader()->resizeSection(TopicRowsModel::Nodes, NodesWidth);
+    connect(m_halves, &QSplitter::splitterMoved, this, &TopicsPanel::fit);
     m_fieldTable->setAccessibleName(tr("The newest message of the chosen topic"));
     m_fieldTable->horizontalHeader()->hide();
     m_fieldTable->horizontalHeader()->setSectionResizeMode(FieldRowsModel::Value, QHeaderView::Stretch);
@@ -127,6 +133,10 @@ void TopicsPanel::showEvent(QShowEvent* event) {
 void TopicsPanel::fit() {
     m_halves->setOrientation(width() > height() ? Qt::Horizontal : Qt::Vertical);
     m_plot->setVisible(!m_plotted.isEmpty() && height() >= LeastForPlot);
+    const bool beside = m_halves->orientation() == Qt::Horizontal;
+    const int room = (beside ? m_halves->sizes().value(0) : width()) - TopicWidth;
+    m_topicTable->setColumnHidden(TopicRowsModel::Type, room < TypeWidth);
+    m_topicTable->setColumnHidden(TopicRowsModel::Nodes, room < TypeWidth + NodesWidth);
 }
 
 void TopicsPanel::resizeEvent(QResizeEvent* event) {

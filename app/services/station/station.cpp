@@ -104,9 +104,9 @@ void Station::setStick(const DriveVelocity& sticks, bool withoutEyes) {
 void Station::halt() {
     const MissionStatePtr recorded = mission();
     for (const auto& [name, line] : m_state->lines) {
+        m_state->joints->halt(name);  // also of robots that nobody drives
         if (line->drive() == nullptr || !line->drive()->status().focus) continue;
         line->drive()->halt();
-        m_state->joints->halt(name);
         const auto robot = recorded->robots.find(name);
         if (robot != recorded->robots.end() && robot->second->mode && robot->second->mode->sample.autonomous)
             (void)setMode(name, "teleoperation");  // one that takes no modes stops by its sticks alone

@@ -107,8 +107,8 @@ public:
     /// The speed is limited by the age of what the driver sees (SightCap), for any input device, unless
     /// @p withoutEyes is set.
     void setStick(const DriveVelocity& sticks, bool withoutEyes = false);
-    /// Stops the robot that has the sticks, and its joints, until the sticks were neutral. If it drives
-    /// itself, requests that it obeys the sticks again.
+    /// Ends motions of joints of all robots. Stops the robot that has the sticks until these were neutral. If
+    /// it drives itself, requests that it obeys the sticks again.
     void halt();
     /// Sets that the driver of @p robot looks through the camera @p sensor. At first it is the robot's first
     /// camera.

@@ -46,8 +46,11 @@ bool Station::State::mayMove(const std::string& robot) const {
 void Station::State::moveJoints() {
     JointMoving::Wire wire;
     wire.conditions = [this](const std::string& robot) {
-        const bool heard = lines.at(robot)->link().status().state != LinkState::Lost;
-        return JointConditions{mayMove(robot) && heard, stops->holdsByZeros(robot)};
+        JointConditions now;
+        now.heard = lines.at(robot)->link().status().state != LinkState::Lost;
+        now.mayMove = mayMove(robot) && now.heard && !brakes->isRunning(robot);
+        now.hold = stops->holdsByZeros(robot);
+        return now;
     };
     wire.send = [this](const std::string& robot, const JointGroup& group, const JointSetpoints& setpoints) {
         return lines.at(robot)->moveJoints(group, setpoints);

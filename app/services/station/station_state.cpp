@@ -33,6 +33,7 @@ Station::State::~State() {
     for (const auto& [name, line] : lines) {
         if (line->drive() != nullptr) line->drive()->setFocus(false);  // robots stand, whatever the disk does
     }
+    if (joints) joints->end();
     if (cameras) cameras->snapshots().finish();  // they are noted in the log
     if (finds) finds->finish();                  // the log has to have what the operator saw
     // Waiting events still go into the log; their effect on the map is dropped.
@@ -46,7 +47,7 @@ Station::State::~State() {
     coverage.reset();
     finds.reset();
     cameras.reset();
-    joints.reset();  // its thread uses the lines
+    joints.reset();
     alarms.reset();
     sharing.reset();
     intake.reset();
@@ -56,6 +57,7 @@ Station::State::~State() {
     brakes.reset();
     stops.reset();
     grants.reset();
+    presence.reset();
     rosNodes.reset();
     topicWatch.reset();
     node.reset();
@@ -159,7 +161,7 @@ bool Station::State::isAtRest() const {
         const auto& [name, line] = one;
         const StopStatus stop = stops->status(name);
         if (stop.releasing || (stop.sent && !stop.standing)) return true;
-        if (brakes->isRunning(name)) return true;
+        if (brakes->isRunning(name) || joints->isMoving(name)) return true;
         if (line->drive() == nullptr) return false;
         const DriveStatus drive = line->drive()->status();
         return drive.driving || drive.velocity != DriveVelocity{};
@@ -224,6 +226,7 @@ Result<void> Station::State::start() {
     node = std::move(joined).value();
     topicWatch.emplace(*node);
     rosNodes.emplace(*node);
+    presence.emplace(*node, rosNodes->nodes(), "/leitstand");
     for (const std::string& warning : node->warnings()) notify(warning);
     LiveMission::Listener log;
     log.onAlarm = [this](const std::string& text) { notify(text); };

@@ -33,6 +33,7 @@
 #include "core/robot/link/screen_report.h"
 #include "transport/dds/node.h"
 #include "transport/dds/ros_nodes.h"
+#include "transport/dds/ros_presence.h"
 
 namespace leitstand {
 
@@ -48,6 +49,7 @@ struct Station::State {
     std::unique_ptr<Node> node;
     std::optional<TopicWatch> topicWatch;
     std::optional<RosNodeWatch> rosNodes;  ///< knows the nodes of all processes in the domain
+    std::optional<RosPresence> presence;   ///< announces this one among them
     std::unique_ptr<GrantKeeper> grants;
     std::unique_ptr<StopSender> stops;
     std::unique_ptr<StationStreams> streams;

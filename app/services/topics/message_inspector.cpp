@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t LongestText = 200;  // [B]
 constexpr std::size_t ShownElements = 8;
+constexpr std::size_t MostBytes =
+    65'536;  ///< longer ones are pictures and clouds: only their beginning is read
 
 template <class Number>
 std::string worded(Number number) {
@@ -59,15 +61,20 @@ public:
         m_most = m_finite ? std::max(m_most, value) : value;
         m_finite = true;
     }
+    /// Adds @p count numbers that are not looked at.
+    void skip(std::size_t count) {
+        m_count += count;
+        m_whole = m_whole && count == 0;
+    }
     [[nodiscard]] std::string summary() const {
         std::string text;
         for (std::size_t i = 0; i < std::min({m_count, m_first.size(), ShownElements}); ++i)
             text += fmt::format("{}{}", i == 0 ? "" : ", ", m_first[i].first);
         if (m_count <= ShownElements) return fmt::format("[{}]", text);
         text = leitstand::fill(translate("leitstand::Topics", "{} numbers: {} ..."), m_count, text);
-        return m_finite ? text + leitstand::fill(translate("leitstand::Topics", " ({} to {})"),
-                                                 worded(m_least), worded(m_most))
-                        : text;
+        return m_finite && m_whole ? text + leitstand::fill(translate("leitstand::Topics", " ({} to {})"),
+                                                            worded(m_least), worded(m_most))
+                                   : text;
     }
     /// Its elements, if there are few; else none.
     [[nodiscard]] const std::vector<std::pair<std::string, double>>* elements() const {
@@ -78,7 +85,7 @@ private:
     std::vector<std::pair<std::string, double>> m_first;
     std::size_t m_count = 0;
     double m_least = 0.0, m_most = 0.0;
-    bool m_finite = false;
+    bool m_finite = false, m_whole = true;
 };
 
 class Inspecting {
@@ -155,7 +162,9 @@ private:
             } else if constexpr (sizeof(Number) == 1) {
                 std::span<const std::byte> bytes;
                 m_reader.read(path.c_str(), bytes);
-                for (const std::byte byte : bytes) read.add(static_cast<Number>(byte));
+                const std::size_t looked = bytes.size() > MostBytes ? ShownElements : bytes.size();
+                for (const std::byte byte : bytes.first(looked)) read.add(static_cast<Number>(byte));
+                read.skip(bytes.size() - looked);
             } else {
                 std::vector<Number> values;
                 m_reader.read(path.c_str(), values);

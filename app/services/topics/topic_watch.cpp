@@ -9,7 +9,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::seconds Window(5);
-constexpr std::size_t MostReceived = 5'000, MostNumbers = 6'000;
+constexpr std::size_t MostReceived = 20'000, MostNumbers = 6'000;
 constexpr std::size_t LargestPlotted = 65'536;  ///< larger messages are read only to be shown [B]
 
 double secondsOf(SteadyTime::duration time) {
@@ -32,13 +32,21 @@ Result<void> TopicWatch::watch(const SeenTopic& topic) {
     } else {
         watched->problem = text.error().text;
     }
+    end();
+    if (!topic.obstacle.empty()) {
+        // Our reader would match nobody, and count as a mismatch of the station.
+        watched->problem = topic.obstacle;
+        const std::scoped_lock lock(m_mutex);
+        m_watched = std::move(watched);
+        return {};
+    }
     // Best effort loads a bad link least; only what was said before is asked for reliably.
     ReaderSettings reader{topic.name, topic.type, topic.qos, Lane::Large};
-    const bool stays = topic.qos.durability == Qos::Durability::TransientLocal;
+    const bool stays = topic.written && topic.qos.durability == Qos::Durability::TransientLocal;
+    if (!stays) reader.qos.durability = Qos::Durability::Volatile;
     if (!stays) reader.qos.reliability = Qos::Reliability::BestEffort;
     reader.qos.lifespan = reader.qos.deadline = 0.0;
     reader.qos.depth = 1;
-    end();
     auto made = m_node.subscribe(reader, [watched](const ReceivedSample& sample) { take(*watched, sample); });
     if (!made) return made.error();
     const std::scoped_lock lock(m_mutex);
@@ -101,9 +109,14 @@ std::optional<TopicView> TopicWatch::view() const {
         if (!watched->received.empty()) view.age = secondsOf(now - watched->received.back().first);
     }
     if (!newest || !watched->text) return view;
-    auto read = inspect(*watched->text, *newest);  // the text never changes
+    const std::scoped_lock looking(watched->looking);
+    if (watched->shown != newest) {
+        watched->shown = newest;
+        watched->inspected = inspect(*watched->text, *newest);  // the text never changes
+    }
+    const Result<InspectedMessage>& read = *watched->inspected;
     if (read)
-        view.newest = std::move(read).value();
+        view.newest = read.value();
     else
         view.problem = read.error().text;
     return view;

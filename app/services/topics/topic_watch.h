@@ -61,6 +61,9 @@ private:
             received;      ///< of the last seconds: when, how many bytes
         std::string path;  ///< of the field that is plotted
         std::deque<std::pair<SteadyTime, double>> numbers;
+        std::mutex looking;  ///< guards the two that follow; taken without the other one
+        Payload shown;       ///< what `inspected` was read from
+        std::optional<Result<InspectedMessage>> inspected;
     };
     static void take(Watched& watched, const ReceivedSample& sample);
 

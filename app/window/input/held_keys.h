@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -30,6 +32,7 @@ public:
     [[nodiscard]] double share(int plus, int minus) const {
         return static_cast<double>(m_held.count(plus)) - static_cast<double>(m_held.count(minus));
     }
+    void letGo();                                             ///< counts all keys as released
     [[nodiscard]] bool withShift() const { return m_shift; }  ///< at the last change
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -39,13 +42,15 @@ signals:
 
 private:
     [[nodiscard]] bool isOurs(const QKeyEvent& event) const;
-    bool take(const QKeyEvent& event, bool held);
-    void letGo();
+    void press(const QKeyEvent& event);
+    [[nodiscard]] bool release(const QKeyEvent& event);
+    [[nodiscard]] static std::uint64_t keyOf(const QKeyEvent& event);
 
     QWidget& m_window;
     Meaning m_meaning;
     std::function<bool()> m_driving;
-    std::set<int> m_held;
+    std::map<std::uint64_t, int> m_down;  ///< keys that are held, and what they meant when they went down
+    std::set<int> m_held;                 ///< meanings of those
     bool m_shift = false;
 };
 

@@ -94,14 +94,12 @@ void LiveWindow::connectFeatures() {
     connect(m_features.cameras, &CameraFeature::driveWanted, this, [this] { setDriving(true); });
     connect(m_layouts, &LayoutFeature::padBound, m_pads, &PadFeature::useLayout);
     connect(&m_pads->input(), &PadInput::panTilt, m_features.cameras, [this](const PanTiltRate& rate) {
-        const bool joints = m_features.joints != nullptr && m_features.joints->padMoves();
+        const bool joints = m_features.joints != nullptr && m_features.joints->takesStick();
         const PanTiltRate its = joints ? PanTiltRate{} : rate;
         m_features.cameras->setRate(its.pan, -its.tilt);
     });
     if (m_features.joints != nullptr) {
-        connect(&m_pads->input(), &PadInput::joints, m_features.joints, [this](double share) {
-            if (m_features.joints->padMoves()) m_features.joints->move(share);
-        });
+        connect(&m_pads->input(), &PadInput::joints, m_features.joints, &JointsFeature::takeStick);
     }
     connect(&m_pads->input(), &PadInput::padsChanged, m_preflight,
             [this] { m_preflight->setGamepad(QString::fromStdString(m_pads->input().chosen().name)); });

@@ -20,7 +20,7 @@ void PadMapping::setBindings(PadBindings bindings) {
 }
 
 void PadMapping::needNeutral() {
-    m_triggerFree = m_sticksFree = m_camerasFree = false;
+    m_triggerFree = m_sticksFree = m_camerasFree = m_jointsFree = false;
 }
 
 bool PadMapping::isHeld(const PadControl& control, const PadState& state, bool before) const {
@@ -92,9 +92,13 @@ void PadMapping::readCameras(const PadState& state, PadRequests& requests) {
     const double pan = shapedOf(m_bindings, PadAction::PanLeft, state),
                  tilt = shapedOf(m_bindings, PadAction::TiltUp, state);
     if (pan == 0.0 && tilt == 0.0) m_camerasFree = true;
-    if (!m_camerasFree) return;
-    requests.cameras = {m_bindings.cameraRate * pan, m_bindings.cameraRate * tilt};
-    if (requests.driving) requests.joints = tilt;
+    if (m_camerasFree) requests.cameras = {m_bindings.cameraRate * pan, m_bindings.cameraRate * tilt};
+    if (!requests.driving) {
+        m_jointsFree = false;
+    } else if (tilt == 0.0) {
+        m_jointsFree = true;
+    }
+    if (m_jointsFree) requests.joints = tilt;
 }
 
 }  // namespace leitstand

@@ -68,6 +68,7 @@ private:
     bool m_known = false;             ///< whether the pad was read since it was connected
     bool m_triggerFree = false;       ///< whether the trigger was released since that was required
     bool m_sticksFree = false;        ///< whether the sticks were neutral while the trigger was held
+    bool m_jointsFree = false;   ///< whether that stick was neutral while the trigger was held and accepted
     bool m_camerasFree = false;  ///< whether the stick of the cameras was neutral since that was required
 };
 

@@ -27,11 +27,17 @@ namespace {
 
 class TrackedPage : public LivePage {
 protected:
-    TrackedPage() : LivePage(Robots::None, {shippedRobot("tracked")}) {
+    TrackedPage() : LivePage(Robots::None, {described()}) {
         m_robot = std::make_unique<ChildProcess>(
             program("leitstand-robot"),
             std::vector<std::string>{"stock", "tracked", "--domain", std::to_string(m_domain.number()),
                                      "--arena", "yellow", "--seed", "7"});
+    }
+    /// Without its e-stop, which would end the motion whatever the station sends.
+    [[nodiscard]] static RobotDescription described() {
+        RobotDescription robot = shippedRobot("tracked");
+        robot.services.clear();
+        return robot;
     }
     /// Where a joint is [degrees]; NaN: unknown.
     [[nodiscard]] double at(const char* group, std::size_t joint) const {
@@ -99,6 +105,40 @@ TEST_F(TrackedPage, AStopHoldsTheArmThatWouldGoOn) {
     QTest::keyPress(m_window.get(), Qt::Key_J);
     EXPECT_TRUE(soon([&] { return at("arm", 0) > 25; }));
     QTest::keyRelease(m_window.get(), Qt::Key_J);
+}
+
+TEST_F(TrackedPage, AKeyIsLetGoWhateverElseIsHeldMeanwhile) {
+    ASSERT_TRUE(drives());
+    QTest::keyPress(m_window.get(), Qt::Key_J);
+    ASSERT_TRUE(soon([&] { return at("flippers", 0) > 5; }));
+    QTest::keyPress(m_window.get(), Qt::Key_Shift);
+    QTest::keyRelease(m_window.get(), Qt::Key_J, Qt::ShiftModifier);
+    QTest::keyRelease(m_window.get(), Qt::Key_Shift);
+    QTest::qWait(500);
+    EXPECT_LT(moves("flippers", 0, 500), 1.0);
+}
+
+TEST_F(TrackedPage, SpaceEndsAPresetAlsoWithoutTheDriveFocus) {
+    ASSERT_TRUE(drives());
+    m_window->setDriving(false);
+    trigger("joints.preset1");
+    ASSERT_TRUE(soon([&] { return at("flippers", 0) > 15; }));
+    press(Qt::Key_Space);
+    QTest::qWait(400);
+    EXPECT_LT(moves("flippers", 0, 500), 1.0);
+    EXPECT_LT(at("flippers", 0), 80.0);
+}
+
+TEST_F(TrackedPage, ClosingTheWindowEndsAMotion) {
+    ASSERT_TRUE(drives());
+    trigger("joints.next");
+    trigger("joints.next");
+    QTest::keyPress(m_window.get(), Qt::Key_J);
+    ASSERT_TRUE(soon([&] { return at("arm", 0) > 10; }));
+    restart();
+    ASSERT_TRUE(soon([&] { return !std::isnan(at("arm", 0)); }));
+    QTest::qWait(300);
+    EXPECT_LT(moves("arm", 0, 500), 0.5) << "an arm goes on with the last velocity that it heard";
 }
 
 TEST_F(TrackedPage, WithoutDriveControlNothingMovesAndTheWindowSaysWhy) {

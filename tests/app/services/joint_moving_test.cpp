@@ -1,8 +1,10 @@
 #include "app/services/station/joints/joint_moving.h"
 
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -33,7 +35,7 @@ RobotDescription robotWithFlippers() {
 
 /// A station's wire as far as joints need one.
 struct FakeWire {
-    std::atomic<bool> may = true, fails = false;
+    std::atomic<bool> may = true, hold = false, fails = false;
     std::mutex mutex;
     std::vector<double> sent;
     std::vector<std::string> said;
@@ -41,7 +43,7 @@ struct FakeWire {
     JointMoving::Wire wire() {
         return {[this](const std::string& robot) {
                     EXPECT_EQ(robot, "tracked");
-                    return JointConditions{may, false};
+                    return JointConditions{may, hold};
                 },
                 [this](const std::string&, const JointGroup& group, const JointSetpoints& setpoints) {
                     EXPECT_EQ(group.name, "flippers");
@@ -69,6 +71,61 @@ TEST(JointMoving, SendsFromItsOwnThreadAndEndsWhenTheWindowHangs) {
     EXPECT_TRUE(waitUntil([&] { return fake.last() == 0.0; })) << "nobody renewed it";
     EXPECT_FALSE(joints.view("tracked", "arm"));
     EXPECT_FALSE(joints.view("husky", "flippers"));
+}
+
+/// Moves the flippers until something is sent.
+void moves(JointMoving& joints, FakeWire& fake) {
+    joints.move("tracked", "flippers", 0, 0.0);
+    joints.move("tracked", "flippers", 0, 1.0);
+    ASSERT_TRUE(waitUntil([&] { return fake.last() == 0.5; }));
+}
+
+TEST(JointMoving, AStopIsZerosUntilTheRelease) {
+    FakeWire fake;
+    JointMoving joints({robotWithFlippers()}, fake.wire());
+    moves(joints, fake);
+    fake.may = false;
+    fake.hold = true;
+    ASSERT_TRUE(waitUntil([&] { return fake.last() == 0.0; }));
+    const auto count = [&] {
+        const std::scoped_lock lock(fake.mutex);
+        return fake.sent.size();
+    };
+    const std::size_t before = count();
+    ASSERT_TRUE(waitUntil([&] {
+        joints.move("tracked", "flippers", 0, 1.0);  // the key is held on
+        return count() > before + 30;
+    }));
+    EXPECT_EQ(fake.last(), 0.0);
+    fake.may = true;
+    fake.hold = false;
+    for (int i = 0; i < 20; ++i) {
+        joints.move("tracked", "flippers", 0, 1.0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        EXPECT_EQ(fake.last(), 0.0) << "it must be let go first";
+    }
+}
+
+TEST(JointMoving, ItsEndIsAZero) {
+    FakeWire fake;
+    {
+        JointMoving joints({robotWithFlippers()}, fake.wire());
+        moves(joints, fake);
+        EXPECT_TRUE(joints.isMoving("tracked"));
+        EXPECT_FALSE(joints.isMoving("husky"));
+    }
+    EXPECT_EQ(fake.last(), 0.0);
+}
+
+TEST(JointMoving, AHaltEndsAMotionThatIsStillAskedFor) {
+    FakeWire fake;
+    JointMoving joints({robotWithFlippers()}, fake.wire());
+    moves(joints, fake);
+    joints.halt("tracked");
+    ASSERT_TRUE(waitUntil([&] {
+        joints.move("tracked", "flippers", 0, 1.0);
+        return fake.last() == 0.0;
+    }));
 }
 
 TEST(JointMoving, TakesPositionsOfItsRobotOnly) {

@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 using testing::DoubleNear;
 using testing::ElementsAre;
 
-constexpr JointConditions May{true, false}, MayNot{}, Stopped{false, true};
+constexpr JointConditions May{true, false}, MayNot{}, Stopped{false, true}, Lost{false, false, false};
 
 JointGroup flippers(JointCommandMode mode = JointCommandMode::Position) {
     JointGroup group;
@@ -193,9 +193,96 @@ TEST(JointControl, WhileAStopIsInForceVelocitiesAreZeroAndPositionsHeldAtFirst) 
     held.at = {0.1, 0.1};
     held.last.reset();
     held.share = 0.0;
-    held.step();
+    held.steps(2);
     held.share = 1.0;
     EXPECT_NEAR(held.step()->values[0], 0.1, degrees(3)) << "from where it is now";
+}
+
+TEST(JointControl, AfterAGapOfTheLinkZerosAreSentOnceItIsBack) {
+    Moved joints(flippers(JointCommandMode::Velocity));
+    joints.share = 0.0;
+    joints.step();
+    joints.share = 1.0;
+    joints.steps(3);
+    joints.share = 0.0;
+    for (int i = 0; i < 100; ++i) {
+        joints.now += 50ms;
+        EXPECT_TRUE(joints.control.due(Lost, joints.now)) << "none of these arrives";
+    }
+    EXPECT_TRUE(joints.control.isMoving()) << "the station must not leave its domain now";
+    EXPECT_THAT(joints.step()->values, ElementsAre(0.0, 0.0)) << "the link is back";
+    joints.steps(15);
+    EXPECT_EQ(joints.step(), std::nullopt);
+    EXPECT_FALSE(joints.control.isMoving());
+}
+
+TEST(JointControl, ZerosAreSentUntilTheJointsAreSeenToStand) {
+    Moved joints(flippers(JointCommandMode::Velocity));
+    joints.share = 0.0;
+    joints.step();
+    joints.share = 1.0;
+    joints.steps(3);
+    joints.share = 0.0;
+    for (int i = 0; i < 40; ++i) {
+        joints.at[0] += degrees(1);  // the zeros are lost
+        EXPECT_TRUE(joints.step()) << i;
+    }
+    joints.steps(6);
+    EXPECT_EQ(joints.step(), std::nullopt) << "they arrived";
+}
+
+TEST(JointControl, AJointThatLagsEndsWhereItIs) {
+    Moved joints(flippers());
+    joints.share = 0.0;
+    joints.step();
+    joints.blocked = true;
+    joints.share = 1.0;
+    joints.steps(20);
+    EXPECT_GT(joints.last->values[0], degrees(15));
+    joints.share = 0.0;
+    EXPECT_THAT(joints.step()->values, ElementsAre(0.0, 0.0)) << "it does not go on, and presses no more";
+}
+
+TEST(JointControl, WhatOthersMovedMeanwhileStaysThere) {
+    Moved joints(flippers());
+    joints.share = 0.0;
+    joints.step();
+    joints.share = 1.0;
+    joints.steps(5);
+    joints.share = 0.0;
+    joints.steps(20);
+    joints.at[1] -= degrees(12);
+    joints.last.reset();
+    joints.step();
+    joints.control.move(1, 0.0, joints.now);
+    joints.control.move(1, 1.0, joints.now);  // the left one alone
+    joints.share.reset();
+    const double right = joints.at[1];
+    EXPECT_NEAR(joints.step()->values[1], right, 1e-9);
+}
+
+TEST(JointControl, NothingBegunInTheLastMomentOfAStopMoves) {
+    Moved joints(flippers());
+    joints.at = {0.3, 0.2};
+    joints.step();
+    joints.steps(3, Stopped);
+    joints.control.goTo(1, joints.now);
+    joints.last.reset();
+    joints.steps(20);
+    EXPECT_EQ(joints.last, std::nullopt);
+    EXPECT_THAT(joints.at, ElementsAre(0.3, 0.2));
+}
+
+TEST(JointControl, WhereAKnownJointFallsSilentItsLimitWouldNotHold) {
+    Moved joints(flippers(JointCommandMode::Velocity));
+    joints.share = 0.0;
+    joints.step();
+    joints.share = 1.0;
+    joints.steps(5);
+    joints.reports = false;
+    joints.steps(25);
+    EXPECT_EQ(joints.control.motion(), JointMotion::Unreported);
+    EXPECT_THAT(joints.last->values, ElementsAre(0.0, 0.0));
 }
 
 TEST(JointControl, WhatIsHeldThroughAStopMovesNothingAfterIt) {

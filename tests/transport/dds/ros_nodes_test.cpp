@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <bit>
+#include <mutex>
+#include <optional>
 #include <random>
+#include <thread>
+#include <vector>
 
 #include <gmock/gmock.h>
 
 #include "tests/transport/dds/test_node.h"
 #include "transport/cdr/cdr_writer.h"
+#include "transport/dds/ros_presence.h"
 
 namespace leitstand::test {
 namespace {
@@ -104,6 +109,114 @@ TEST(RosNodes, AreHeardOfProcessesInTheDomain) {
                         .ok());
         EXPECT_TRUE(waitUntil([&] { return watch.nodes().of(odometry->guid()) == "/kurt3d/driver"; }))
             << size;
+    }
+}
+
+TEST(RosNodes, AreAnnouncedAsTheyAreRead) {
+    for (const std::size_t size : {16U, 24U}) {
+        const RosProcess process{
+            guid(1, 0xc1),
+            size,
+            {{"/leitstand", {guid(1, 7)}, {guid(1, 8), guid(1, 9)}}, {"/a/b/c", {}, {}}}};
+        const auto read = rosProcess(*rosAnnouncement(process));
+        ASSERT_TRUE(read.ok()) << read.error().text;
+        EXPECT_EQ(read->gidSize, size);
+        EXPECT_EQ(read->participant, process.participant);
+        ASSERT_EQ(read->nodes.size(), 2U);
+        EXPECT_EQ(read->nodes[0].name, "/leitstand");
+        EXPECT_EQ(read->nodes[0].readers, process.nodes[0].readers);
+        EXPECT_EQ(read->nodes[0].writers, process.nodes[0].writers);
+        EXPECT_EQ(read->nodes[1].name, "/a/b/c");
+    }
+    EXPECT_EQ(
+        announced(24, guid(1, 0xc1), guid(1, 8)),
+        *rosAnnouncement({guid(1, 0xc1),
+                          24,
+                          {{"/kurt3d/driver", {guid(1, 7)}, {guid(1, 8), guid(1, 9)}}, {"/tf", {}, {}}}}))
+        << "byte for byte as rmw does";
+}
+
+TEST(RosNodes, TheSizeOfIdentitiesIsKnownOnlyWhereAllAgree) {
+    RosNodes nodes;
+    const std::vector all = {guid(1, 0xc1), guid(2, 0xc1), guid(3, 0xc1)};
+    EXPECT_EQ(nodes.gidSize(all), std::nullopt);
+    nodes.add({guid(1, 0xc1), 24, {{"/a", {}, {}}}});
+    EXPECT_EQ(nodes.gidSize(all), 24U);
+    nodes.add({guid(2, 0xc1), 16, {{"/leitstand", {}, {}}}});
+    EXPECT_EQ(nodes.gidSize(all), std::nullopt);
+    EXPECT_EQ(nodes.gidSize(all, "/leitstand"), 24U) << "stations go by the robots";
+    EXPECT_EQ(nodes.gidSize(std::vector{guid(2, 0xc1)}), 16U) << "the other one has gone";
+}
+
+/// What a process of ROS 2 hears of others on its topic of nodes.
+class Heard {
+public:
+    explicit Heard(Node& node)
+        : m_subscription(must(node.subscribe(
+              {std::string(RosDiscoveryTopic), std::string(RosDiscoveryType), transientLocal(1), Lane::Small},
+              [this](const ReceivedSample& sample) {
+                  const std::lock_guard lock(m_mutex);
+                  if (auto process = rosProcess(*sample.event.cdr))
+                      m_all.push_back(std::move(process).value());
+              }))) {}
+    /// The newest announcement of @p participant.
+    [[nodiscard]] std::optional<RosProcess> of(const Guid& participant) const {
+        const std::lock_guard lock(m_mutex);
+        const auto found = std::find_if(m_all.rbegin(), m_all.rend(), [&](const RosProcess& one) {
+            return one.participant == participant;
+        });
+        return found == m_all.rend() ? std::nullopt : std::optional(*found);
+    }
+
+private:
+    mutable std::mutex m_mutex;
+    std::vector<RosProcess> m_all;
+    std::unique_ptr<Subscription> m_subscription;
+};
+
+TEST(RosPresence, IsAnnouncedInTheSizeThatIsHeardAndNotWhereSizesAreMixed) {
+    for (const std::size_t size : {24U, 16U}) {
+        const TestDomain domain;
+        const auto robot = nodeIn(domain, {.name = "/"}), station = nodeIn(domain);
+        const Heard heard(*robot);
+        const auto odometry = must(station->subscribe(
+            {"/odom", "nav_msgs/msg/Odometry", reliable(1), Lane::Small}, [](const ReceivedSample&) {}));
+        const RosNodeWatch watch(*station);
+        const RosPresence presence(*station, watch.nodes(), "/leitstand");
+        std::this_thread::sleep_for(std::chrono::milliseconds(1'500));
+        EXPECT_FALSE(heard.of(station->guid())) << "nobody has said how long identities are";
+        const auto announcing = must(robot->publisher(
+            {std::string(RosDiscoveryTopic), std::string(RosDiscoveryType), transientLocal(1)}));
+        ASSERT_TRUE(announcing
+                        ->write(std::make_shared<const std::vector<std::byte>>(
+                            announced(size, robot->guid(), guid(9, 8))))
+                        .ok());
+        ASSERT_TRUE(waitUntil([&] {
+            const auto said = heard.of(station->guid());
+            return said && said->gidSize == size && said->nodes.size() == 1 &&
+                   std::count(said->nodes[0].readers.begin(), said->nodes[0].readers.end(),
+                              odometry->guid()) == 1;
+        }));
+        const auto later = must(station->publisher({"/cmd_vel", "geometry_msgs/msg/Twist", reliable(1)}));
+        EXPECT_TRUE(waitUntil([&] {
+            const std::vector<Guid> writers = heard.of(station->guid())->nodes[0].writers;
+            return std::count(writers.begin(), writers.end(), later->guid()) == 1;
+        })) << "what came later, too";
+        // One of the other kind comes: it hears nothing in a size that would break it.
+        const auto other = nodeIn(domain, {.name = "/"});
+        const auto its = must(other->publisher(
+            {std::string(RosDiscoveryTopic), std::string(RosDiscoveryType), transientLocal(1)}));
+        ASSERT_TRUE(its->write(std::make_shared<const std::vector<std::byte>>(
+                                   announced(40 - size, other->guid(), guid(9, 9))))
+                        .ok());
+        const auto announces = [&] {
+            const auto endpoints = robot->endpoints();
+            return std::any_of(endpoints.begin(), endpoints.end(), [&](const RemoteEndpoint& one) {
+                return one.kind == RemoteEndpoint::Kind::Writer && one.participant == station->guid() &&
+                       one.topic == RosDiscoveryTopic;
+            });
+        };
+        EXPECT_TRUE(waitUntil([&] { return !announces(); }));
     }
 }
 

@@ -178,6 +178,11 @@ std::vector<Guid> Discovery::matchedWith(const Guid& local) const {
     return {found->second.matched.begin(), found->second.matched.end()};
 }
 
+std::map<Guid, LocalEndpoint> Discovery::local() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_local;
+}
+
 RemoteEndpoint Discovery::named(RemoteEndpoint endpoint) const {
     if (const auto found = m_participants.find(endpoint.participant); found != m_participants.end()) {
         endpoint.participantName = found->second.participant.name;

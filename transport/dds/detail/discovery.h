@@ -34,6 +34,7 @@ public:
     void remove(const Guid& local);
     void matched(const Guid& local, const Guid& remote, bool now);
     [[nodiscard]] std::vector<Guid> matchedWith(const Guid& local) const;
+    [[nodiscard]] std::map<Guid, LocalEndpoint> local() const;  ///< our readers and writers
 
 private:
     struct KnownParticipant {

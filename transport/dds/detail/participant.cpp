@@ -10,6 +10,7 @@
 #include <fastdds/dds/topic/Topic.hpp>
 
 #include "core/base/printable.h"
+#include "transport/convert/message_catalog.h"
 #include "transport/dds/detail/convert.h"
 #include "transport/dds/detail/endpoint_qos.h"
 #include "transport/dds/detail/fastdds.h"
@@ -68,6 +69,15 @@ Qos effective(const EndpointQos& endpoint) {
                          : Qos::Durability::TransientLocal;
     qos.deadline = fastdds::secondsOf(endpoint.deadline().period);
     return qos;
+}
+
+/// Tells the type's hash as rmw does from Iron on, if it is known ("typehash=RIHS01_...;").
+template <class EndpointQos>
+void announceTypeHash(EndpointQos& qos, const std::string& type) {
+    const MessageType* const known = findMessageType(type);
+    if (known == nullptr) return;
+    const std::string words = fmt::format("typehash={};", known->hash);
+    qos.user_data() = std::vector<std::uint8_t>(words.begin(), words.end());
 }
 
 Error gone(const std::string& topic) {
@@ -291,6 +301,7 @@ Result<efd::DataReader*> Participant::createReader(const ReaderSettings& setting
     fromProfile(m_settings, settings.topic, qos, [this](const std::string& name, efd::DataReaderQos& into) {
         return m_subscriber->get_datareader_qos_from_profile(name, into);
     });
+    announceTypeHash(qos, settings.type);
     auto* reader =
         m_subscriber->create_datareader(*topic, qos, &listener, efd::StatusMask::subscription_matched());
     if (reader == nullptr) {
@@ -325,6 +336,7 @@ Result<efd::DataWriter*> Participant::createWriter(const WriterSettings& setting
     fromProfile(m_settings, settings.topic, qos, [this](const std::string& name, efd::DataWriterQos& into) {
         return m_publisher->get_datawriter_qos_from_profile(name, into);
     });
+    announceTypeHash(qos, settings.type);
     auto* writer =
         m_publisher->create_datawriter(*topic, qos, &listener, efd::StatusMask::publication_matched());
     if (writer == nullptr) {

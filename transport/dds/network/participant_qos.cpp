@@ -198,6 +198,9 @@ Result<efd::DomainParticipantQos> participantQos(const NodeSettings& settings) {
         discovery.leaseDuration_announcementperiod = duration(std::min(1.0, settings.lease / 3.0));
     }
     if (!profiles || qos.name() == efd::DomainParticipantQos().name()) qos.name(settings.name);
+    // rmw takes participants for processes of ROS 2 by their enclave.
+    constexpr std::string_view Enclave = "enclave=/;";
+    if (qos.user_data().empty()) qos.user_data() = std::vector<std::uint8_t>(Enclave.begin(), Enclave.end());
     if (!profiles || !settings.interfaces.empty()) {
         if (auto added = addTransport(settings, qos); !added) return added.error();
     }

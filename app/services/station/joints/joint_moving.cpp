@@ -1,5 +1,6 @@
 #include "app/services/station/joints/joint_moving.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/base/time.h"
@@ -22,7 +23,29 @@ JointMoving::JointMoving(const std::vector<RobotDescription>& robots, Wire wire)
     if (!m_parts.empty()) m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
-JointMoving::~JointMoving() = default;
+JointMoving::~JointMoving() {
+    end();
+}
+
+void JointMoving::end() {
+    if (!m_thread.joinable()) return;
+    m_thread.request_stop();
+    m_thread.join();
+    for (auto& [key, part] : m_parts) {
+        const std::scoped_lock lock(m_mutex);
+        const bool moved = part.control.isMoving();
+        part.control.halt();
+        const auto last = part.control.due({}, steadyNow());
+        if (moved && last) (void)m_wire.send(key.first, part.control.group(), *last);
+    }
+}
+
+bool JointMoving::isMoving(const std::string& robot) const {
+    const std::scoped_lock lock(m_mutex);
+    return std::any_of(m_parts.begin(), m_parts.end(), [&](const auto& one) {
+        return one.first.first == robot && one.second.control.isMoving();
+    });
+}
 
 void JointMoving::onEvent(const Event& event) {
     const auto* joints = event.sample.as<JointSample>();

@@ -50,6 +50,10 @@ public:
     void move(const std::string& robot, const std::string& group, std::size_t axis, double share);
     void goTo(const std::string& robot, const std::string& group, std::size_t preset);
     void halt(const std::string& robot);  ///< ends all motions of the robot's joints
+    /// Whether a joint of the robot moves, or the end of its motion is not all said yet.
+    [[nodiscard]] bool isMoving(const std::string& robot) const;
+    /// Ends all motions for good: nothing is sent any more when it returns.
+    void end();
 
 private:
     using Key = std::pair<std::string, std::string>;  ///< robot, group

@@ -127,8 +127,8 @@ void PadInput::publish(const PadRequests& requests) {
     if (requests.driving || before.driving)
         emit sticks(requests.drive, requests.driving, requests.withoutEyes);
     if (requests.needsNeutral != before.needsNeutral) emit needsNeutral(requests.needsNeutral);
-    if (requests.cameras != PanTiltRate{} || before.cameras != PanTiltRate{}) emit panTilt(requests.cameras);
     if (requests.joints != 0.0 || before.joints != 0.0) emit joints(requests.joints);
+    if (requests.cameras != PanTiltRate{} || before.cameras != PanTiltRate{}) emit panTilt(requests.cameras);
     for (const std::string& command : requests.commands) emit commandWanted(QString::fromStdString(command));
 }
 

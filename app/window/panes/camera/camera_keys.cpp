@@ -67,7 +67,10 @@ QString CameraKeys::names() {
 
 void CameraKeys::publish() {
     const double speed = m_keys.withShift() ? Slow : Fast;
-    emit rateWanted({speed * m_keys.share(Left, Right), speed * m_keys.share(Down, Up)});
+    const PanTiltAngles rate{speed * m_keys.share(Left, Right), speed * m_keys.share(Down, Up)};
+    if (rate == m_rate) return;
+    m_rate = rate;
+    emit rateWanted(rate);
 }
 
 }  // namespace leitstand

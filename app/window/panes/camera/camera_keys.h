@@ -33,6 +33,7 @@ private:
     void publish();
 
     HeldKeys m_keys;
+    PanTiltAngles m_rate;  ///< emitted last
 };
 
 }  // namespace leitstand

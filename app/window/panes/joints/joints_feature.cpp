@@ -22,7 +22,7 @@ namespace {
 constexpr std::chrono::milliseconds RenewEvery(50);  // the station forgets a motion after 200 ms
 constexpr int PresetKeys = 6;
 
-enum Way { Up, Down };
+enum Way { Up, Down, Halt };
 
 }  // namespace
 
@@ -49,10 +49,14 @@ void JointsFeature::addCommands() {
             if (!chosen() || event.modifiers().testFlag(Qt::ShiftModifier)) return std::nullopt;
             if (event.key() == Qt::Key_J) return Up;
             if (event.key() == Qt::Key_K) return Down;
+            // Who drives has Space anyway, which then also releases the keys.
+            const bool drives = m_context.source.moment().view(m_robot.toStdString()).drive.focus;
+            if (event.key() == Qt::Key_Space && !drives && isMoving()) return Halt;
             return std::nullopt;
         },
         [this] { return m_context.source.moment().view(m_robot.toStdString()).drive.focus; });
-    connect(&*m_keys, &HeldKeys::pressed, this, [this] {
+    connect(&*m_keys, &HeldKeys::pressed, this, [this](int way) {
+        if (way == Halt) return m_context.liveStation->halt();
         if (!mayMove())
             m_context.notify(tr("Joints move only with drive control of a robot that is not stopped"));
     });
@@ -71,7 +75,10 @@ void JointsFeature::addCommands() {
                                                 "and lowers what is chosen instead"),
                                      .keys = QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_J),
                                      .checkable = true});
-    connect(m_pad, &QAction::toggled, this, [this] { move(0.0); });
+    connect(m_pad, &QAction::toggled, this, [this] {
+        m_stickFree = m_stick == 0.0;
+        move(0.0);
+    });
     addPresets();
 }
 
@@ -110,6 +117,22 @@ bool JointsFeature::padMoves() const {
     return m_pad != nullptr && m_pad->isChecked() && chosen().has_value();
 }
 
+bool JointsFeature::takesStick() const {
+    return padMoves() && m_stick != 0.0;
+}
+
+void JointsFeature::takeStick(double share) {
+    m_stick = share;
+    if (share == 0.0) m_stickFree = true;
+    if (padMoves() && m_stickFree) move(share);
+}
+
+bool JointsFeature::isMoving() const {
+    const auto axis = chosen();
+    if (!axis || m_context.liveStation == nullptr) return false;
+    return m_context.liveStation->joints().isMoving(m_robot.toStdString());
+}
+
 bool JointsFeature::mayMove() const {
     const auto axis = chosen();
     if (!axis || m_context.liveStation == nullptr) return false;
@@ -139,6 +162,7 @@ void JointsFeature::renew() {
 void JointsFeature::choose(const JointAxisId& axis) {
     if (chosen() == axis) return;
     move(0.0);
+    m_stickFree = m_stick == 0.0;
     m_chosen[m_robot] = axis;
     nameCommands();
     show(m_context.source.moment());
@@ -163,6 +187,8 @@ void JointsFeature::goTo(std::size_t preset) {
 
 void JointsFeature::changeRobot() {
     move(0.0);  // of the robot until now
+    m_stickFree = m_stick == 0.0;
+    if (m_keys) m_keys->letGo();
     m_robot = m_context.selection.name();
     const RobotDescription* const robot = m_context.selection.robot();
     if (robot != nullptr && !m_chosen.contains(m_robot)) {

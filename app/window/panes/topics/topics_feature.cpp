@@ -41,12 +41,12 @@ TopicsFeature::TopicsFeature(const LiveContext& context)
         if (!shown) {
             m_lists.stop();
             m_shows.stop();
+            m_watched = {};
             return m_context.station.topicWatch().end();
         }
         m_lists.start(ListEvery);
         m_shows.start(ShowEvery);
-        list();
-        watch();
+        list();  // and watches what was chosen
     });
 }
 
@@ -67,11 +67,22 @@ void TopicsFeature::list() {
                         othersText(topic.obstacle)});
     }
     m_panel->showTopics(rows);
+    const auto chosen = m_seen.find(m_panel->chosen());
+    if (chosen == m_seen.end()) return;
+    const SeenTopic& now = chosen->second;
+    // It appeared, or somebody else offers it: what was subscribed may not match.
+    if (now.name != m_watched.name || now.type != m_watched.type || now.written != m_watched.written ||
+        now.qos != m_watched.qos || now.obstacle != m_watched.obstacle)
+        watch();
 }
 
 void TopicsFeature::watch() {
     const auto chosen = m_seen.find(m_panel->chosen());
-    if (chosen == m_seen.end()) return m_context.station.topicWatch().end();
+    if (chosen == m_seen.end()) {
+        m_watched = {};
+        return m_context.station.topicWatch().end();
+    }
+    m_watched = chosen->second;
     if (const auto watched = m_context.station.topicWatch().watch(chosen->second); !watched)
         m_context.notify(QString::fromStdString(watched.error().text));
     m_context.station.topicWatch().plot(m_panel->plotted().toStdString());

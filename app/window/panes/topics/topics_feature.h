@@ -28,6 +28,7 @@ private:
     LiveContext m_context;
     TopicsPanel* m_panel;
     std::map<QString, SeenTopic> m_seen;  ///< by name
+    SeenTopic m_watched;                  ///< as it was when it was subscribed
     QTimer m_lists, m_shows;
 };
 

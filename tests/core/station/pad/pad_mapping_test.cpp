@@ -188,6 +188,22 @@ TEST_F(PadMappingTest, TheRightStickTurnsCamerasWithoutTheTrigger) {
     EXPECT_EQ(now().cameras, (PanTiltRate{-rate, 0.0}));
 }
 
+TEST_F(PadMappingTest, TheRightStickMovesJointsOnlyWhileTheTriggerIsHeldAndFromNeutral) {
+    (void)now();
+    push(axis::RightY, -1.0);
+    EXPECT_EQ(now().joints, 0.0) << "no trigger";
+    push(axis::LeftTrigger, 1.0);
+    EXPECT_EQ(now().joints, 0.0) << "pushed before the trigger";
+    push(axis::RightY, 0.0);
+    EXPECT_EQ(now().joints, 0.0);
+    push(axis::RightY, -1.0);
+    EXPECT_EQ(now().joints, 1.0) << "up";
+    push(axis::LeftTrigger, 0.0);
+    EXPECT_EQ(now().joints, 0.0) << "the trigger is let go";
+    push(axis::LeftTrigger, 1.0);
+    EXPECT_EQ(now().joints, 0.0) << "neutral first";
+}
+
 TEST_F(PadMappingTest, CommandsArePressedOnceAndOnlyHere) {
     hold(button::Y);
     EXPECT_TRUE(now().commands.empty()) << "held when the pad came";
