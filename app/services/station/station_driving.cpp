@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/services/log/link_line.h"
+#include "app/services/log/sequencer.h"
 #include "app/services/station/station_state.h"
 #include "core/base/words.h"
 #include "core/event/station_topics.h"

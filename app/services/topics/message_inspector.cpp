@@ -134,8 +134,6 @@ private:
             std::string text;
             m_reader.read(path.c_str(), text);
             if (m_reader.ok()) add({path, inQuotes(text), depth, {}});
-        } else if (one.type == "wstring") {
-            m_message.cut = true;
         } else if (sizeOfNumber(one.type) > 0) {
             withType(one.type, [&](auto number) {
                 m_reader.read(path.c_str(), number);
@@ -145,7 +143,7 @@ private:
             add({path, {}, depth, {}});
             fields(*its, path, depth + 1);
         } else {
-            m_message.cut = true;
+            m_message.cut = true;  // a wstring, whose letters have no agreed size
         }
     }
 

@@ -58,7 +58,7 @@ public:
             control.reported(sample, now);
         }
         if (share) control.move(0, *share, now);
-        const auto sent = control.due(conditions, now);
+        auto sent = control.due(conditions, now);
         if (sent) last = sent;
         for (std::size_t i = 0; last && !blocked && i < at.size(); ++i) {
             const double step = 0.05 * control.group().joints[i].rate;

@@ -8,8 +8,6 @@
 namespace leitstand::test {
 namespace {
 
-using testing::ElementsAre;
-
 RobotDescription tracked() {
     RobotDescription robot;
     robot.title = "Tracked";

@@ -71,7 +71,7 @@ QStringList FieldRowsModel::headers() const {
 QString FieldRowsModel::cell(int row, int column) const {
     const FieldRow& one = m_rows[static_cast<std::size_t>(row)];
     if (column == Value) return one.value;
-    return QString(2 * one.depth, QLatin1Char(' ')) + lastPart(one.path);
+    return QString(qsizetype{2} * one.depth, QLatin1Char(' ')) + lastPart(one.path);
 }
 
 QString FieldRowsModel::hint(int row) const {
