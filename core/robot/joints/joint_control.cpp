@@ -271,7 +271,10 @@ std::optional<JointSetpoints> JointControl::due(const JointConditions& condition
         end(now);
         m_needsRest = true;
     }
-    if (conditions.hold) return held(now);
+    if (conditions.hold) {
+        (void)ending(conditions, now);  // what holds them says it; only until when counts
+        return held(now);
+    }
     if (m_heldSince) {
         // Nothing goes on from before the stop, or begins in its last moment.
         end(now);

@@ -216,6 +216,20 @@ TEST(JointControl, AfterAGapOfTheLinkZerosAreSentOnceItIsBack) {
     EXPECT_FALSE(joints.control.isMoving());
 }
 
+TEST(JointControl, AStopThatStandsIsNoMotion) {
+    for (const JointCommandMode mode : {JointCommandMode::Position, JointCommandMode::Velocity}) {
+        Moved joints(flippers(mode));
+        joints.share = 0.0;
+        joints.step();
+        joints.share = 1.0;
+        joints.steps(3);
+        EXPECT_TRUE(joints.control.isMoving());
+        joints.share = 0.0;
+        joints.steps(20, Stopped);
+        EXPECT_FALSE(joints.control.isMoving()) << "the station may join its domain again";
+    }
+}
+
 TEST(JointControl, ZerosAreSentUntilTheJointsAreSeenToStand) {
     Moved joints(flippers(JointCommandMode::Velocity));
     joints.share = 0.0;

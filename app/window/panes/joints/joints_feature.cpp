@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include <QAction>
 #include <QKeyEvent>
@@ -244,7 +245,11 @@ JointGroupViews JointsFeature::views(const LiveMoment& moment) const {
 }
 
 void JointsFeature::show(const LiveMoment& moment) {
-    m_panel->show(m_context.selection.robot(), views(moment), chosen().value_or(JointAxisId{}));
+    // Moments come 30 times a second; what stands still is not laid out and painted again.
+    Shown now{m_context.selection.robot(), views(moment), chosen().value_or(JointAxisId{})};
+    if (m_shown == now) return;
+    m_panel->show(now.robot, now.groups, now.chosen);
+    m_shown = std::move(now);
 }
 
 }  // namespace leitstand

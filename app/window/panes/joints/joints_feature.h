@@ -55,8 +55,17 @@ private:
     [[nodiscard]] bool isMoving() const;
     [[nodiscard]] bool padMoves() const;
 
+    /// What the panel shows.
+    struct Shown {
+        const RobotDescription* robot = nullptr;
+        JointGroupViews groups;
+        JointAxisId chosen;
+        friend bool operator==(const Shown&, const Shown&) = default;
+    };
+
     ViewContext m_context;
     JointsPanel* m_panel;
+    std::optional<Shown> m_shown;
     std::optional<HeldKeys> m_keys;           ///< empty: there is no live robot
     std::map<QString, JointAxisId> m_chosen;  ///< by robot
     QString m_robot;
