@@ -19,7 +19,6 @@ QSize ToneDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelInd
 
 void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);
-    option->textElideMode = Qt::ElideRight;
     const auto tone = static_cast<Tone>(index.data(ToneRole).toInt());
     if (tone == Tone::Normal) return;
     // Style sheets set their own colours in the widget's palette, so the application's is used.
