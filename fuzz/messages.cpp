@@ -34,6 +34,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     stream.role = allStreamRoles()[data[1] % allStreamRoles().size()];
     stream.topic = event.topic;
     stream.type = event.type;
+    stream.readings = usualReadings(stream.type);
+    if (stream.readings.empty()) {
+        for (const char* field :
+             {"data", "data[1]", "header.stamp.sec", "pose.pose.position", "status[0].level"})
+            stream.readings.push_back({field, field, ""});
+    }
     stream.thermal.measured = (data[2] & 4) == 0;
     RobotDescription robot = robotOf(stream);
     robot.tfPrefix = static_cast<TfPrefix>(data[2] % 3);

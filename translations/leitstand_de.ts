@@ -243,6 +243,10 @@
         <source>Topics</source>
         <translation>Topics</translation>
     </message>
+    <message>
+        <source>Readings</source>
+        <translation>Messwerte</translation>
+    </message>
 </context>
 <context>
     <name>PdfText</name>
@@ -3419,6 +3423,38 @@ Funk: %4 %5</translation>
         <source>expected positions in a JointTrajectory, found a group that is commanded by velocity</source>
         <translation>erwartet: Stellungen in einer JointTrajectory, gefunden: eine Gruppe, die durch Geschwindigkeiten bewegt wird</translation>
     </message>
+    <message>
+        <source>messages of type {} are not known, so nothing in them is read</source>
+        <translation>Nachrichten des Typs {} sind nicht bekannt, also wird nichts daraus gelesen</translation>
+    </message>
+    <message>
+        <source>expected another number than 0</source>
+        <translation>erwartet eine andere Zahl als 0</translation>
+    </message>
+    <message>
+        <source>expected another title for each number, found {} again</source>
+        <translation>erwartet für jede Zahl einen anderen Titel, gefunden wieder {}</translation>
+    </message>
+    <message>
+        <source>expected the path of a number in the message, such as temperature or cells[2].voltage, found {}</source>
+        <translation>erwartet den Pfad einer Zahl in der Nachricht, etwa temperature oder cells[2].voltage, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected at least {} (that of {}), found &quot;{}&quot;</source>
+        <translation>erwartet mindestens {} (das von {}), gefunden „{}“</translation>
+    </message>
+    <message>
+        <source>expected a list of numbers in messages of type {}, found nothing</source>
+        <translation>erwartet eine Liste von Zahlen in Nachrichten des Typs {}, gefunden nichts</translation>
+    </message>
+    <message>
+        <source>expected 1 to {} numbers, found {}</source>
+        <translation>erwartet 1 bis {} Zahlen, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected it only for reading, found it for {}</source>
+        <translation>nur für reading erwartet, gefunden bei {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -4915,6 +4951,14 @@ Apache License 2.0</translation>
     <message>
         <source>its planned path</source>
         <translation>geplanter Weg</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>what it draws</source>
+        <translation>was er zeichnet</translation>
     </message>
 </context>
 <context>
@@ -6918,6 +6962,105 @@ F1 listet alle Tasten</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ReadingRowsModel</name>
+    <message>
+        <source>Reading</source>
+        <translation>Messwert</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Amber outside %1</source>
+        <translation>Gelb außerhalb von %1</translation>
+    </message>
+    <message>
+        <source>Red outside %1</source>
+        <translation>Rot außerhalb von %1</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReadingWords</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Readings</name>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>humidity</source>
+        <translation>Luftfeuchte</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Luftdruck</translation>
+    </message>
+    <message>
+        <source>magnetic field</source>
+        <translation>Magnetfeld</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>altitude</source>
+        <translation>Höhe</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReadingsFeature</name>
+    <message>
+        <source>&amp;Readings of its sensors</source>
+        <translation>&amp;Messwerte seiner Sensoren</translation>
+    </message>
+    <message>
+        <source>Temperatures, distances and all other numbers that the robot&apos;s file names, with their limits</source>
+        <translation>Temperaturen, Abstände und alle anderen Zahlen, die die Datei des Roboters nennt, mit ihren Grenzen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReadingsPanel</name>
+    <message>
+        <source>Readings</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>Readings of the robot&apos;s sensors</source>
+        <translation>Messwerte der Sensoren des Roboters</translation>
+    </message>
+    <message>
+        <source>This robot&apos;s file names no readings</source>
+        <translation>Die Datei dieses Roboters nennt keine Messwerte</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::RecordLight</name>
     <message>
         <source>Recording</source>
@@ -7850,6 +7993,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>The camera stays above the selected robot, its heading up; ceilings are hidden</source>
         <translation>Die Kamera bleibt über dem gewählten Roboter, seine Richtung oben; Decken sind ausgeblendet</translation>
+    </message>
+    <message>
+        <source>What robots &amp;draw</source>
+        <translation>Was Roboter &amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Markers, outlines, detections and places that robots publish, over the map</source>
+        <translation>Marker, Umrisse, Erkennungen und Orte, die Roboter veröffentlichen, über der Karte</translation>
     </message>
 </context>
 <context>

@@ -243,6 +243,10 @@
         <source>Topics</source>
         <translation>トピック</translation>
     </message>
+    <message>
+        <source>Readings</source>
+        <translation>測定値</translation>
+    </message>
 </context>
 <context>
     <name>PdfText</name>
@@ -3419,6 +3423,38 @@ Link: %4 %5</source>
         <source>expected positions in a JointTrajectory, found a group that is commanded by velocity</source>
         <translation>JointTrajectoryには位置が必要ですが、速度で動かすグループでした</translation>
     </message>
+    <message>
+        <source>messages of type {} are not known, so nothing in them is read</source>
+        <translation>{} 型のメッセージは未知のため、値を読み取れません</translation>
+    </message>
+    <message>
+        <source>expected another number than 0</source>
+        <translation>0 以外の数が必要です</translation>
+    </message>
+    <message>
+        <source>expected another title for each number, found {} again</source>
+        <translation>値ごとに異なる title が必要です。{} が重複しています</translation>
+    </message>
+    <message>
+        <source>expected the path of a number in the message, such as temperature or cells[2].voltage, found {}</source>
+        <translation>メッセージ内の数値のパス (例: temperature、cells[2].voltage) が必要です。{} が見つかりました</translation>
+    </message>
+    <message>
+        <source>expected at least {} (that of {}), found &quot;{}&quot;</source>
+        <translation>{} 以上 ({} の値) が必要です。&quot;{}&quot; が見つかりました</translation>
+    </message>
+    <message>
+        <source>expected a list of numbers in messages of type {}, found nothing</source>
+        <translation>{} 型のメッセージの数値のリストが必要ですが、ありません</translation>
+    </message>
+    <message>
+        <source>expected 1 to {} numbers, found {}</source>
+        <translation>1 から {} 個の数値が必要ですが、{} 個あります</translation>
+    </message>
+    <message>
+        <source>expected it only for reading, found it for {}</source>
+        <translation>reading にのみ指定できますが、{} に指定されています</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -4915,6 +4951,14 @@ Apache License 2.0</translation>
     <message>
         <source>its planned path</source>
         <translation>計画経路</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>測定値</translation>
+    </message>
+    <message>
+        <source>what it draws</source>
+        <translation>描画</translation>
     </message>
 </context>
 <context>
@@ -6918,6 +6962,105 @@ F1 でキー一覧</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::ReadingRowsModel</name>
+    <message>
+        <source>Reading</source>
+        <translation>測定値</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>限界</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>経過</translation>
+    </message>
+    <message>
+        <source>Amber outside %1</source>
+        <translation>%1 の外で黄</translation>
+    </message>
+    <message>
+        <source>Red outside %1</source>
+        <translation>%1 の外で赤</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReadingWords</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1～%2</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::Readings</name>
+    <message>
+        <source>temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>humidity</source>
+        <translation>湿度</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>気圧</translation>
+    </message>
+    <message>
+        <source>magnetic field</source>
+        <translation>磁場</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>照度</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>緯度</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>経度</translation>
+    </message>
+    <message>
+        <source>altitude</source>
+        <translation>高度</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReadingsFeature</name>
+    <message>
+        <source>&amp;Readings of its sensors</source>
+        <translation>センサーの測定値(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Temperatures, distances and all other numbers that the robot&apos;s file names, with their limits</source>
+        <translation>ロボットのファイルに記された温度・距離などの数値と、その限界</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::ReadingsPanel</name>
+    <message>
+        <source>Readings</source>
+        <translation>測定値</translation>
+    </message>
+    <message>
+        <source>Readings of the robot&apos;s sensors</source>
+        <translation>ロボットのセンサーの測定値</translation>
+    </message>
+    <message>
+        <source>This robot&apos;s file names no readings</source>
+        <translation>このロボットのファイルには測定値がありません</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::RecordLight</name>
     <message>
         <source>Recording</source>
@@ -7850,6 +7993,14 @@ F1 でキー一覧</translation>
     <message>
         <source>The camera stays above the selected robot, its heading up; ceilings are hidden</source>
         <translation>視点は選択中のロボットの真上、進行方向が上。天井は非表示</translation>
+    </message>
+    <message>
+        <source>What robots &amp;draw</source>
+        <translation>ロボットの描画(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Markers, outlines, detections and places that robots publish, over the map</source>
+        <translation>ロボットが発行するマーカー・輪郭・検出・位置を地図に重ねて表示</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,7 @@
 #include "app/options/domain_options.h"
 #include "app/services/interrupt.h"
 #include "app/services/log/mission_recorder.h"
+#include "app/services/station/choose_robots.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/team.h"
@@ -116,6 +117,10 @@ int runRecord(const RecordOptions& options) {
         auto robot = readRobot(*found);
         if (!robot) {
             complain(line, robot.error().text);
+            return 1;
+        }
+        if (const auto readable = checkReadings(*robot); !readable) {
+            complain(line, readable.error().text);
             return 1;
         }
         settings.mission.robots.push_back(std::move(robot).value());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -92,6 +93,52 @@ struct GridUpdateSample {
     int width = 0;                   ///< number of cells along x
     int height = 0;                  ///< number of cells along y
     std::vector<std::int8_t> cells;  ///< as OccupancyGridSample::cells
+};
+
+/// What a marker looks like (visualization_msgs/msg/Marker; meshes are boxes here).
+enum class MarkerShape : std::uint8_t {
+    Arrow,      ///< from points[0] to points[1]; without points along x, size.x() long
+    Box,        ///< as large as `size`; with points, one at each
+    Ellipsoid,  ///< the same
+    Cylinder,   ///< the same, upright
+    LineStrip,  ///< from point to point
+    LineList,   ///< between points[0] and [1], [2] and [3], ...
+    Points,
+    Text,
+    Triangles,  ///< of points[0] to [2], [3] to [5], ...
+};
+
+/// Red, green, blue and opacity, each 0 to 1.
+struct MarkerColour {
+    float r = 1.0F, g = 1.0F, b = 1.0F, a = 1.0F;
+    friend bool operator==(const MarkerColour&, const MarkerColour&) = default;
+};
+
+/// Something that a robot draws.
+struct Marker {
+    SampleHeader header;
+    std::string space;  ///< space and id name it on its topic
+    std::int32_t id = 0;
+    bool removed = false;  ///< the marker of that name is drawn no longer; everything below does not count
+    MarkerShape shape = MarkerShape::Box;
+    Pose markerInFrame = Pose::Identity();
+    Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< [m]
+    MarkerColour colour;
+    /// Whether it moves along with its frame; otherwise it stays where that was when it was sent.
+    bool frameLocked = false;
+    std::chrono::nanoseconds lifetime{};  ///< it is drawn no longer after this time; 0: until it is removed
+    std::vector<Eigen::Vector3d> points;  ///< in the marker's own frame [m]
+    std::string text;
+};
+
+/// Markers of visualization_msgs (Marker, MarkerArray), and what is drawn like them: outlines
+/// (geometry_msgs/msg/PolygonStamped), poses with their uncertainty (PoseWithCovarianceStamped), and boxes of
+/// detections (vision_msgs/msg/Detection3DArray).
+struct MarkersSample {
+    static constexpr std::size_t MostMarkers = 5'000, MostPoints = 100'000;  ///< of a message
+
+    bool replacesAll = false;  ///< whether everything that was drawn on the topic before is gone
+    std::vector<Marker> markers;
 };
 
 }  // namespace leitstand

@@ -29,6 +29,7 @@ struct JointSample;
 struct JointTrajectorySample;
 struct KeyScanSample;
 struct MapCropSample;
+struct MarkersSample;
 struct MissionInfoSample;
 struct ModeCommandSample;
 struct ModeSample;
@@ -42,6 +43,7 @@ struct PingSample;
 struct PongSample;
 struct PoseSample;
 struct RangesSample;
+struct ReadingSample;
 struct RobotPlaceSample;
 struct ScanBodiesSample;
 struct ScanLinksSample;
@@ -77,7 +79,7 @@ using SampleTypes =
              KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
              CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample, MissionInfoSample,
              MapCropSample, ScanLinksSample, ScanBodiesSample, OccupancyGridSample, GridUpdateSample,
-             PathSample, DriveLockSample, JointTrajectorySample, NumbersSample>;
+             PathSample, DriveLockSample, JointTrajectorySample, NumbersSample, ReadingSample, MarkersSample>;
 
 template <class Type>
 concept IsSample = (SampleTypes::indexOf<Type>() < SampleTypes::Size);

@@ -20,6 +20,14 @@ struct GasSample {
     double ppm = 0.0;  ///< parts per million by volume
 };
 
+/// Numbers from a message of any type: those of StreamDescription::readings, in that order.
+struct ReadingSample {
+    SampleHeader header;  ///< epoch and no frame if the message has no header
+    /// In ReadingDescription::unit; Unknown if the message does not tell. A distance that is infinite is out
+    /// of reach, or too near if it is negative (REP 117).
+    std::vector<double> values;
+};
+
 /// State of a battery (sensor_msgs/msg/BatteryState). Numbers are Unknown if they are not measured.
 struct BatterySample {
     enum class Status : std::uint8_t { Unknown, Charging, Discharging, NotCharging, Full };

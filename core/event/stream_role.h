@@ -33,6 +33,8 @@ enum class StreamRole : std::uint8_t {
     Grid = 26,
     GridUpdate = 27,
     Path = 28,
+    Reading = 31,
+    Markers = 32,
     // to the robot
     DriveCommand = 18,
     TrackCommand = 19,
@@ -91,6 +93,10 @@ enum class StreamRole : std::uint8_t {
             return "grid_update";
         case StreamRole::Path:
             return "path";
+        case StreamRole::Reading:
+            return "reading";
+        case StreamRole::Markers:
+            return "markers";
         case StreamRole::DriveCommand:
             return "drive_command";
         case StreamRole::TrackCommand:

@@ -11,6 +11,7 @@
 
 #include "core/base/pose.h"
 #include "core/robot/joints/joint_group.h"
+#include "core/robot/readings/reading_description.h"
 #include "core/robot/scanner_correction.h"
 #include "core/robot/services/service_description.h"
 #include "core/robot/streams/qos.h"
@@ -46,6 +47,7 @@ struct StreamDescription {
     bool record = true;  ///< whether the mission's log stores it
     /// For Points and Ranges: if there are several scanners, this one makes the map.
     bool maps = false;
+    std::vector<ReadingDescription> readings = {};  ///< for Reading: the numbers that are shown
     friend bool operator==(const StreamDescription&, const StreamDescription&) = default;
 };
 

@@ -13,7 +13,9 @@
 #include "robots/simulation/sensors/laser/tilting_scanner.h"
 #include "robots/simulation/sensors/laser/turning_scanner.h"
 #include "robots/simulation/sensors/state/battery.h"
+#include "robots/simulation/sensors/state/detector.h"
 #include "robots/simulation/sensors/state/gas_sensor.h"
+#include "robots/simulation/sensors/state/reading_sensor.h"
 
 namespace leitstand::simulation {
 namespace {
@@ -159,6 +161,22 @@ void addPlaneLaser(FitOut& fit, bool turning) {
     fit.add(std::make_unique<TurningScanner>(settings, fit.noise("laser"), fit.start()));
 }
 
+/// Adds a sensor for each of a stock robot's readings.
+void addReadings(FitOut& fit, const RobotDescription& description) {
+    for (const StreamDescription& stream : description.streams) {
+        if (stream.role != StreamRole::Reading) continue;
+        const auto place = fit.place(StreamRole::Reading, stream.sensor, stream.sensor, at(0.2, 0.0, 0.2));
+        if (!place) continue;
+        ReadingSensorSettings settings;
+        settings.type = stream.type;
+        settings.sensor = place->key;
+        settings.frame = place->frame;
+        settings.sensorInBase = place->inBase;
+        fit.fix(place->frame, place->inBase);
+        fit.add(std::make_unique<ReadingSensor>(settings, fit.noise(place->key), fit.start()));
+    }
+}
+
 /// Adds the lidar of a stock robot, and its depth cameras.
 void addScanners(FitOut& fit, const RobotDescription& description, const HardwareSettings& settings) {
     std::set<std::string> added;
@@ -237,6 +255,9 @@ std::unique_ptr<RobotHardware> makeStockHardware(World& world, int robot, const 
                 fit, *place, [pose = place->inBase](Time) { return pose; }, std::make_shared<SharedLight>(),
                 settings.mayDraw));
     }
+    addReadings(fit, description);
+    if (description.stream(StreamRole::Markers) != nullptr)
+        fit.add(std::make_unique<Detector>(fit.baseFrame(), fit.start()));
     addBattery(fit, crawlerBattery());
     return fit.finish();
 }

@@ -19,9 +19,9 @@ const std::vector<Rule>& rules() {
     static const std::vector<std::string_view> coreLibraries = {"Eigen", "tbb",  "fmt",  "opencv",
                                                                 "zbar",  "zlib", "libav"};
     static const std::vector<std::string_view> core = {
-        "core/base",    "core/cloud",      "core/event",    "core/registration",
-        "core/robot",   "core/perception", "core/mapping",  "core/mission",
-        "core/station", "core/handin",     "core/settings", "core/version"};
+        "core/base",       "core/cloud",   "core/event",   "core/registration", "core/robot",
+        "core/perception", "core/mapping", "core/mission", "core/station",      "core/handin",
+        "core/settings",   "core/version", "core/messages"};
     static const auto with = [](std::vector<std::string_view> list, std::vector<std::string_view> more) {
         list.insert(list.end(), more.begin(), more.end());
         return list;
@@ -72,9 +72,9 @@ const std::vector<Order>& orders() {
     static const std::vector<Order> all = {
         {"core",
          2,
-         {"core/base", "core/version", "core/cloud", "core/event", "core/registration", "core/robot",
-          "core/perception", "core/mapping", "core/mission", "core/station", "core/handin", "core/settings",
-          "core/io"}},
+         {"core/base", "core/version", "core/messages", "core/cloud", "core/event", "core/registration",
+          "core/robot", "core/perception", "core/mapping", "core/mission", "core/station", "core/handin",
+          "core/settings", "core/io"}},
         {"widgets",
          3,
          {"widgets/models",
@@ -110,6 +110,7 @@ const std::vector<Order>& orders() {
           "widgets/score",
           "widgets/timeline",
           "widgets/topics",
+          "widgets/readings",
           "widgets/victims",
           "widgets/virtual_scan",
           "widgets/map_view/camera",

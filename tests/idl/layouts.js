@@ -22,6 +22,16 @@ const elsewhere = {
   "livox_ros_driver2/msg/CustomMsg": { definitions: [field("std_msgs/Header", "header"), field("uint64", "timebase"),
     field("uint32", "point_num"), field("uint8", "lidar_id"), field("uint8", "rsvd", { isArray: true, arrayLength: 3 }),
     field("livox_ros_driver2/CustomPoint", "points", { isArray: true })] },
+  "vision_msgs/msg/ObjectHypothesis": { definitions: [field("string", "class_id"), field("float64", "score")] },
+  "vision_msgs/msg/ObjectHypothesisWithPose": { definitions: [field("vision_msgs/ObjectHypothesis", "hypothesis"),
+    field("geometry_msgs/PoseWithCovariance", "pose")] },
+  "vision_msgs/msg/BoundingBox3D": { definitions: [field("geometry_msgs/Pose", "center"),
+    field("geometry_msgs/Vector3", "size")] },
+  "vision_msgs/msg/Detection3D": { definitions: [field("std_msgs/Header", "header"),
+    field("vision_msgs/ObjectHypothesisWithPose", "results", { isArray: true }),
+    field("vision_msgs/BoundingBox3D", "bbox"), field("string", "id")] },
+  "vision_msgs/msg/Detection3DArray": { definitions: [field("std_msgs/Header", "header"),
+    field("vision_msgs/Detection3D", "detections", { isArray: true })] },
 };
 const faults = [];
 let compared = 0;
@@ -45,7 +55,9 @@ for (const [rosName, text] of Object.entries(catalog)) {
     continue;
   }
   ++compared;
-  const our = ours.definitions.map(layout), their = theirs.definitions.map(layout);
+  // Where constants stand among the fields decides nothing.
+  const inOrder = (all) => [...all.filter((one) => one.isConstant), ...all.filter((one) => !one.isConstant)];
+  const our = inOrder(ours.definitions).map(layout), their = inOrder(theirs.definitions).map(layout);
   for (let i = 0; i < Math.max(our.length, their.length); ++i) {
     if (our[i] !== their[i]) faults.push(`${rosName}, field ${i}: ours ${our[i]}, theirs ${their[i]}`);
   }

@@ -197,6 +197,27 @@ KeyScanSample keyScan() {
     return {at(1'700'000'013, 3), 7, std::make_shared<const Scan>(scan), pose(0.25), pose(5.0), 6};
 }
 
+MarkersSample markers() {
+    MarkersSample sample;
+    sample.replacesAll = true;
+    for (int i = 0; i < 3; ++i) {
+        Marker& marker = sample.markers.emplace_back();
+        marker.header = header();
+        marker.space = "signs";
+        marker.id = i;
+    }
+    Marker& boxes = sample.markers[0];
+    boxes.markerInFrame = pose(2.0);
+    boxes.size = {0.5, 0.25, 0.125};
+    boxes.colour = {0.5F, 0.25F, 0.75F, 1.0F};
+    boxes.lifetime = std::chrono::milliseconds(1500);
+    boxes.points = {{1, 2, 3}, {4, 5, 6}};
+    sample.markers[1].shape = MarkerShape::Text;
+    sample.markers[1].text = "exit";
+    sample.markers[2].removed = true;
+    return sample;
+}
+
 std::vector<SampleCase> robotCases() {
     using R = StreamRole;
     const JointSample joints{header(), {"left", "right"}, {0.5, 1.5}, {2.5, 3.5}, {4.5, 5.5}};
@@ -276,6 +297,14 @@ std::vector<SampleCase> robotCases() {
         {"ffmpeg_image_transport_msgs/msg/FFMPEGPacket", R::Picture, videoPicture("libx265", true)},
         {"foxglove_msgs/msg/CompressedVideo", R::Picture, videoPicture("h264", false)},
         {"livox_ros_driver2/msg/CustomMsg", R::Points, livoxCloud()},
+        {"visualization_msgs/msg/MarkerArray", R::Markers, markers()},
+        {"sensor_msgs/msg/Temperature", R::Reading, ReadingSample{header(), {23.5}}},
+        {"sensor_msgs/msg/RelativeHumidity", R::Reading, ReadingSample{header(), {50.0}}},
+        {"sensor_msgs/msg/FluidPressure", R::Reading, ReadingSample{header(), {1024.0}}},
+        {"sensor_msgs/msg/MagneticField", R::Reading, ReadingSample{header(), {50.0}}},
+        {"sensor_msgs/msg/Range", R::Reading, ReadingSample{header(), {0.75}}},
+        {"sensor_msgs/msg/Illuminance", R::Reading, ReadingSample{header(), {300.0}}},
+        {"sensor_msgs/msg/NavSatFix", R::Reading, ReadingSample{header(), {51.5, -8.25, 110.0}}},
         {"nav_msgs/msg/Path", R::Path, PathSample{header(), {pose(8.0), pose(9.0)}}},
     };
 }
@@ -353,6 +382,7 @@ StreamDescription SampleCase::stream() const {
     stream.role = role.value();
     stream.topic = "/kurt3d/" + toString(*role);
     stream.type = type;
+    if (*role == StreamRole::Reading) stream.readings = usualReadings(type);
     return stream;
 }
 

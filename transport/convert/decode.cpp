@@ -9,6 +9,7 @@
 #include "core/robot/frame_names.h"
 #include "core/robot/streams/stream_table.h"
 #include "transport/convert/detail/conversion.h"
+#include "transport/convert/readings/reading_conversion.h"
 
 namespace leitstand {
 namespace {
@@ -36,6 +37,10 @@ Result<Sample> decodeFor(const RawEvent& event, const StreamDescription* stream)
         return Error{fmt::format("{}: {}: {}", event.topic, event.type, text)};
     };
     if (event.cdr == nullptr) return fail("there are no bytes");
+    if (stream != nullptr && stream->role == StreamRole::Reading) {
+        auto reading = detail::decodeReading(event, *stream);
+        return reading ? std::move(reading) : fail(reading.error().text);
+    }
     const auto& all = detail::conversions();
     const auto found = std::find_if(all.begin(), all.end(), [&](const Conversion& entry) {
         return entry.type == event.type && serves(entry, stream);
@@ -56,6 +61,10 @@ void nameFrames(Kind& sample, const RobotDescription& robot) {
         sample.header.frame = frameName(robot, sample.header.frame);
     }
     if constexpr (requires { sample.childFrame; }) sample.childFrame = frameName(robot, sample.childFrame);
+}
+
+void nameFrames(MarkersSample& sample, const RobotDescription& robot) {
+    for (Marker& marker : sample.markers) nameFrames(marker, robot);
 }
 
 void nameFrames(TransformsSample& sample, const RobotDescription& robot) {

@@ -4,14 +4,20 @@
 
 #include "core/event/motion_samples.h"
 #include "core/event/picture_samples.h"
+#include "core/event/status_samples.h"
 #include "messages/ffmpeg_image_transport_msgs.h"
 #include "messages/geometry_msgs.h"
 #include "messages/sensor_msgs.h"
 #include "transport/convert/detail/conversion.h"
+#include "transport/convert/readings/reading_conversion.h"
 
 namespace leitstand {
 
 Result<Payload> encode(const Sample& sample, std::string_view type) {
+    if (const auto* reading = sample.as<ReadingSample>()) {
+        auto payload = detail::encodeReading(*reading, type);
+        return payload ? std::move(payload) : Error{fmt::format("{}: {}", type, payload.error().text)};
+    }
     const auto& all = detail::conversions();
     const auto ofType = [&](const detail::Conversion& entry) {
         return entry.encode != nullptr && entry.type == type;

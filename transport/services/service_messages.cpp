@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/base/printable.h"
 #include "transport/cdr/cdr_reader.h"
 #include "transport/cdr/cdr_writer.h"
@@ -47,8 +49,9 @@ std::string serviceOf(const std::string& ddsTopic) {
     if (!ddsTopic.starts_with(RequestPrefix) || !ddsTopic.ends_with(RequestSuffix) ||
         ddsTopic.size() <= RequestPrefix.size() + RequestSuffix.size())
         return {};
-    return "/" + ddsTopic.substr(RequestPrefix.size(),
-                                 ddsTopic.size() - RequestPrefix.size() - RequestSuffix.size());
+    const std::string_view name = ddsTopic;
+    return fmt::format(
+        "/{}", name.substr(RequestPrefix.size(), name.size() - RequestPrefix.size() - RequestSuffix.size()));
 }
 
 std::string serviceTypeOf(const std::string& rosType) {

@@ -55,7 +55,7 @@ void GasCell::paintTrend(QPainter& painter, const QRectF& area) const {
                      QPointF(area.right(), heightOf(m_gas.alarm)));
     QPolygonF line;
     for (const auto& [age, ppm] : m_gas.samples)
-        line << QPointF(area.right() - area.width() * age / GasTrend::Span, heightOf(ppm));
+        line << QPointF(area.right() - area.width() * age / ValueTrend::Span, heightOf(ppm));
     painter.setPen(QPen(colours.text, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(line);
 }

@@ -9,6 +9,7 @@
 #include "widgets/map_view/overlays/map_marks.h"
 #include "widgets/map_view/overlays/scale_overlays.h"
 #include "widgets/map_view/overlays/scan_outlines.h"
+#include "widgets/map_view/robots/drawing_overlay.h"
 #include "widgets/map_view/robots/robot_overlay.h"
 #include "widgets/map_view/victims/victim_overlay.h"
 
@@ -32,6 +33,7 @@ void MapOverlay::paint(QPainter& painter, const MapProjection& projection, const
     paintArea(painter, projection, area, ground, style);
     paintTrails(painter, projection, robots, style);
     paintPlans(painter, projection, robots, style);
+    paintDrawings(painter, projection, robots, style);
     paintRobots(painter, projection, robots, style);
     paintVictims(painter, projection, finds, chosenFind, style);
     tools.paint(painter, projection, style);

@@ -23,6 +23,19 @@
 namespace leitstand {
 namespace {
 
+/// Whether markers on @p topic are drawn unasked: not those that people set in RViz, outlines that the
+/// robot's own mark shows, or whole maps.
+bool isWorthDrawing(const SeenTopic& topic) {
+    const std::string_view leaf = std::string_view(topic.name).substr(topic.name.rfind('/') + 1);
+    constexpr std::array<std::string_view, 4> Of = {"amcl_pose", "pose", "localization_pose", "pcl_pose"};
+    if (topic.type == "geometry_msgs/msg/PoseWithCovarianceStamped")
+        return std::find(Of.begin(), Of.end(), leaf) != Of.end();
+    constexpr std::array<std::string_view, 5> Not = {"published_footprint", "cells_vis", "voxel", "octomap",
+                                                     "tsdf"};
+    return std::none_of(Not.begin(), Not.end(),
+                        [&](std::string_view part) { return leaf.find(part) != std::string_view::npos; });
+}
+
 /// Last part of a name: "/kurt3d/odom" -> "odom".
 std::string_view leafOf(std::string_view name) {
     return name.substr(name.rfind('/') + 1);
@@ -146,6 +159,7 @@ StreamDescription streamOf(const SeenTopic& topic, StreamRole role, const RobotG
                              .group = {},
                              .thermal = {},
                              .hardwareId = {}};
+    if (role == StreamRole::Reading) stream.readings = usualReadings(topic.type);
     const StreamFacts& facts = streamFacts(role);
     const bool pictures = facts.picture || isDepthStream(stream);
     if (facts.ofCamera || pictures) stream.sensor = sensorOf(topic.name, space);
@@ -291,10 +305,18 @@ std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
         if (row != rows.end()) {
             remark = fmt::format("role {} takes it, if the robot's file names it", nameOf(row->role));
         } else {
-            remark = findMessageType(topic.type) != nullptr
-                         ? "nothing in the station shows it"
+            const bool text = topic.type == "std_msgs/msg/String" || topic.type == "std_msgs/msg/Empty";
+            remark = text ? "nothing in the station shows it"
+                     : findMessageType(topic.type) != nullptr
+                         ? "its numbers are shown, if the robot's file names them (role reading)"
                          : fmt::format("type {} is not known: it can be recorded, not shown", topic.type);
         }
+        return std::nullopt;
+    }
+    if (*role == StreamRole::Markers && !isWorthDrawing(topic)) {
+        remark =
+            "what is drawn there is of little use here: the station draws it where the robot's file names it "
+            "(role markers)";
         return std::nullopt;
     }
     if (*role == StreamRole::Thermal)
@@ -406,6 +428,7 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
         }
         addDepths(guess, space);
         leaveOutBlindCameras(guess);
+        distinguishReadings(guess.robot);
         if (!guess.topics.empty()) result.push_back(std::move(guess));
     }
     return result;

@@ -11,7 +11,8 @@ namespace leitstand {
 /// do not delay others.
 [[nodiscard]] inline Lane laneOf(std::string_view type) {
     const bool large = isPictureType(type) || type == "sensor_msgs/msg/PointCloud2" ||
-                       type == "livox_ros_driver2/msg/CustomMsg" || type == "leitstand_msgs/msg/KeyScan";
+                       type == "livox_ros_driver2/msg/CustomMsg" || type == "leitstand_msgs/msg/KeyScan" ||
+                       type.starts_with("visualization_msgs/") || type == "vision_msgs/msg/Detection3DArray";
     return large ? Lane::Large : Lane::Small;
 }
 [[nodiscard]] inline Flow flowOf(std::string_view type) {

@@ -21,6 +21,7 @@ namespace leitstand {
 namespace {
 
 constexpr std::chrono::seconds Silence(10);  ///< longer gaps separate stretches
+constexpr std::chrono::milliseconds ReadingsApart(200);
 constexpr double TurnedApart = degrees(10);  ///< of points on a track
 
 std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots) {
@@ -32,7 +33,8 @@ std::vector<std::string> topicsOf(const std::vector<RobotDescription>& robots) {
         topics.emplace_back(topic);
     for (const RobotDescription& robot : robots) {
         for (const StreamDescription& stream : robot.streams) {
-            if (streamFacts(stream.role).indexed) topics.push_back(stream.topic);
+            const bool heavy = isPictureType(stream.type) || stream.type == "sensor_msgs/msg/PointCloud2";
+            if (streamFacts(stream.role).indexed && !heavy) topics.push_back(stream.topic);
         }
     }
     return topics;
@@ -90,6 +92,13 @@ void Indexing::onEvent(const Event& event) {
         index.places[place->robot].push_back(*place);
     } else if (const auto* gas = event.sample.as<GasSample>()) {
         index.gas[event.robot].emplace_back(event.received, gas->ppm);
+    } else if (const auto* reading = event.sample.as<ReadingSample>()) {
+        auto& kept = index.readings[{event.robot, event.topic}];
+        kept.resize(std::max(kept.size(), reading->values.size()));
+        for (std::size_t i = 0; i < reading->values.size(); ++i) {
+            if (kept[i].empty() || event.received - kept[i].back().first >= ReadingsApart)
+                kept[i].emplace_back(event.received, reading->values[i]);
+        }
     } else if (event.role == StreamRole::StaticTransforms) {
         index.fixed.push_back(event);
     }

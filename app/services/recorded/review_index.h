@@ -36,6 +36,8 @@ struct ReviewIndex {
     std::map<std::string, std::vector<RobotPlaceSample>> places;  ///< by robot, in the order received
     /// By robot: time received, and concentration [ppm].
     std::map<std::string, std::vector<std::pair<Time, double>>> gas;
+    /// By robot and topic, for each reading: time received, and value. Where many came, some a second.
+    std::map<std::pair<std::string, std::string>, std::vector<std::vector<std::pair<Time, double>>>> readings;
     std::vector<Event> fixed;  ///< events that never change: tf_static
     /// By robot: times at which its key scans were received.
     std::map<std::string, std::vector<Time>> scanned;

@@ -4,14 +4,35 @@
 #include <filesystem>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/base/words.h"
 #include "core/event/stream_role.h"
 #include "core/io/detail/output_file.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/team.h"
+#include "transport/convert/readings/field_numbers.h"
 
 namespace leitstand {
+Result<void> checkReadings(const RobotDescription& robot) {
+    for (const StreamDescription& stream : robot.streams) {
+        if (stream.role != StreamRole::Reading) continue;
+        const auto fail = [&](const std::string& text) {
+            return Error{fmt::format("{}: streams: {}: {}", robot.file, stream.topic, text)};
+        };
+        const MessageText* const text = knownText(stream.type);
+        if (text == nullptr)
+            return fail(
+                leitstand::fill(translate("leitstand::Error",
+                                          "messages of type {} are not known, so nothing in them is read"),
+                                stream.type));
+        std::vector<std::string> paths;
+        for (const ReadingDescription& reading : stream.readings) paths.push_back(reading.field);
+        if (const auto found = checkPaths(*text, paths); !found) return fail(found.error().text);
+    }
+    return {};
+}
 
 Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string>& files) {
     std::vector<RobotDescription> robots;
@@ -20,6 +41,7 @@ Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string
         if (!file) return file.error();
         auto robot = readRobot(*file);
         if (!robot) return robot.error();
+        if (const auto readable = checkReadings(*robot); !readable) return readable.error();
         robots.push_back(std::move(robot).value());
     }
     return robots;

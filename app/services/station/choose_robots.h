@@ -8,6 +8,9 @@
 
 namespace leitstand {
 
+/// Error: messages of a stream's type do not have one of its readings, or nobody knows that type.
+[[nodiscard]] Result<void> checkReadings(const RobotDescription& robot);
+
 /// Reads the robots' files @p files: paths, or names of shipped robots. Errors name the file.
 [[nodiscard]] Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string>& files);
 

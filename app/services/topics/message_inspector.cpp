@@ -9,6 +9,7 @@
 
 #include "core/base/printable.h"
 #include "core/base/words.h"
+#include "core/messages/number_types.h"
 #include "transport/cdr/cdr_reader.h"
 
 namespace leitstand {
@@ -30,22 +31,6 @@ std::string worded(Number number) {
 std::string inQuotes(const std::string& text) {
     const bool longer = text.size() > LongestText;
     return fmt::format("\"{}{}\"", printable(text.substr(0, LongestText)), longer ? "..." : "");
-}
-
-/// Calls @p take with a value of the C++ type of the number @p type.
-template <class Take>
-void withType(const std::string& type, Take take) {
-    if (type == "bool") return take(bool{});
-    if (type == "int8") return take(std::int8_t{});
-    if (type == "int16") return take(std::int16_t{});
-    if (type == "uint16") return take(std::uint16_t{});
-    if (type == "int32") return take(std::int32_t{});
-    if (type == "uint32") return take(std::uint32_t{});
-    if (type == "int64") return take(std::int64_t{});
-    if (type == "uint64") return take(std::uint64_t{});
-    if (type == "float32") return take(float{});
-    if (type == "float64") return take(double{});
-    take(std::uint8_t{});  // uint8, byte, char
 }
 
 /// Numbers of an array; only the first are kept.
@@ -135,7 +120,7 @@ private:
             m_reader.read(path.c_str(), text);
             if (m_reader.ok()) add({path, inQuotes(text), depth, {}});
         } else if (sizeOfNumber(one.type) > 0) {
-            withType(one.type, [&](auto number) {
+            withNumberType(one.type, [&](auto number) {
                 m_reader.read(path.c_str(), number);
                 if (m_reader.ok()) add({path, worded(number), depth, static_cast<double>(number)});
             });
@@ -150,7 +135,7 @@ private:
     /// Numbers of one byte are looked at where they are, since pictures are such.
     void numbers(const MessageField& one, const std::string& path, int depth) {
         Numbers read;
-        withType(one.type, [&](auto number) {
+        withNumberType(one.type, [&](auto number) {
             using Number = decltype(number);
             if (one.count) {
                 for (std::uint32_t i = 0; i < *one.count && m_reader.ok(); ++i) {

@@ -33,11 +33,13 @@
 #include "app/window/panes/map/map_actions.h"
 #include "app/window/panes/map/map_feature.h"
 #include "app/window/panes/messages/messages_feature.h"
+#include "app/window/panes/readings/readings_feature.h"
 #include "app/window/panes/scan/scan_feature.h"
 #include "app/window/panes/score/hand_in_feature.h"
 #include "app/window/panes/score/report_feature.h"
 #include "app/window/panes/topics/topics_feature.h"
 #include "app/window/source/review_bridge.h"
+#include "core/event/stream_role.h"
 #include "core/mission/state/find_state.h"
 #include "core/mission/state/session_state.h"
 #include "widgets/drive/drive_strip.h"
@@ -131,6 +133,17 @@ bool hasJoints(const PaneMaking& from) {
                        [](const RobotDescription& robot) { return !robot.jointGroups.empty(); });
 }
 
+QWidget& readings(PaneMaking& from) {
+    return (new ReadingsFeature(from.view))->pane();
+}
+
+bool hasReadings(const PaneMaking& from) {
+    const auto& robots = from.view.selection.robots();
+    return std::any_of(robots.begin(), robots.end(), [](const RobotDescription& robot) {
+        return robot.stream(StreamRole::Reading) != nullptr;
+    });
+}
+
 QWidget& victims(PaneMaking& from) {
     from.made.victims = new VictimsFeature(*from.live, *from.made.map, *from.made.cameras);
     new FindPointing(*from.live, *from.made.map, *from.made.cameras, *from.made.scan);
@@ -207,6 +220,8 @@ constexpr PaneRow Table[] = {
      "scan"},
     {"joints", QT_TRANSLATE_NOOP("Panes", "Flippers and arm"), joints, joints, Kind::Plain, 0, "", nullptr,
      hasJoints},
+    {"readings", QT_TRANSLATE_NOOP("Panes", "Readings"), readings, readings, Kind::Plain, 0, "", nullptr,
+     hasReadings},
     {"victims", QT_TRANSLATE_NOOP("Panes", "Victims"), victims, nullptr},
     {"finds", QT_TRANSLATE_NOOP("Panes", "Finds"), nullptr, finds, Kind::Plain, 6},
     {"form", QT_TRANSLATE_NOOP("Panes", "Form"), victimForm, findForm, Kind::Sheet},

@@ -48,16 +48,27 @@ void LiveBridge::showAgain() {
     emit scansChanged(scans);
 }
 
-void LiveBridge::keepGas() {
+void LiveBridge::keepTrends() {
     for (const RobotDescription& robot : m_station->robots()) {
         const RobotState& reported = m_moment.reported(robot.name);
         if (reported.gas) m_gas[robot.name].add(reported.gas->received, reported.gas->sample.ppm);
+        for (const auto& [topic, latest] : reported.readings) {
+            const std::vector<double>& values = latest->sample.values;
+            std::vector<ValueTrend>& trends = m_readings[{robot.name, topic}];
+            trends.resize(values.size());
+            for (std::size_t i = 0; i < values.size(); ++i) trends[i].add(latest->received, values[i]);
+        }
     }
 }
 
-GasTrend LiveBridge::gas(const std::string& robot) const {
+ValueTrend LiveBridge::gas(const std::string& robot) const {
     const auto found = m_gas.find(robot);
-    return found == m_gas.end() ? GasTrend() : found->second;
+    return found == m_gas.end() ? ValueTrend() : found->second;
+}
+
+ValueTrend LiveBridge::reading(const std::string& robot, const std::string& topic, std::size_t index) const {
+    const auto found = m_readings.find({robot, topic});
+    return found == m_readings.end() || index >= found->second.size() ? ValueTrend() : found->second[index];
 }
 
 void LiveBridge::lookAround() {
@@ -77,7 +88,7 @@ void LiveBridge::tick() {
     m_moment.robots.clear();
     for (const RobotDescription& robot : m_station->robots())
         m_moment.robots[robot.name] = m_station->robot(robot.name);
-    keepGas();
+    keepTrends();
     lookAround();
     if (const auto watched = m_moment.robots.find(m_watched); watched != m_moment.robots.end())
         watched->second.around = m_around;

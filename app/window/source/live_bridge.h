@@ -30,12 +30,14 @@ public:
     /// From now on, updates this robot's surroundings at 10 to 15 Hz.
     void watch(const std::string& robot) override;
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
-    [[nodiscard]] GasTrend gas(const std::string& robot) const override;
+    [[nodiscard]] ValueTrend gas(const std::string& robot) const override;
+    [[nodiscard]] ValueTrend reading(const std::string& robot, const std::string& topic,
+                                     std::size_t index) const override;
 
 private:
     LiveBridge();
     void tick();
-    void keepGas();
+    void keepTrends();
     void lookAround();  ///< updates m_around, sooner after a new scan
     template <class Call>
     void hop(Call call) {
@@ -44,7 +46,9 @@ private:
 
     QTimer m_tick;
     std::string m_watched;
-    std::map<std::string, GasTrend> m_gas;  ///< by robot
+    std::map<std::string, ValueTrend> m_gas;  ///< by robot
+    /// By robot and topic: a trend for each of its readings.
+    std::map<std::pair<std::string, std::string>, std::vector<ValueTrend>> m_readings;
     std::optional<VirtualScanView> m_around;
     int m_sinceAround = 0;                ///< number of ticks
     std::optional<SteadyTime> m_scanned;  ///< when the newest data in m_around arrived

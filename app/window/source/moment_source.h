@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@
 #include "core/mapping/live/map/live_map.h"
 #include "core/mapping/map.h"
 #include "core/robot/robot_description.h"
-#include "widgets/models/live/robots/gas_trend.h"
+#include "widgets/models/live/robots/value_trend.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/message_list_model.h"
 
@@ -43,7 +44,11 @@ public:
     [[nodiscard]] virtual ScanSource scanSource(const std::string& /*robot*/) const { return {}; }
     /// Returns the gas that @p robot measured in the two minutes before moment(). Also works for a window
     /// that is created later.
-    [[nodiscard]] virtual GasTrend gas(const std::string& robot) const = 0;
+    [[nodiscard]] virtual ValueTrend gas(const std::string& robot) const = 0;
+    /// Returns a number that @p robot measured in that time: of the stream on @p topic, StreamDescription::
+    /// readings at @p index.
+    [[nodiscard]] virtual ValueTrend reading(const std::string& robot, const std::string& topic,
+                                             std::size_t index) const = 0;
     /// Returns the moment of the last tick.
     [[nodiscard]] const LiveMoment& moment() const { return m_moment; }
     /// Returns the newest 500 messages since the source was opened. They are kept when a window is created

@@ -33,6 +33,17 @@ FreshnessLimits limitsAt(double rate) {
     return limits;
 }
 
+/// Returns what of @p values, by rising time, belongs to the trend at @p now.
+ValueTrend trendBefore(Time now, const std::vector<std::pair<Time, double>>& values) {
+    constexpr auto Span =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(ValueTrend::Span));
+    ValueTrend trend;
+    auto one = std::lower_bound(values.begin(), values.end(), now - Span,
+                                [](const auto& value, Time at) { return value.first < at; });
+    for (; one != values.end() && one->first <= now; ++one) trend.add(one->first, one->second);
+    return trend;
+}
+
 }  // namespace
 
 ReviewBridge::ReviewBridge() : m_writer([this](const std::stop_token& stop) { m_writing.work(stop); }) {
@@ -169,17 +180,18 @@ MomentSource::ScanSource ReviewBridge::scanSource(const std::string& robot) cons
     return {false, limitsAt(rate)};
 }
 
-GasTrend ReviewBridge::gas(const std::string& robot) const {
-    GasTrend trend;
-    if (!m_index) return trend;
+ValueTrend ReviewBridge::gas(const std::string& robot) const {
+    if (!m_index) return {};
     const auto found = m_index->gas.find(robot);
-    if (found == m_index->gas.end()) return trend;
-    const auto& readings = found->second;
-    const auto span =
-        std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(GasTrend::Span));
-    auto one = std::lower_bound(readings.begin(), readings.end(), std::pair(m_moment.now - span, -1.0));
-    for (; one != readings.end() && one->first <= m_moment.now; ++one) trend.add(one->first, one->second);
-    return trend;
+    return found == m_index->gas.end() ? ValueTrend() : trendBefore(m_moment.now, found->second);
+}
+
+ValueTrend ReviewBridge::reading(const std::string& robot, const std::string& topic,
+                                 std::size_t index) const {
+    if (!m_index) return {};
+    const auto found = m_index->readings.find({robot, topic});
+    if (found == m_index->readings.end() || index >= found->second.size()) return {};
+    return trendBefore(m_moment.now, found->second[index]);
 }
 
 void ReviewBridge::showPictures(const ReviewMoment& moment) {

@@ -56,7 +56,9 @@ public:
                                                 const std::string& sensor) const override;
     [[nodiscard]] ScanSource scanSource(const std::string& robot) const override;
     /// Taken from the log, so that it is right after a jump.
-    [[nodiscard]] GasTrend gas(const std::string& robot) const override;
+    [[nodiscard]] ValueTrend gas(const std::string& robot) const override;
+    [[nodiscard]] ValueTrend reading(const std::string& robot, const std::string& topic,
+                                     std::size_t index) const override;
 
 signals:
     /// A write() has ended, no matter which window requested it. @p done: its text. @p problem: the error;

@@ -18,6 +18,7 @@ std::vector<std::string> allRobotKeys() {
     add("streams[].", StreamKeys);
     add("streams[].qos.", QosKeys);
     add("streams[].thermal.", ThermalKeys);
+    add("streams[].readings[].", ReadingKeys);
     add("services[].", ServiceKeys);
     add("joint_groups[].", JointGroupKeys);
     add("joint_groups[].joints[].", JointKeys);

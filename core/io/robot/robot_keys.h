@@ -16,8 +16,11 @@ inline constexpr std::string_view SensorKeys[] = {"frame",  "position", "rotatio
                                                   "motion", "pan_tilt", "correction"};
 inline constexpr std::string_view CorrectionKeys[] = {"range", "roll", "pitch", "x", "y", "yaw", "clock"};
 inline constexpr std::string_view PanTiltKeys[] = {"unit", "pan", "up", "down"};
-inline constexpr std::string_view StreamKeys[] = {"role",    "sensor",      "topic",  "type", "qos",  "stamp",
-                                                  "thermal", "hardware_id", "record", "maps", "group"};
+inline constexpr std::string_view StreamKeys[] = {"role",   "sensor", "topic",   "type",
+                                                  "qos",    "stamp",  "thermal", "hardware_id",
+                                                  "record", "maps",   "group",   "readings"};
+inline constexpr std::string_view ReadingKeys[] = {"field",    "title", "unit", "scale",   "offset",
+                                                   "decimals", "low",   "high", "low_act", "high_act"};
 inline constexpr std::string_view JointGroupKeys[] = {"name",   "title", "command",
                                                       "joints", "axes",  "presets"};
 inline constexpr std::string_view JointKeys[] = {"name", "type",     "lower", "upper",

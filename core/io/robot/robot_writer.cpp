@@ -75,6 +75,28 @@ void writeQos(YAML::Emitter& out, const Qos& qos, const Qos& usual) {
     out << YAML::EndMap;
 }
 
+void writeReadings(YAML::Emitter& out, const std::vector<ReadingDescription>& readings) {
+    out << YAML::Key << "readings" << YAML::Value << YAML::BeginSeq;
+    for (const ReadingDescription& reading : readings) {
+        const auto limit = [&](const char* key, const std::optional<double>& value) {
+            if (value) entry(out, key, number(*value));
+        };
+        out << YAML::Flow << YAML::BeginMap;
+        entry(out, "field", reading.field);
+        entry(out, "title", reading.title);
+        if (!reading.unit.empty()) entry(out, "unit", reading.unit);
+        if (reading.scale != 1.0) entry(out, "scale", number(reading.scale));
+        if (reading.offset != 0.0) entry(out, "offset", number(reading.offset));
+        if (reading.decimals) entry(out, "decimals", std::to_string(*reading.decimals));
+        limit("low", reading.limits.low);
+        limit("low_act", reading.limits.lowAct);
+        limit("high", reading.limits.high);
+        limit("high_act", reading.limits.highAct);
+        out << YAML::EndMap;
+    }
+    out << YAML::EndSeq;
+}
+
 void writeStream(YAML::Emitter& out, const StreamDescription& stream, const std::string& robot) {
     const StreamDescription usual = defaultStream(stream.role, robot, stream.sensor);
     out << YAML::BeginMap;
@@ -95,6 +117,7 @@ void writeStream(YAML::Emitter& out, const StreamDescription& stream, const std:
     if (stream.hardwareId != usual.hardwareId) entry(out, "hardware_id", stream.hardwareId);
     if (!stream.record) entry(out, "record", "false");
     if (stream.maps) entry(out, "maps", "true");
+    if (stream.readings != usualReadings(stream.type)) writeReadings(out, stream.readings);
     out << YAML::EndMap;
 }
 

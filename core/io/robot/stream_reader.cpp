@@ -5,6 +5,7 @@
 
 #include "core/base/words.h"
 #include "core/event/stream_role.h"
+#include "core/io/robot/reading_reader.h"
 #include "core/io/robot/robot_keys.h"
 #include "core/io/robot/robot_names.h"
 #include "core/robot/streams/stream_defaults.h"
@@ -94,6 +95,10 @@ private:
         const auto types = typesOf(stream.role);
         std::string type = stream.type;
         if (!fields.text("type", type)) return;
+        if (streamFacts(stream.role).anyType && isTypeName(type)) {
+            stream.type = type;
+            return;
+        }
         if (std::find(types.begin(), types.end(), type) == types.end()) {
             const std::vector<std::string> known(types.begin(), types.end());
             fields.fail("type", leitstand::fill(
@@ -167,6 +172,14 @@ private:
                                   "expected one stream that makes the map, found {} of line {} again"));
         }
         readGroup(fields, stream);
+        if (stream.role == StreamRole::Reading) {
+            readReadings(fields, stream, m_errors);
+        } else if (fields.has("readings")) {
+            fields.fail("readings",
+                        leitstand::fill(
+                            translate("leitstand::Error", "expected it only for reading, found it for {}"),
+                            toString(stream.role)));
+        }
         if (!only(
                 "thermal", stream.role == StreamRole::Thermal,
                 translatable("leitstand::Error", "expected it only for thermal, found it for {} of type {}")))
@@ -223,6 +236,7 @@ void readStreams(const YamlFields& fields, RobotDescription& robot, YamlErrors& 
     }
     StreamReader reader(robot, errors);
     for (const YamlPlace& place : fields.list("streams")) reader.read(place);
+    distinguishReadings(robot);
 }
 
 }  // namespace leitstand::detail

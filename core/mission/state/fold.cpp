@@ -22,6 +22,7 @@
 #include "core/event/scan_bodies.h"
 #include "core/event/scan_links.h"
 #include "core/event/status_samples.h"
+#include "core/mission/markers/marker_board.h"
 #include "core/mission/state/decision.h"
 #include "core/mission/state/decisions.h"
 #include "core/mission/state/find_state.h"
@@ -157,6 +158,18 @@ private:
         keep(&RobotState::battery, sample);
     }
     void handle(const GasSample& sample) { keep(&RobotState::gas, sample); }
+    void handle(const ReadingSample& sample) {
+        if (!m_event.robot.empty()) robot().readings[m_event.topic] = latest(sample);
+    }
+    void handle(const MarkersSample& sample) {
+        if (m_event.robot.empty()) return;
+        RobotState& state = robot();
+        auto& kept = state.markers[m_event.topic];
+        MarkerBoard board = kept ? kept->sample : MarkerBoard{};
+        board.take(sample, m_event.received,
+                   state.odometry ? state.odometry->sample.baseInOdom : Pose::Identity());
+        kept = latest(std::move(board));
+    }
     void handle(const BumpSample& sample) {
         if (m_event.robot.empty()) return;
         countContacts(sample);

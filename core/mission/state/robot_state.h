@@ -20,10 +20,12 @@ struct ClockOffsetSample;
 struct DiagnosticsSample;
 struct GasSample;
 struct ImuSample;
+struct MarkerBoard;
 struct ModeSample;
 struct OccupancyGridSample;
 struct OdometrySample;
 struct PathSample;
+struct ReadingSample;
 struct RobotPlaceSample;
 struct SightingSample;
 struct StopCommandSample;
@@ -103,6 +105,8 @@ struct RobotState {
     std::map<std::string, FrameInParent> framesAbove;
     std::map<std::string, LatestPtr<OccupancyGridSample>> grids;  ///< by topic, with their updates
     std::map<std::string, LatestPtr<PathSample>> paths;           ///< by topic
+    std::map<std::string, LatestPtr<ReadingSample>> readings;     ///< by topic
+    std::map<std::string, LatestPtr<MarkerBoard>> markers;        ///< by topic
 
     static constexpr std::size_t MostContacts = 10'000;
     static constexpr std::size_t MostFramesAbove = 8;

@@ -45,6 +45,13 @@ constexpr Type Flag[] = {"std_msgs/msg/Bool"};
 constexpr Type JointOrder[] = {"trajectory_msgs/msg/JointTrajectory", "std_msgs/msg/Float64MultiArray",
                                "sensor_msgs/msg/JointState"};
 constexpr Type PlannedPath[] = {"nav_msgs/msg/Path"};
+constexpr Type Readings[] = {"sensor_msgs/msg/Temperature",   "sensor_msgs/msg/RelativeHumidity",
+                             "sensor_msgs/msg/FluidPressure", "sensor_msgs/msg/MagneticField",
+                             "sensor_msgs/msg/Range",         "sensor_msgs/msg/Illuminance",
+                             "sensor_msgs/msg/NavSatFix"};
+constexpr Type Drawings[] = {
+    "visualization_msgs/msg/MarkerArray", "visualization_msgs/msg/Marker", "geometry_msgs/msg/PolygonStamped",
+    "geometry_msgs/msg/PoseWithCovarianceStamped", "vision_msgs/msg/Detection3DArray"};
 constexpr Type Question[] = {"leitstand_msgs/msg/Ping"};
 
 constexpr std::string_view OfHeat[] = {"ir", "thermal", "lepton", "flir"};
@@ -358,6 +365,25 @@ constexpr StreamFacts Table[] = {
      .several = true,
      .thinnedAs = ThinnedAs::Other,
      .guessedBy = GuessedBy::Name},
+    // from the robot
+    {.role = StreamRole::Reading,
+     .title = translatable("leitstand::LinkStatus", "readings"),
+     .types = Readings,
+     .anyType = true,
+     .topic = "reading",
+     .qos = Steady,
+     .steady = true,
+     .several = true,
+     .indexed = true,
+     .thinRank = ThinRank::Telemetry},
+    {.role = StreamRole::Markers,
+     .title = translatable("leitstand::LinkStatus", "what it draws"),
+     .types = Drawings,
+     .topic = "markers",
+     .qos = qos(Reliable, Volatile, 10),
+     .several = true,
+     .thinRank = ThinRank::Telemetry,
+     .usualMegabits = 0.05},
 };
 
 /// Whether each row is at the index of its role.

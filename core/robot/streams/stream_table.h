@@ -40,6 +40,7 @@ struct StreamFacts {
     /// Name for operators, translated in StreamTitles; null: the name of the role.
     const char* title = nullptr;
     std::span<const std::string_view> types;  ///< ROS types that it may have, the usual one first
+    bool anyType = false;                     ///< whether a robot's file may name any other type, too
     std::string_view topic;  ///< usual name below the robot's name; absolute if it begins with a slash
     Qos qos;                 ///< usual QoS
     bool ofCamera = false;   ///< whether its topic is below the name of its camera

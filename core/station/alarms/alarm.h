@@ -42,6 +42,7 @@ inline constexpr const char* LinkDegraded = "link_degraded";  ///< note: logged(
 inline constexpr const char* NotReceived = "unheard";         ///< note: toString(ReceptionFault)
 inline constexpr const char* Battery = "battery";  ///< value: minutes or share that is left, see `note`
 inline constexpr const char* Gas = "gas";          ///< value: concentration [ppm]
+inline constexpr const char* Reading = "reading";  ///< detail: its title; value: in its unit; note: unit
 inline constexpr const char* WheelsSpin = "wheels_spin";          ///< value: distance [m]
 inline constexpr const char* Bump = "bump";                       ///< detail: bumper
 inline constexpr const char* Diagnostics = "diagnostics";         ///< detail: part; note: its message
@@ -61,6 +62,7 @@ inline constexpr auto All = std::to_array<std::string_view>({
     NotReceived,
     Battery,
     Gas,
+    Reading,
     WheelsSpin,
     Bump,
     Diagnostics,

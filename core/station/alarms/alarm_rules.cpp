@@ -14,6 +14,9 @@
 namespace leitstand {
 namespace {
 
+/// Sensors may send once a minute; an older number says nothing about now [s].
+constexpr double ReadingAge = 90.0;
+
 /// Rounded, and never "-0".
 std::string wholeDegrees(double radians) {
     return loggedFigure(std::round(inDegrees(radians)) + 0.0);
@@ -31,6 +34,7 @@ public:
             attitude();
             battery();
             gas();
+            readings();
             bump();
             wheels();
             diagnostics();
@@ -127,6 +131,27 @@ private:
         const AlarmId id = idOf(alarm_key::Gas);
         if (above(id, ppm, m_limits.gas, std::numeric_limits<double>::infinity()))
             add(id, Severity::Attention, ppm);
+    }
+
+    void readings() {
+        for (const StreamDescription& stream : m_robot.description.streams) {
+            const auto found = m_robot.reported.readings.find(stream.topic);
+            if (found == m_robot.reported.readings.end() || !isFresh(found->second, m_now, ReadingAge))
+                continue;
+            const std::vector<double>& values = found->second->sample.values;
+            for (std::size_t i = 0; i < std::min(values.size(), stream.readings.size()); ++i)
+                reading(stream.readings[i], values[i]);
+        }
+    }
+    void reading(const ReadingDescription& reading, double value) {
+        const AlarmId id = idOf(alarm_key::Reading, reading.title);
+        const auto standing = m_book.severity(id);
+        const ReadingLevel before = !standing                    ? ReadingLevel::Normal
+                                    : *standing == Severity::Act ? ReadingLevel::Act
+                                                                 : ReadingLevel::Attention;
+        const ReadingLevel level = levelOf(reading.limits, value, before);
+        if (level == ReadingLevel::Normal) return;
+        add(id, level == ReadingLevel::Act ? Severity::Act : Severity::Attention, value, reading.unit);
     }
 
     void bump() {

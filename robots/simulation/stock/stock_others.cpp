@@ -11,6 +11,7 @@
 #include "core/event/picture_samples.h"
 #include "core/event/sample.h"
 #include "transport/convert/encode.h"
+#include "transport/convert/readings/field_numbers.h"
 
 namespace leitstand::simulation {
 namespace {
@@ -22,6 +23,9 @@ Payload nothingOf(std::string_view type) {
                             OccupancyGridSample{}, GridUpdateSample{}, PathSample{}};
     for (const Sample& sample : known) {
         if (auto payload = encode(sample, type)) return std::move(payload).value();
+    }
+    if (const MessageText* const text = knownText(type)) {
+        if (auto payload = messageWith(*text, {}, {})) return std::move(payload).value();
     }
     constexpr std::size_t Bytes = 1'024;
     std::vector<std::byte> bytes(Bytes);

@@ -71,9 +71,7 @@ constexpr StockTopic Husky[] = {
     {"platform/odom/filtered", "nav_msgs/msg/Odometry", Default, 50.0},
     {"platform/wifi_connected", "std_msgs/msg/Bool", SensorData, 1.0},
     {"diagnostics_agg", "diagnostic_msgs/msg/DiagnosticArray", Default, 1.0},
-    {"sensors/gps_0/fix", "sensor_msgs/msg/NavSatFix", SensorData, 5.0},
     {"sensors/imu_0/data_raw", "sensor_msgs/msg/Imu", SensorData, 50.0},
-    {"sensors/imu_0/magnetic_field", "sensor_msgs/msg/MagneticField", SensorData, 50.0},
     {"sensors/lidar3d_0/velodyne_packets", "velodyne_msgs/msg/VelodyneScan", SensorData, 10.0},
     {"twist_marker_server/cmd_vel", "geometry_msgs/msg/TwistStamped", Default, 0.0},
 };

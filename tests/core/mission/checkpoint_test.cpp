@@ -1,13 +1,18 @@
 #include "core/mission/state/checkpoint/checkpoint.h"
 
+#include <cmath>
 #include <cstring>
 #include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/unknown.h"
+#include "core/event/map_samples.h"
 #include "core/event/scan_links.h"
 #include "core/event/station_samples.h"
+#include "core/event/status_samples.h"
+#include "core/mission/markers/marker_board.h"
 #include "core/mission/state/decision.h"
 #include "core/mission/state/find_state.h"
 #include "core/mission/state/fold.h"
@@ -39,6 +44,37 @@ TEST(Checkpoint, HoldsTheWholeState) {
         EXPECT_EQ(back->notes->size(), state.notes->size());
         EXPECT_EQ(back->crop != nullptr, state.crop != nullptr);
     }
+}
+
+TEST(Checkpoint, HoldsTheNewestReadings) {
+    Event reading = event(1, ReadingSample{{at(5), "k/air"}, {22.5, Unknown}}, "k");
+    reading.topic = "/k/air";
+    const MissionState state = folded({reading});
+    ASSERT_EQ(state.robots.at("k")->readings.size(), 1U);
+    const auto back = deserialised(serialised(state));
+    ASSERT_TRUE(back.ok()) << back.error().text;
+    const ReadingSample& kept = back->robots.at("k")->readings.at("/k/air")->sample;
+    EXPECT_EQ(kept.header.frame, "k/air");
+    EXPECT_EQ(kept.values.at(0), 22.5);
+    EXPECT_TRUE(std::isnan(kept.values.at(1)));
+}
+
+TEST(Checkpoint, HoldsWhatRobotsDraw) {
+    Marker marker;
+    marker.header = {at(5), "k/map"};
+    marker.space = "signs";
+    marker.id = 3;
+    marker.shape = MarkerShape::LineStrip;
+    marker.points = {{1, 2, 3}, {4, 5, 6}};
+    marker.lifetime = std::chrono::seconds(60);
+    Event drawn = event(1, MarkersSample{false, {marker}}, "k");
+    drawn.topic = "/k/markers";
+    const auto back = deserialised(serialised(folded({drawn})));
+    ASSERT_TRUE(back.ok()) << back.error().text;
+    const auto& kept = back->robots.at("k")->markers.at("/k/markers")->sample.drawn.at({"signs", 3});
+    EXPECT_EQ(kept.marker->points, marker.points);
+    EXPECT_EQ(kept.marker->header.frame, "k/map");
+    EXPECT_EQ(kept.received, drawn.received);
 }
 
 /// A mission with checkpoints as a station logs them, every @p interval milliseconds.

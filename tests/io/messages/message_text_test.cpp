@@ -1,4 +1,4 @@
-#include "core/io/messages/message_text.h"
+#include "core/messages/message_text.h"
 
 #include <string>
 

@@ -22,7 +22,8 @@ namespace {
 /// The pages about robots' files.
 std::string page() {
     const std::filesystem::path docs = std::filesystem::path(sourceFolder()) / "docs";
-    return readText(docs / "robots.md") + readText(docs / "robot-joints.md");
+    return readText(docs / "robots.md") + readText(docs / "robot-joints.md") +
+           readText(docs / "robot-readings.md");
 }
 
 /// Rows of the tables in the chapter @p title whose first cell is code: their cells.

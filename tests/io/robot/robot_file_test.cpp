@@ -248,12 +248,19 @@ private:
                 stream.thermal = {0.1 / (1 + below(9)), 1.0 / 3.0, below(2) == 0};
             if (role == StreamRole::Diagnostics) stream.hardwareId = below(2) == 0 ? "" : title();
             if (role == StreamRole::JointCommand) addGroup(robot, stream);
+            if (role == StreamRole::Reading) addReadings(stream);
             stream.record = below(2) == 0;
             stream.maps = role == StreamRole::Points && below(2) == 0;
             robot.streams.push_back(stream);
         }
     }
 
+    void addReadings(StreamDescription& stream) {
+        stream.readings = usualReadings(stream.type);
+        if (below(2) == 0) return;
+        stream.readings = {{"temperature", "Air", "°C", 0.5, -3.0, 2, {-10.0, 40.0, {}, 60.0}},
+                           {"cells[2].voltage", title(), "", 1.0, 0.0, {}, {{}, {}, 1.0 / 3.0, {}}}};
+    }
     /// Adds a group of joints that @p stream commands. Positions are whole degrees, which files hold exactly.
     void addGroup(RobotDescription& robot, StreamDescription& stream) {
         JointGroup group;

@@ -14,6 +14,8 @@
 #include "messages/std_msgs.h"
 #include "messages/tf2_msgs.h"
 #include "messages/trajectory_msgs.h"
+#include "messages/vision_msgs.h"
+#include "messages/visualization_msgs.h"
 
 namespace leitstand::test {
 namespace {
@@ -46,7 +48,15 @@ const std::vector<Entry>& allEntries() {
     static const auto all = entries<
         builtin_interfaces::Time, builtin_interfaces::Duration, std_msgs::Header, std_msgs::Bool,
         std_msgs::Empty, std_msgs::Float32, std_msgs::Float64, std_msgs::Int32, std_msgs::String,
-        std_msgs::UInt32, std_msgs::MultiArrayDimension, std_msgs::MultiArrayLayout,
+        std_msgs::ColorRGBA, geometry_msgs::PoseWithCovarianceStamped, geometry_msgs::Point32,
+        geometry_msgs::Polygon, geometry_msgs::PolygonStamped, visualization_msgs::UVCoordinate,
+        visualization_msgs::MeshFile, visualization_msgs::Marker, visualization_msgs::MarkerArray,
+        vision_msgs::ObjectHypothesis, vision_msgs::ObjectHypothesisWithPose, vision_msgs::BoundingBox3D,
+        vision_msgs::Detection3D, vision_msgs::Detection3DArray, std_msgs::UInt32, std_msgs::Int8,
+        std_msgs::Int16, std_msgs::Int64, std_msgs::UInt8, std_msgs::UInt16, std_msgs::UInt64,
+        sensor_msgs::Temperature, sensor_msgs::RelativeHumidity, sensor_msgs::FluidPressure,
+        sensor_msgs::MagneticField, sensor_msgs::Range, sensor_msgs::Illuminance, sensor_msgs::NavSatStatus,
+        sensor_msgs::NavSatFix, std_msgs::MultiArrayDimension, std_msgs::MultiArrayLayout,
         std_msgs::Float64MultiArray, trajectory_msgs::JointTrajectoryPoint, trajectory_msgs::JointTrajectory,
         geometry_msgs::Vector3, geometry_msgs::Point, geometry_msgs::Quaternion, geometry_msgs::Pose,
         geometry_msgs::PoseStamped, geometry_msgs::PoseWithCovariance, geometry_msgs::Twist,

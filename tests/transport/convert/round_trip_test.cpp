@@ -49,7 +49,8 @@ TEST(RoundTrip, EveryTypeIsInTheCatalogAndHasASample) {
         // The poorer of two for gas, videos and clouds.
         const std::set<std::string_view> poorer = {
             "std_msgs/msg/Float32", "foxglove_msgs/msg/CompressedVideo", "livox_ros_driver2/msg/CustomMsg"};
-        if (poorer.contains(one.type)) continue;
+        // Readings come from messages of any type.
+        if (poorer.contains(one.type) || one.role == StreamRole::Reading) continue;
         EXPECT_EQ(typeOf(one.sample), one.type);
     }
     for (const MessageType& type : messageTypes()) {
@@ -59,7 +60,10 @@ TEST(RoundTrip, EveryTypeIsInTheCatalogAndHasASample) {
 }
 
 TEST(RoundTrip, EveryTypeOfTheTableOfStreamsIsTried) {
-    const std::set<std::string_view> poorer = {"std_msgs/msg/Float64"};  // read as another kind of gas
+    // Read as another kind of gas, or as markers: tried in tests of their own.
+    const std::set<std::string_view> poorer = {
+        "std_msgs/msg/Float64", "visualization_msgs/msg/Marker", "geometry_msgs/msg/PolygonStamped",
+        "geometry_msgs/msg/PoseWithCovarianceStamped", "vision_msgs/msg/Detection3DArray"};
     for (const StreamFacts& row : streamTable()) {
         for (const std::string_view type : row.types) {
             if (poorer.contains(type)) continue;

@@ -51,6 +51,9 @@ TEST_F(AlarmWords, EachKeyHasItsOwn) {
     EXPECT_EQ(textOf(alarm_key::Battery, 7.2, "", "minutes"), "battery: 7 min left");
     EXPECT_EQ(textOf(alarm_key::Battery, 0.18, "", "share"), "battery: 18 % left");
     EXPECT_EQ(textOf(alarm_key::Gas, 2345), "CO₂ 2,345 ppm");
+    EXPECT_EQ(textOf(alarm_key::Reading, 46.26, "Air", "°C"), "Air: 46.3 °C");
+    EXPECT_EQ(textOf(alarm_key::Reading, -std::numeric_limits<double>::infinity(), "Sonar", "m"),
+              "Sonar: −∞ m");
     EXPECT_EQ(textOf(alarm_key::Bump, 0.3, "front_left"), "bumped: front left");
     EXPECT_EQ(textOf(alarm_key::WheelsSpin, 0.84), "wheels turned for 0.8 m, the map says it stands");
     EXPECT_EQ(textOf(alarm_key::Diagnostics, 0, "motor_driver", "hot"), "motor driver: hot");

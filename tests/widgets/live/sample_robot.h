@@ -8,8 +8,8 @@
 #include "core/mission/state/robot_state.h"
 #include "core/robot/robot_description.h"
 #include "core/station/robot_view.h"
-#include "widgets/models/live/robots/gas_trend.h"
 #include "widgets/models/live/robots/robot_face.h"
+#include "widgets/models/live/robots/value_trend.h"
 
 namespace leitstand::test {
 
@@ -25,7 +25,7 @@ struct SampleRobot {
     RobotFace face;
     RobotView view;
     RobotState reported;
-    GasTrend gas;
+    ValueTrend gas;
 };
 [[nodiscard]] SampleRobot sampleRobot(const std::string& letter = "K", const std::string& title = "Kurt3D",
                                       int place = 0);

@@ -379,10 +379,10 @@ TEST_F(LiveWords, AttitudeWarnsBeforeItsLimits) {
 TEST_F(LiveWords, GasRisesFallsAndRaisesItsVoice) {
     EXPECT_EQ(stateOf(robot).gas.arrow.toStdString(), "↑");
     EXPECT_EQ(stateOf(robot).gas.value.value.toStdString(), "1,180");
-    GasTrend falling;
+    ValueTrend falling;
     for (int i = 0; i < 30; ++i) falling.add(at(i - 30), 2000.0 - 20.0 * i);
     EXPECT_NEAR(falling.risePerMinute(), -1200.0, 1e-6);
-    GasTrend steady;
+    ValueTrend steady;
     for (int i = 0; i < 300; ++i) steady.add(at(i - 300), 500.0);
     EXPECT_NEAR(steady.risePerMinute(), 0.0, 1e-9);
     EXPECT_LE(steady.samples(at(0)).size(), 121u);

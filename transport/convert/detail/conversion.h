@@ -101,6 +101,7 @@ Conversion decoding() {
 
 // The rows of each source file.
 [[nodiscard]] std::vector<Conversion> cloudConversions();
+[[nodiscard]] std::vector<Conversion> markerConversions();
 [[nodiscard]] std::vector<Conversion> motionConversions();
 [[nodiscard]] std::vector<Conversion> navigationConversions();
 [[nodiscard]] std::vector<Conversion> pictureConversions();

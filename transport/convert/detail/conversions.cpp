@@ -8,7 +8,7 @@ const std::vector<Conversion>& conversions() {
         for (const auto& some :
              {cloudConversions(), motionConversions(), navigationConversions(), pictureConversions(),
               statusConversions(), commandConversions(), jointConversions(), mapConversions(),
-              stationConversions(), victimConversions()})
+              markerConversions(), stationConversions(), victimConversions()})
             rows.insert(rows.end(), some.begin(), some.end());
         return rows;
     }();

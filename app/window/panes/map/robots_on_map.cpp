@@ -63,6 +63,15 @@ void RobotsOnMap::addCommands() {
         tr("The camera stays behind and above the selected robot; ceilings are hidden"));
     add(MapFollow::Above, "map.followAbove", tr("Follow from a&bove"),
         tr("The camera stays above the selected robot, its heading up; ceilings are hidden"));
+    m_drawn =
+        &commands.add({.id = "map.drawings",
+                       .menu = CommandMenu::Map,
+                       .text = tr("What robots &draw"),
+                       .hint = tr("Markers, outlines, detections and places that robots publish, over the "
+                                  "map"),
+                       .keys = QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_M),
+                       .checkable = true});
+    m_drawn->setChecked(true);
     const auto check = [this] {
         for (const auto& [how, action] : m_follow) action->setChecked(how == m_state.settings().follow);
     };
@@ -130,6 +139,8 @@ void RobotsOnMap::show(const LiveMoment& moment) {
         if (goal != m_goals.end()) mark->waypoints = goal->second.next;
         if (goal != m_goals.end() && mark->note.isEmpty())
             mark->note = goalNote(moment.view(robot.name).navigation);
+        if (m_drawn->isChecked())
+            mark->drawings = m_drawers[robot.name].at(robot, moment.reported(robot.name), *place, moment.now);
         mark->plans = m_plans[robot.name].at(moment.reported(robot.name), *place, moment.now);
         m_marks.emplace(robot.name, *mark);
         marks.push_back(*mark);

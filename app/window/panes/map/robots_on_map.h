@@ -10,6 +10,7 @@
 
 #include "app/window/panes/view_context.h"
 #include "widgets/models/map/map_view_settings.h"
+#include "widgets/models/map/robots/robot_drawings.h"
 #include "widgets/models/map/robots/robot_mark.h"
 #include "widgets/models/map/robots/robot_plans.h"
 
@@ -61,6 +62,8 @@ private:
         std::vector<Pose> next;
     };
     std::map<std::string, Goals> m_goals;
+    std::map<std::string, RobotDrawer> m_drawers;
+    QAction* m_drawn = nullptr;  ///< whether what robots draw is shown
     std::map<std::string, RobotPlans> m_plans;
     QString m_details;
 };

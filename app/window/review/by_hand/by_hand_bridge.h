@@ -27,7 +27,11 @@ public:
     [[nodiscard]] PictureFeed& pictures() override { return *m_pictures; }
     void watch(const std::string& /*robot*/) override {}  // an ended mission has no surroundings
     [[nodiscard]] SteadyTime arrivalOf(const ShownPicture& picture) const override;
-    [[nodiscard]] GasTrend gas(const std::string& /*robot*/) const override { return {}; }
+    [[nodiscard]] ValueTrend gas(const std::string& /*robot*/) const override { return {}; }
+    [[nodiscard]] ValueTrend reading(const std::string& /*robot*/, const std::string& /*topic*/,
+                                     std::size_t /*index*/) const override {
+        return {};
+    }
 
 private:
     ByHandBridge();

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/io/messages/message_text.h"
+#include "core/messages/message_text.h"
 
 namespace leitstand::detail {
 

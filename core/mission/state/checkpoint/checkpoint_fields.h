@@ -13,6 +13,7 @@
 
 #include "core/event/all_samples.h"
 #include "core/event/stream_role.h"
+#include "core/mission/markers/marker_board.h"
 #include "core/mission/state/checkpoint/checkpoint.h"
 #include "core/mission/state/crop_state.h"
 #include "core/mission/state/decision.h"
@@ -38,6 +39,9 @@ inline BatterySample::Status lastOf(BatterySample::Status) {
 }
 inline DiagnosticStatus::Level lastOf(DiagnosticStatus::Level) {
     return DiagnosticStatus::Level::Stale;
+}
+inline MarkerShape lastOf(MarkerShape) {
+    return MarkerShape::Triangles;
 }
 inline GrantSample::Kind lastOf(GrantSample::Kind) {
     return GrantSample::Kind::Map;
@@ -102,6 +106,36 @@ void describe(A& a, BatterySample& v) {
 template <class A>
 void describe(A& a, GasSample& v) {
     a(v.header, v.gas, v.ppm);
+}
+template <class A>
+void describe(A& a, ReadingSample& v) {
+    a(v.header, v.values);
+}
+template <class A>
+void describe(A& a, MarkerColour& v) {
+    a(v.r, v.g, v.b, v.a);
+}
+template <class A>
+void describe(A& a, Marker& v) {
+    a(v.header, v.space, v.id, v.removed, v.shape, v.markerInFrame, v.size, v.colour, v.frameLocked,
+      v.lifetime, v.points, v.text);
+    if constexpr (!A::Writes) {
+        if (!isDrawable(v)) a.fail();
+    }
+}
+template <class A>
+void describe(A& a, MarkerBoard::Drawn& v) {
+    a(v.received, v.baseInOdom, v.marker);
+    if constexpr (!A::Writes) {
+        if (!v.marker) a.fail();
+    }
+}
+template <class A>
+void describe(A& a, MarkerBoard& v) {
+    a(v.drawn);
+    if constexpr (!A::Writes) {
+        if (!isBounded(v)) a.fail();
+    }
 }
 template <class A>
 void describe(A& a, Bumper& v) {
@@ -186,10 +220,13 @@ void describe(A& a, RobotState& v) {
     a(v.odometry, v.imu, v.mode, v.battery, v.load, v.gas, v.bumps, v.contacts, v.sightings, v.diagnostics,
       v.stop, v.stopCommand, v.clockOffset, v.place, v.streams);
     since<9>(a, v.framesAbove, v.grids, v.paths);
+    since<10>(a, v.readings, v.markers);
     if constexpr (!A::Writes) {
         const auto isThere = [](const auto& one) { return one.second != nullptr; };
         if (!std::all_of(v.grids.begin(), v.grids.end(), isThere) ||
-            !std::all_of(v.paths.begin(), v.paths.end(), isThere))
+            !std::all_of(v.paths.begin(), v.paths.end(), isThere) ||
+            !std::all_of(v.readings.begin(), v.readings.end(), isThere) ||
+            !std::all_of(v.markers.begin(), v.markers.end(), isThere))
             a.fail();
     }
 }

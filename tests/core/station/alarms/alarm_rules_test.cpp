@@ -16,6 +16,7 @@
 #include "core/event/motion_samples.h"
 #include "core/event/station_samples.h"
 #include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
 #include "core/mission/state/robot_state.h"
 #include "core/station/alarms/logged_alarm.h"
 #include "tests/core/robot/control_scene.h"
@@ -45,6 +46,13 @@ struct Calm {
         GasSample gas;
         gas.ppm = 640.0;
         reported.gas = latestPtr(Latest<GasSample>{1, wallAt(-500), gas});
+        StreamDescription air;
+        air.role = StreamRole::Reading;
+        air.topic = "/air";
+        air.readings = {{"temperature", "Air", "°C", 1.0, 0.0, {}, {0.0, 45.0, {}, 60.0}},
+                        {"cells[0]", "Cell", "V", 1.0, 0.0, {}, {{}, {}, 3.0, {}}}};
+        description.streams.push_back(air);
+        reported.readings["/air"] = latestPtr(Latest<ReadingSample>{1, wallAt(-500), {{}, {22.0, 3.7}}});
         reported.diagnostics = latestPtr(Latest<DiagnosticsSample>{1, wallAt(-500), {}});
         editable(reported.diagnostics)
             .sample.statuses.push_back(
@@ -186,6 +194,20 @@ const std::vector<Case>& cases() {
                     Case{"breath", [](Calm& r) { editable(r.reported.gas).sample.ppm = 2'100; }, alarm_key::Gas, Look,
                          "gas value=2100"},
                     Case{"a broken sensor", [](Calm& r) { editable(r.reported.gas).sample.ppm = Unknown; }, nullptr},
+                    Case{"heat", [](Calm& r) { editable(r.reported.readings["/air"]).sample.values[0] = 46.0; },
+                         alarm_key::Reading, Look, "reading value=46 note="},
+                    Case{"fire", [](Calm& r) { editable(r.reported.readings["/air"]).sample.values[0] = 61.0; },
+                         alarm_key::Reading, Act, "reading value=61 note="},
+                    Case{"a cell", [](Calm& r) { editable(r.reported.readings["/air"]).sample.values[1] = 2.9; },
+                         alarm_key::Reading, Act, "reading value=2.9"},
+                    Case{"a sensor without a number",
+                         [](Calm& r) { editable(r.reported.readings["/air"]).sample.values[0] = Unknown; }, nullptr},
+                    Case{"heat of long ago",
+                         [](Calm& r) {
+                             editable(r.reported.readings["/air"]).sample.values[0] = 61.0;
+                             editable(r.reported.readings["/air"]).received = wallAt(-100'000);
+                         },
+                         nullptr},
                     Case{"a bump", [](Calm& r) { r.bumpAge = 0.4; }, alarm_key::Bump, Look, "bump"},
                     Case{"a bump of before", [](Calm& r) { r.bumpAge = 3.4; }, nullptr},
                     Case{"wheels that spin", [](Calm& r) { r.spinning = 0.84; }, alarm_key::WheelsSpin, Look,

@@ -189,7 +189,7 @@ BatteryFigures batteryOf(const RobotState& reported, Time now, const AlarmLimits
     return figures;
 }
 
-GasFigures gasOf(const RobotDescription& description, const RobotState& reported, const GasTrend& trend,
+GasFigures gasOf(const RobotDescription& description, const RobotState& reported, const ValueTrend& trend,
                  Time now, double alarm) {
     GasFigures figures;
     figures.alarm = alarm;
@@ -260,7 +260,7 @@ GrantFigures grantFiguresOf(const GrantView& grant) {
 }
 
 DriveState driveStateOf(const RobotFace& face, const RobotDescription& description, const RobotView& robot,
-                        const RobotState& reported, const GasTrend& gas, Time now,
+                        const RobotState& reported, const ValueTrend& gas, Time now,
                         const AlarmLimits& limits) {
     DriveState state;
     state.face = face;

@@ -11,8 +11,8 @@
 #include "core/station/alarms/alarm_rules.h"
 #include "core/station/robot_figures.h"
 #include "core/station/robot_view.h"
-#include "widgets/models/live/robots/gas_trend.h"
 #include "widgets/models/live/robots/robot_face.h"
+#include "widgets/models/live/robots/value_trend.h"
 #include "widgets/models/live/texts/mode_label.h"
 #include "widgets/models/tone.h"
 
@@ -52,7 +52,7 @@ struct GasFigures {
     Figure value;
     QString arrow;                                   ///< "↑" rises, "↓" falls; empty: steady or unknown
     QString caption;                                 ///< "last 2 min · alarm at 2,000"
-    std::vector<std::pair<double, double>> samples;  ///< result of GasTrend::samples()
+    std::vector<std::pair<double, double>> samples;  ///< result of ValueTrend::samples()
 };
 
 /// Speeds of the chains of a tracked robot, measured and commanded.
@@ -97,8 +97,8 @@ struct DriveState {
 /// Returns what the strip shows. @p now: station's clock. @p limits: values from which figures have the tone
 /// of an alarm.
 [[nodiscard]] DriveState driveStateOf(const RobotFace& face, const RobotDescription& description,
-                                      const RobotView& robot, const RobotState& reported, const GasTrend& gas,
-                                      Time now, const AlarmLimits& limits = {});
+                                      const RobotView& robot, const RobotState& reported,
+                                      const ValueTrend& gas, Time now, const AlarmLimits& limits = {});
 
 [[nodiscard]] GrantFigures grantFiguresOf(const GrantView& grant);
 

@@ -14,6 +14,7 @@
 #include "core/robot/link/link_reasons.h"
 #include "core/robot/link/reception.h"
 #include "core/station/alarms/log_format.h"
+#include "widgets/models/live/readings/reading_text.h"
 #include "widgets/models/live/texts/freshness.h"
 #include "widgets/models/live/texts/link_text.h"
 #include "widgets/models/live/texts/mode_label.h"
@@ -81,6 +82,11 @@ QString diagnosticsText(const AlarmCause& cause) {
     return cause.id.detail.empty() ? loggedText(cause) : part;  // parts may have no message
 }
 
+QString readingAlarmText(const AlarmCause& cause) {
+    if (std::isnan(cause.value)) return readingTitle(cause.id.detail);
+    return AlarmTexts::tr("%1: %2").arg(readingTitle(cause.id.detail), readingText(cause.value, cause.note));
+}
+
 QString degradedText(const AlarmCause& cause) {
     const auto reason = linkReasonFrom(cause.note);
     return AlarmTexts::tr("link: %1")
@@ -116,6 +122,7 @@ constexpr Row Rows[] = {
     {alarm_key::Battery, Needs::Value, &batteryText},
     {alarm_key::Gas, Needs::Value,
      [](const AlarmCause& cause) { return AlarmTexts::tr("CO₂ %1 ppm").arg(numberText(cause.value, 0)); }},
+    {alarm_key::Reading, Needs::Nothing, &readingAlarmText},
     {alarm_key::Bump, Needs::Nothing,
      [](const AlarmCause& cause) {
          return AlarmTexts::tr("bumped: %1").arg(robotReasonText(detailOf(cause).toStdString()));

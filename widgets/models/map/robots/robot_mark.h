@@ -11,6 +11,7 @@
 #include "core/base/rotation/heading.h"
 #include "core/mapping/live/trail.h"
 #include "widgets/models/live/robots/robot_face.h"
+#include "widgets/models/map/robots/robot_drawings.h"
 #include "widgets/models/map/robots/robot_plans.h"
 #include "widgets/models/tone.h"
 
@@ -26,6 +27,7 @@ struct RobotMark {
     TrailPtr trail = {};    ///< in the map's frame; may be null
     bool afterGap = false;  ///< whether the path from the end of the trail to baseInMap is unknown
     std::shared_ptr<const PlannedPaths> plans = {};  ///< ways that it plans to take; null: none
+    std::shared_ptr<const Drawings> drawings = {};   ///< what it draws; null: nothing
     std::optional<Pose> goalInMap = {};              ///< where it was sent; empty: nowhere
     std::vector<Pose> waypoints = {};                ///< where it goes after its goal, in order
     /// The robot is within this distance [m]; empty: its place is certain.

@@ -54,7 +54,8 @@ bool sameMark(const RobotMark& a, const RobotMark& b) {
     };
     const auto samePlace = [](const Pose& x, const Pose& y) { return x.matrix() == y.matrix(); };
     return a.face == b.face && a.baseInMap.matrix() == b.baseInMap.matrix() && a.trail == b.trail &&
-           a.afterGap == b.afterGap && a.plans == b.plans && sameGoal(a.goalInMap, b.goalInMap) &&
+           a.afterGap == b.afterGap && a.plans == b.plans && a.drawings == b.drawings &&
+           sameGoal(a.goalInMap, b.goalInMap) &&
            std::equal(a.waypoints.begin(), a.waypoints.end(), b.waypoints.begin(), b.waypoints.end(),
                       samePlace) &&
            a.doubtRadius == b.doubtRadius && a.note == b.note && a.tone == b.tone &&

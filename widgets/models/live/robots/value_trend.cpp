@@ -1,4 +1,4 @@
-#include "widgets/models/live/robots/gas_trend.h"
+#include "widgets/models/live/robots/value_trend.h"
 
 #include <chrono>
 #include <cmath>
@@ -7,26 +7,26 @@
 
 namespace leitstand {
 
-void GasTrend::add(Time at, double ppm) {
-    if (!std::isfinite(ppm)) return;
+void ValueTrend::add(Time at, double value) {
+    if (!std::isfinite(value)) return;
     if (!m_samples.empty()) {
         if (at == m_samples.back().first) return;
         if (at < m_samples.back().first) m_samples.clear();
     }
-    m_samples.emplace_back(at, ppm);
+    m_samples.emplace_back(at, value);
     while (secondsBetween(m_samples.front().first, at) > Span) m_samples.pop_front();
 }
 
-std::vector<std::pair<double, double>> GasTrend::samples(Time now) const {
+std::vector<std::pair<double, double>> ValueTrend::samples(Time now) const {
     std::vector<std::pair<double, double>> found;
-    for (const auto& [at, ppm] : m_samples) {
+    for (const auto& [at, value] : m_samples) {
         const double age = secondsBetween(at, now);
-        if (age <= Span) found.emplace_back(age, ppm);
+        if (age <= Span) found.emplace_back(age, value);
     }
     return found;
 }
 
-double GasTrend::risePerMinute() const {
+double ValueTrend::risePerMinute() const {
     constexpr double Window = 20.0, Enough = 5.0;  // [s]
     if (m_samples.empty()) return 0.0;
     // Least squares line.
