@@ -19,6 +19,11 @@ Tone toneOf(ReadingLevel level) {
     return level == ReadingLevel::Attention ? Tone::Attention : Tone::Normal;
 }
 
+QString capitalised(QString text) {
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return text;
+}
+
 QString hintOf(const ReadingRow& row, const ReadingDescription& reading) {
     QStringList lines = {row.title, othersText(row.topic), othersText(reading.field)};
     const QString looks = rangeText(reading.limits.low, reading.limits.high);
@@ -41,7 +46,7 @@ std::vector<ReadingRow> readingRows(const RobotDescription& robot, const RobotSt
             const double value = came ? latest->sample.values[i] : Unknown;
             ReadingRow row{stream.topic,
                            i,
-                           readingTitle(reading.title),
+                           capitalised(readingTitle(reading.title)),
                            readingText(value, reading.unit, reading.decimals),
                            limitsText(reading.limits),
                            {},
