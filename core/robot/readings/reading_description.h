@@ -23,9 +23,9 @@ struct ReadingLimits {
     friend bool operator==(const ReadingLimits&, const ReadingLimits&) = default;
 };
 
-/// Returns the level of @p value; Normal if it is unknown. @p standing: the level until now. So that a number
-/// at its limit does not alarm over and over, a level ends only when the number is inside by 2 % of the
-/// limit, or less where the limits are close together.
+/// Returns the level of @p value; Normal if it is unknown. @p standing: the level until now. A level ends
+/// only when the number is inside by 2 % of the limit, or less where the limits are close together. So a
+/// number at its limit does not alarm over and over.
 [[nodiscard]] ReadingLevel levelOf(const ReadingLimits& limits, double value,
                                    ReadingLevel standing = ReadingLevel::Normal);
 

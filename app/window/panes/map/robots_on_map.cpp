@@ -69,7 +69,7 @@ void RobotsOnMap::addCommands() {
                        .text = tr("What robots &draw"),
                        .hint = tr("Markers, outlines, detections and places that robots publish, over the "
                                   "map"),
-                       .keys = QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_M),
+                       .keys = QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_D),
                        .checkable = true});
     m_drawn->setChecked(true);
     const auto check = [this] {
