@@ -42,9 +42,8 @@ TEST(ReadingsInFiles, AnyFieldOfAnyTypeIsNamedByItsPath) {
     const StreamDescription& stream = read->streams.at(0);
     EXPECT_EQ(stream.type, "my_robot/msg/Cells");
     ASSERT_EQ(stream.readings.size(), 2U);
-    EXPECT_EQ(
-        stream.readings[0],
-        (ReadingDescription{"cells[3].voltage", "Cell 4", "V", 1.0, 0.0, 2, {3.3, {}, 3.0, {}}}));
+    EXPECT_EQ(stream.readings[0],
+              (ReadingDescription{"cells[3].voltage", "Cell 4", "V", 1.0, 0.0, 2, {3.3, {}, 3.0, {}}}));
     EXPECT_EQ(stream.readings[1],
               (ReadingDescription{"heat", "heat", "", 0.1, -40.0, {}, {{}, 45.0, {}, 60.0}}));
 }
