@@ -14,6 +14,7 @@ namespace {
 
 std::vector<std::string> pathsOf(const std::vector<ReadingDescription>& readings) {
     std::vector<std::string> paths;
+    paths.reserve(readings.size());
     for (const ReadingDescription& one : readings) paths.push_back(one.field);
     return paths;
 }

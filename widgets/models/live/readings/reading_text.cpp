@@ -41,7 +41,7 @@ QString readingTitle(const std::string& title) {
 
 QString readingText(double value, const std::string& unit, std::optional<int> decimals) {
     if (std::isnan(value)) return QStringLiteral("–");
-    const QString number = numberWords(value, decimals);
+    QString number = numberWords(value, decimals);
     if (unit.empty()) return number;
     return unit == "°" ? number + QChar(0xb0) : number + QLatin1Char(' ') + othersText(unit);
 }
