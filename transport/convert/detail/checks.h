@@ -58,6 +58,11 @@ public:
     }
     Eigen::Quaterniond rotation(const char* field, const wire::geometry_msgs::Quaternion& from);
     Pose pose(const char* field, const wire::geometry_msgs::Pose& from);
+    /// Accepts a pose without a rotation, as of senders that care for places alone.
+    Pose poseOrPlace(const char* field, wire::geometry_msgs::Pose from) {
+        if (isUnset(from.orientation)) from.orientation.w = 1.0;
+        return pose(field, from);
+    }
 
     wire::builtin_interfaces::Time wireTime(const char* field, Time from);
     wire::builtin_interfaces::Duration wireDuration(const char* field, std::chrono::nanoseconds from);

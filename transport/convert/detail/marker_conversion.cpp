@@ -53,12 +53,6 @@ MarkerColour colourOf(const wire::std_msgs::ColorRGBA& from) {
     return {share(from.r), share(from.g), share(from.b), share(from.a)};
 }
 
-/// Returns @p from; without a rotation where its sender set none.
-Pose poseOf(const char* field, wire::geometry_msgs::Pose from, Checks& checks) {
-    if (Checks::isUnset(from.orientation)) from.orientation.w = 1.0;
-    return checks.pose(field, from);
-}
-
 std::string shortened(const std::string& text) {
     return text.substr(0, LongestText);
 }
@@ -85,7 +79,7 @@ Marker added(const WireMarker& from, Checks& checks) {
     checks.require(from.action == WireMarker::ADD_, "markers.action", "expected 0, 2 or 3, found {}",
                    from.action);
     to.shape = shapeOf(from.type, checks);
-    to.markerInFrame = poseOf("markers.pose", from.pose, checks);
+    to.markerInFrame = checks.poseOrPlace("markers.pose", from.pose);
     (void)near("markers.pose", to.markerInFrame.translation(), checks);
     to.size = near("markers.scale", checks.vector("markers.scale", from.scale), checks);
     to.colour = colourOf(from.color);
@@ -213,7 +207,7 @@ MarkersSample fromWire(const wire::geometry_msgs::PoseWithCovarianceStamped& fro
     MarkersSample to;
     to.replacesAll = true;
     const SampleHeader header = checks.header(from.header);
-    const Pose pose = poseOf("pose.pose", from.pose.pose, checks);
+    const Pose pose = checks.poseOrPlace("pose.pose", from.pose.pose);
     (void)near("pose.pose", pose.translation(), checks);
     Marker arrow = plain(header, 0, MarkerShape::Arrow);
     arrow.markerInFrame = pose;
@@ -245,7 +239,7 @@ MarkersSample fromWire(const wire::vision_msgs::Detection3DArray& from, const So
     for (const auto& detection : from.detections) {
         const auto& header = detection.header.frame_id.empty() ? from.header : detection.header;
         Marker box = plain(checks.header(header), id++, MarkerShape::Box);
-        box.markerInFrame = poseOf("detections.bbox.center", detection.bbox.center, checks);
+        box.markerInFrame = checks.poseOrPlace("detections.bbox.center", detection.bbox.center);
         (void)near("detections.bbox.center", box.markerInFrame.translation(), checks);
         box.size =
             near("detections.bbox.size", checks.vector("detections.bbox.size", detection.bbox.size), checks);

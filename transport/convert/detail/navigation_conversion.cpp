@@ -16,12 +16,6 @@ namespace {
 constexpr double LargestCell = 100.0;  // [m]
 constexpr int MostAcross = static_cast<int>(OccupancyGridSample::MostCells);
 
-/// Returns @p from; without a rotation where its sender set none, as planners that care for places alone.
-Pose poseOf(const char* field, wire::geometry_msgs::Pose from, Checks& checks) {
-    if (Checks::isUnset(from.orientation)) from.orientation.w = 1.0;
-    return checks.pose(field, from);
-}
-
 /// Checks that a rectangle of @p width times @p height has as many cells as were sent.
 void checkCells(std::size_t width, std::size_t height, std::size_t cells, Checks& checks) {
     checks.require(width <= OccupancyGridSample::MostCells && height <= OccupancyGridSample::MostCells &&
@@ -48,7 +42,7 @@ OccupancyGridSample fromWire(const wire::nav_msgs::OccupancyGrid& from, const So
     to.width = checks.size("info.width", from.info.width, MostAcross);
     to.height = checks.size("info.height", from.info.height, MostAcross);
     checkCells(from.info.width, from.info.height, from.data.size(), checks);
-    to.gridInFrame = poseOf("info.origin", from.info.origin, checks);
+    to.gridInFrame = checks.poseOrPlace("info.origin", from.info.origin);
     to.cells = from.data;
     return to;
 }
@@ -97,7 +91,7 @@ PathSample fromWire(const wire::nav_msgs::Path& from, const Source&, Checks& che
                    PathSample::MostPoses, from.poses.size());
     if (!checks.ok()) return to;
     to.posesInFrame.reserve(from.poses.size());
-    for (const auto& one : from.poses) to.posesInFrame.push_back(poseOf("poses", one.pose, checks));
+    for (const auto& one : from.poses) to.posesInFrame.push_back(checks.poseOrPlace("poses", one.pose));
     return to;
 }
 

@@ -1,6 +1,7 @@
 #include "app/window/panes/readings/readings_feature.h"
 
 #include <chrono>
+#include <vector>
 
 #include <QAction>
 #include <QMainWindow>

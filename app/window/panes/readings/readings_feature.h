@@ -1,15 +1,9 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include <QObject>
 #include <QTimer>
 
 #include "app/window/panes/view_context.h"
-#include "core/base/time.h"
-#include "widgets/models/live/readings/reading_rows.h"
 
 namespace leitstand {
 
