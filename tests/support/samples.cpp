@@ -218,6 +218,11 @@ MarkersSample markers() {
     return sample;
 }
 
+/// One by one: a list of all of them in one expression takes a compiler with sanitizers 6 GB.
+void add(std::vector<SampleCase>& cases, const char* type, std::optional<StreamRole> role, Sample sample) {
+    cases.push_back({type, role, std::move(sample)});
+}
+
 std::vector<SampleCase> robotCases() {
     using R = StreamRole;
     const JointSample joints{header(), {"left", "right"}, {0.5, 1.5}, {2.5, 3.5}, {4.5, 5.5}};
@@ -225,88 +230,88 @@ std::vector<SampleCase> robotCases() {
     TwistSample twist = stamped;
     twist.stamp.reset();
     twist.frame.clear();
-    return {
-        {"sensor_msgs/msg/PointCloud2", R::Points, cloud()},
-        {"sensor_msgs/msg/LaserScan", R::Ranges,
-         RangesSample{header(), -1.5, 0.5, 0.25, 0.125, 0.0625, 30.0, {1, 2, 3, 4}, {5, 6, 7, 8}}},
-        {"nav_msgs/msg/Odometry", R::Odometry,
-         OdometrySample{
-             header(), "base_link", pose(1.0), {1, 2, 3}, {4, 5, 6}, counted<36>(1), counted<36>(51)}},
-        {"sensor_msgs/msg/Imu", R::Imu, imu()},
-        {"sensor_msgs/msg/JointState", R::Joints, joints},
-        {"tf2_msgs/msg/TFMessage", R::Transforms,
-         TransformsSample{{{header(), "camera", pose(2.0)}, {header(), "arm", pose(4.0)}}}},
-        {"sensor_msgs/msg/Image", R::Picture, picture(false)},
-        {"sensor_msgs/msg/CompressedImage", R::Picture, picture(true)},
-        {"sensor_msgs/msg/CameraInfo", R::CameraInfo,
-         CameraInfoSample{header(),
-                          640,
-                          480,
-                          "plumb_bob",
-                          {0.1, 0.2, 0.3, 0.4, 0.5},
-                          counted<9>(1),
-                          counted<9>(11),
-                          counted<12>(21),
-                          2,
-                          3,
-                          4,
-                          5,
-                          320,
-                          240}},
-        {"leitstand_msgs/msg/GasConcentration", R::Gas, GasSample{header(), "co2", 412.5}},
-        {"std_msgs/msg/Float32", R::Gas, GasSample{{}, "co2", 412.5}},
-        {"sensor_msgs/msg/BatteryState", R::Battery, battery()},
-        {"diagnostic_msgs/msg/DiagnosticArray", R::Diagnostics,
-         DiagnosticsSample{header(),
-                           {{DiagnosticStatus::Level::Error,
-                             "motor",
-                             "hot",
-                             "kurt3d/motor",
-                             {{"celsius", "91"}, {"limit", "80"}}}}}},
-        {"leitstand_msgs/msg/Mode", R::Mode,
-         ModeSample{header(), "explore", true, "asked", {"teleoperation", "explore"}}},
-        {"leitstand_msgs/msg/Bumps", R::Bumps,
-         BumpSample{header(), {{"front", true, 3}, {"rear", false, 1}}}},
-        {"leitstand_msgs/msg/Sightings", R::Sightings,
-         SightingSample{header(), {{4, "heat", {1.5, 2.5, 3.5}, 0.25, 0.75, 34.5, "warm"}}}},
-        {"leitstand_msgs/msg/StopState", R::StopState,
-         StopStateSample{header(), 17, "station-1", true, true, "no grant", 23}},
-        {"leitstand_msgs/msg/Pong", R::Pong,
-         PongSample{18, "station-1", at(1'700'000'003, 1), at(1'700'000'004, 2), at(1'700'000'005, 3)}},
-        {"geometry_msgs/msg/Twist", R::DriveCommand, twist},
-        {"geometry_msgs/msg/TwistStamped", R::DriveCommand, stamped},
-        {"leitstand_msgs/msg/StopCommand", R::StopCommand,
-         StopCommandSample{at(1'700'000'006, 4), "station-1", 19, true, 21}},
-        {"leitstand_msgs/msg/ModeCommand", R::ModeCommand,
-         ModeCommandSample{at(1'700'000'007, 5), "station-1", "explore"}},
-        {"geometry_msgs/msg/PoseStamped", R::GoalPose, PoseSample{header(), pose(6.0)}},
-        {"leitstand_msgs/msg/StreamCommand", R::StreamCommand,
-         StreamCommandSample{at(1'700'000'008, 6), "station-1", "/kurt3d/left", true, 7.5, 60, 640}},
-        {"leitstand_msgs/msg/Ping", R::Ping, PingSample{20, "station-1", at(1'700'000'009, 7)}},
-        {"std_msgs/msg/Bool", R::StopLock, DriveLockSample{true}},
-        {"trajectory_msgs/msg/JointTrajectory", R::JointCommand,
-         JointTrajectorySample{header(),
-                               {"a", "b"},
-                               {{{0.5, 1.5}, {2.5, 3.5}, std::chrono::milliseconds(250)},
-                                {{4.5, 5.5}, {}, std::chrono::seconds(2)}}}},
-        {"std_msgs/msg/Float64MultiArray", R::JointCommand, NumbersSample{{0.25, -1.5, 7.0}}},
-        {"nav_msgs/msg/OccupancyGrid", R::Grid,
-         OccupancyGridSample{header(), at(1'700'000'010, 2), 0.25, 3, 2, pose(7.0), {0, 100, -1, 50, 1, 99}}},
-        {"map_msgs/msg/OccupancyGridUpdate", R::GridUpdate,
-         GridUpdateSample{header(), 4, 5, 2, 1, {100, -1}}},
-        {"ffmpeg_image_transport_msgs/msg/FFMPEGPacket", R::Picture, videoPicture("libx265", true)},
-        {"foxglove_msgs/msg/CompressedVideo", R::Picture, videoPicture("h264", false)},
-        {"livox_ros_driver2/msg/CustomMsg", R::Points, livoxCloud()},
-        {"visualization_msgs/msg/MarkerArray", R::Markers, markers()},
-        {"sensor_msgs/msg/Temperature", R::Reading, ReadingSample{header(), {23.5}}},
-        {"sensor_msgs/msg/RelativeHumidity", R::Reading, ReadingSample{header(), {50.0}}},
-        {"sensor_msgs/msg/FluidPressure", R::Reading, ReadingSample{header(), {1024.0}}},
-        {"sensor_msgs/msg/MagneticField", R::Reading, ReadingSample{header(), {50.0}}},
-        {"sensor_msgs/msg/Range", R::Reading, ReadingSample{header(), {0.75}}},
-        {"sensor_msgs/msg/Illuminance", R::Reading, ReadingSample{header(), {300.0}}},
-        {"sensor_msgs/msg/NavSatFix", R::Reading, ReadingSample{header(), {51.5, -8.25, 110.0}}},
-        {"nav_msgs/msg/Path", R::Path, PathSample{header(), {pose(8.0), pose(9.0)}}},
-    };
+    std::vector<SampleCase> cases;
+    add(cases, "sensor_msgs/msg/PointCloud2", R::Points, cloud());
+    add(cases, "sensor_msgs/msg/LaserScan", R::Ranges,
+        RangesSample{header(), -1.5, 0.5, 0.25, 0.125, 0.0625, 30.0, {1, 2, 3, 4}, {5, 6, 7, 8}});
+    add(cases, "nav_msgs/msg/Odometry", R::Odometry,
+        OdometrySample{
+            header(), "base_link", pose(1.0), {1, 2, 3}, {4, 5, 6}, counted<36>(1), counted<36>(51)});
+    add(cases, "sensor_msgs/msg/Imu", R::Imu, imu());
+    add(cases, "sensor_msgs/msg/JointState", R::Joints, joints);
+    add(cases, "tf2_msgs/msg/TFMessage", R::Transforms,
+        TransformsSample{{{header(), "camera", pose(2.0)}, {header(), "arm", pose(4.0)}}});
+    add(cases, "sensor_msgs/msg/Image", R::Picture, picture(false));
+    add(cases, "sensor_msgs/msg/CompressedImage", R::Picture, picture(true));
+    add(cases, "sensor_msgs/msg/CameraInfo", R::CameraInfo,
+        CameraInfoSample{header(),
+                         640,
+                         480,
+                         "plumb_bob",
+                         {0.1, 0.2, 0.3, 0.4, 0.5},
+                         counted<9>(1),
+                         counted<9>(11),
+                         counted<12>(21),
+                         2,
+                         3,
+                         4,
+                         5,
+                         320,
+                         240});
+    add(cases, "leitstand_msgs/msg/GasConcentration", R::Gas, GasSample{header(), "co2", 412.5});
+    add(cases, "std_msgs/msg/Float32", R::Gas, GasSample{{}, "co2", 412.5});
+    add(cases, "sensor_msgs/msg/BatteryState", R::Battery, battery());
+    add(cases, "diagnostic_msgs/msg/DiagnosticArray", R::Diagnostics,
+        DiagnosticsSample{header(),
+                          {{DiagnosticStatus::Level::Error,
+                            "motor",
+                            "hot",
+                            "kurt3d/motor",
+                            {{"celsius", "91"}, {"limit", "80"}}}}});
+    add(cases, "leitstand_msgs/msg/Mode", R::Mode,
+        ModeSample{header(), "explore", true, "asked", {"teleoperation", "explore"}});
+    add(cases, "leitstand_msgs/msg/Bumps", R::Bumps,
+        BumpSample{header(), {{"front", true, 3}, {"rear", false, 1}}});
+    add(cases, "leitstand_msgs/msg/Sightings", R::Sightings,
+        SightingSample{header(), {{4, "heat", {1.5, 2.5, 3.5}, 0.25, 0.75, 34.5, "warm"}}});
+    add(cases, "leitstand_msgs/msg/StopState", R::StopState,
+        StopStateSample{header(), 17, "station-1", true, true, "no grant", 23});
+    add(cases, "leitstand_msgs/msg/Pong", R::Pong,
+        PongSample{18, "station-1", at(1'700'000'003, 1), at(1'700'000'004, 2), at(1'700'000'005, 3)});
+    add(cases, "geometry_msgs/msg/Twist", R::DriveCommand, twist);
+    add(cases, "geometry_msgs/msg/TwistStamped", R::DriveCommand, stamped);
+    add(cases, "leitstand_msgs/msg/StopCommand", R::StopCommand,
+        StopCommandSample{at(1'700'000'006, 4), "station-1", 19, true, 21});
+    add(cases, "leitstand_msgs/msg/ModeCommand", R::ModeCommand,
+        ModeCommandSample{at(1'700'000'007, 5), "station-1", "explore"});
+    add(cases, "geometry_msgs/msg/PoseStamped", R::GoalPose, PoseSample{header(), pose(6.0)});
+    add(cases, "leitstand_msgs/msg/StreamCommand", R::StreamCommand,
+        StreamCommandSample{at(1'700'000'008, 6), "station-1", "/kurt3d/left", true, 7.5, 60, 640});
+    add(cases, "leitstand_msgs/msg/Ping", R::Ping, PingSample{20, "station-1", at(1'700'000'009, 7)});
+    add(cases, "std_msgs/msg/Bool", R::StopLock, DriveLockSample{true});
+    add(cases, "trajectory_msgs/msg/JointTrajectory", R::JointCommand,
+        JointTrajectorySample{header(),
+                              {"a", "b"},
+                              {{{0.5, 1.5}, {2.5, 3.5}, std::chrono::milliseconds(250)},
+                               {{4.5, 5.5}, {}, std::chrono::seconds(2)}}});
+    add(cases, "std_msgs/msg/Float64MultiArray", R::JointCommand, NumbersSample{{0.25, -1.5, 7.0}});
+    add(cases, "nav_msgs/msg/OccupancyGrid", R::Grid,
+        OccupancyGridSample{header(), at(1'700'000'010, 2), 0.25, 3, 2, pose(7.0), {0, 100, -1, 50, 1, 99}});
+    add(cases, "map_msgs/msg/OccupancyGridUpdate", R::GridUpdate,
+        GridUpdateSample{header(), 4, 5, 2, 1, {100, -1}});
+    add(cases, "ffmpeg_image_transport_msgs/msg/FFMPEGPacket", R::Picture, videoPicture("libx265", true));
+    add(cases, "foxglove_msgs/msg/CompressedVideo", R::Picture, videoPicture("h264", false));
+    add(cases, "livox_ros_driver2/msg/CustomMsg", R::Points, livoxCloud());
+    add(cases, "visualization_msgs/msg/MarkerArray", R::Markers, markers());
+    add(cases, "sensor_msgs/msg/Temperature", R::Reading, ReadingSample{header(), {23.5}});
+    add(cases, "sensor_msgs/msg/RelativeHumidity", R::Reading, ReadingSample{header(), {50.0}});
+    add(cases, "sensor_msgs/msg/FluidPressure", R::Reading, ReadingSample{header(), {1024.0}});
+    add(cases, "sensor_msgs/msg/MagneticField", R::Reading, ReadingSample{header(), {50.0}});
+    add(cases, "sensor_msgs/msg/Range", R::Reading, ReadingSample{header(), {0.75}});
+    add(cases, "sensor_msgs/msg/Illuminance", R::Reading, ReadingSample{header(), {300.0}});
+    add(cases, "sensor_msgs/msg/NavSatFix", R::Reading, ReadingSample{header(), {51.5, -8.25, 110.0}});
+    add(cases, "nav_msgs/msg/Path", R::Path, PathSample{header(), {pose(8.0), pose(9.0)}});
+    return cases;
 }
 
 Link scanLink() {
@@ -326,48 +331,48 @@ Link scanLink() {
 std::vector<SampleCase> stationCases() {
     using std::nullopt;
     const Time now = at(1'700'000'020, 8);
-    return {
-        {"leitstand_msgs/msg/Grant", nullopt,
-         GrantSample{now, "station-1", "Left desk", GrantSample::Kind::Camera, GrantSample::Action::Consent,
-                     "kurt3d", "station-2", 21}},
-        {"leitstand_msgs/msg/Victim", nullopt, victim()},
-        {"leitstand_msgs/msg/Candidate", nullopt, candidate()},
-        {"leitstand_msgs/msg/KeyScan", nullopt, keyScan()},
-        {"leitstand_msgs/msg/ScanPoses", nullopt,
-         ScanPosesSample{now,
+    std::vector<SampleCase> cases;
+    add(cases, "leitstand_msgs/msg/Grant", nullopt,
+        GrantSample{now, "station-1", "Left desk", GrantSample::Kind::Camera, GrantSample::Action::Consent,
+                    "kurt3d", "station-2", 21});
+    add(cases, "leitstand_msgs/msg/Victim", nullopt, victim());
+    add(cases, "leitstand_msgs/msg/Candidate", nullopt, candidate());
+    add(cases, "leitstand_msgs/msg/KeyScan", nullopt, keyScan());
+    add(cases, "leitstand_msgs/msg/ScanPoses", nullopt,
+        ScanPosesSample{now,
+                        "station-1",
+                        ScanPosesSample::Cause::LoopClosure,
+                        {{7, pose(7.0), 0.01, 0.9, 0.8, 0.7, true, ScanTrust::Certain, 0},
+                         {8, pose(8.0), 0.02, 0.6, 0.5, 0.4, false, ScanTrust::Uncertain, 0x15}}});
+    add(cases, "leitstand_msgs/msg/ScanLinks", nullopt, ScanLinksSample{now, "station-1", {scanLink()}});
+    add(cases, "leitstand_msgs/msg/ScanBodies", nullopt,
+        ScanBodiesSample{now,
                          "station-1",
-                         ScanPosesSample::Cause::LoopClosure,
-                         {{7, pose(7.0), 0.01, 0.9, 0.8, 0.7, true, ScanTrust::Certain, 0},
-                          {8, pose(8.0), 0.02, 0.6, 0.5, 0.4, false, ScanTrust::Uncertain, 0x15}}}},
-        {"leitstand_msgs/msg/ScanLinks", nullopt, ScanLinksSample{now, "station-1", {scanLink()}}},
-        {"leitstand_msgs/msg/ScanBodies", nullopt,
-         ScanBodiesSample{now,
-                          "station-1",
-                          {{7,
-                            {{"crawler", {{0.3, 0.2}, {-0.3, 0.2}, {-0.3, -0.2}}, 0.4, pose(11.0), 0.1},
-                             {"spot", {{0.5, 0.2}, {-0.5, 0.2}, {-0.5, -0.2}}, 0.6, pose(12.0), 0.3}}},
-                           {8, {}}}}},
-        {"leitstand_msgs/msg/MapCrop", nullopt,
-         MapCropSample{now, "station-1", {{-1.0, -2.0}, {4.0, -2.0}, {4.0, 3.5}}, 2.1}},
-        {"leitstand_msgs/msg/RobotPlace", nullopt,
-         RobotPlaceSample{now, "station-1", "crawler", RobotPlaceSample::Cause::Seen, at(1'700'000'019, 7),
-                          pose(9.0), pose(10.0), 0.6, 0.7, true, "70 % of what it sees"}},
-        {"leitstand_msgs/msg/MissionClock", nullopt,
-         ClockSample{now, "station-1", true, nanoseconds(61'000'000'001), nanoseconds(1'200'000'000'000)}},
-        {"leitstand_msgs/msg/MissionInfo", nullopt,
-         MissionInfoSample{now, "station-1", "RoboCup2013", "Kurt", "Germany", "Final", 2, "orange", "2013"}},
-        {"leitstand_msgs/msg/ClockOffset", nullopt,
-         ClockOffsetSample{now, "kurt3d", nanoseconds(-5'000'000'001), nanoseconds(1'000),
-                           nanoseconds(20'000)}},
-        {"leitstand_msgs/msg/Undo", nullopt, UndoSample{now, "station-1", 22, "victim 3"}},
-        {"leitstand_msgs/msg/Checkpoint", nullopt, CheckpointSample{now, 23, 2, countedBytes(37)}},
-        {"leitstand_msgs/msg/Note", nullopt, NoteSample{now, "station-1", "kurt3d", "smoke"}},
-        {"leitstand_msgs/msg/Session", nullopt,
-         SessionSample{now, "station-1", "Left desk", true, "final", "0.1.0", 2}},
-        {"leitstand_msgs/msg/Alarm", nullopt,
-         AlarmSample{now, "station-1", "kurt3d", "link_lost", AlarmSample::Severity::Critical,
-                     AlarmSample::State::Acknowledged, "no odometry for 3 s"}},
-    };
+                         {{7,
+                           {{"crawler", {{0.3, 0.2}, {-0.3, 0.2}, {-0.3, -0.2}}, 0.4, pose(11.0), 0.1},
+                            {"spot", {{0.5, 0.2}, {-0.5, 0.2}, {-0.5, -0.2}}, 0.6, pose(12.0), 0.3}}},
+                          {8, {}}}});
+    add(cases, "leitstand_msgs/msg/MapCrop", nullopt,
+        MapCropSample{now, "station-1", {{-1.0, -2.0}, {4.0, -2.0}, {4.0, 3.5}}, 2.1});
+    add(cases, "leitstand_msgs/msg/RobotPlace", nullopt,
+        RobotPlaceSample{now, "station-1", "crawler", RobotPlaceSample::Cause::Seen, at(1'700'000'019, 7),
+                         pose(9.0), pose(10.0), 0.6, 0.7, true, "70 % of what it sees"});
+    add(cases, "leitstand_msgs/msg/MissionClock", nullopt,
+        ClockSample{now, "station-1", true, nanoseconds(61'000'000'001), nanoseconds(1'200'000'000'000)});
+    add(cases, "leitstand_msgs/msg/MissionInfo", nullopt,
+        MissionInfoSample{now, "station-1", "RoboCup2013", "Kurt", "Germany", "Final", 2, "orange", "2013"});
+    add(cases, "leitstand_msgs/msg/ClockOffset", nullopt,
+        ClockOffsetSample{now, "kurt3d", nanoseconds(-5'000'000'001), nanoseconds(1'000),
+                          nanoseconds(20'000)});
+    add(cases, "leitstand_msgs/msg/Undo", nullopt, UndoSample{now, "station-1", 22, "victim 3"});
+    add(cases, "leitstand_msgs/msg/Checkpoint", nullopt, CheckpointSample{now, 23, 2, countedBytes(37)});
+    add(cases, "leitstand_msgs/msg/Note", nullopt, NoteSample{now, "station-1", "kurt3d", "smoke"});
+    add(cases, "leitstand_msgs/msg/Session", nullopt,
+        SessionSample{now, "station-1", "Left desk", true, "final", "0.1.0", 2});
+    add(cases, "leitstand_msgs/msg/Alarm", nullopt,
+        AlarmSample{now, "station-1", "kurt3d", "link_lost", AlarmSample::Severity::Critical,
+                    AlarmSample::State::Acknowledged, "no odometry for 3 s"});
+    return cases;
 }
 
 }  // namespace

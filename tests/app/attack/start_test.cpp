@@ -24,10 +24,10 @@ protected:
                    fmt::format("all heard, after {:.1f} s (median)", median));
     }
 };
-using StartUnderAttackLatency = StartUnderAttack;
+using LongStartUnderAttackLatency = StartUnderAttack;
 using StartUnderAttackLong = StartUnderAttack;
 
-TEST_F(StartUnderAttackLatency, FiveTimes) {
+TEST_F(LongStartUnderAttackLatency, FiveTimes) {
     start({.runs = 5, .seed = 11});
 }
 TEST_F(StartUnderAttackLong, AHundredTimes) {

@@ -97,7 +97,7 @@ TEST_F(InputLatency, FromAKeyToTheWire) {
     });
 }
 
-TEST_F(InputLatency, FromAPadToTheWire) {
+TEST_F(InputLatency, LongFromAPadToTheWire) {
     VirtualPad pad;
     ASSERT_TRUE(soon([&] { return m_window->findChild<QLabel*>("word")->text().contains("plugged in"); }));
     whenDriving([&] { pad.push(standard_axis::LeftTrigger, 1.0); });

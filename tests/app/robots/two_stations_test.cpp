@@ -148,9 +148,9 @@ protected:
 };
 
 /// What is lost is measured alone: on a computer that is too busy for its robots, they lose by themselves.
-using TwoStationsAndRobotsLatency = TwoStationsAndRobots;
+using LongTwoStationsAndRobotsLatency = TwoStationsAndRobots;
 
-TEST_F(TwoStationsAndRobotsLatency, EachHearsAllAndSoDoesOneThatIsOpenedAnew) {
+TEST_F(LongTwoStationsAndRobotsLatency, EachHearsAllAndSoDoesOneThatIsOpenedAnew) {
     robots();
     auto first = station(), second = station();
     ASSERT_TRUE(hearAll(*first) && hearAll(*second)) << first->out() << second->out();

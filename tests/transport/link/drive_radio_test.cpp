@@ -101,9 +101,9 @@ protected:
     std::unique_ptr<ControlStation> m_station;
 };
 using DriveOverRadioLong = DriveOverRadio;
-using DriveOverRadioLatency = DriveOverRadio;
+using LongDriveOverRadioLatency = DriveOverRadio;
 
-TEST_F(DriveOverRadioLatency, AMinuteIsDrivenWithOneStutterAtMost) {
+TEST_F(LongDriveOverRadioLatency, AMinuteIsDrivenWithOneStutterAtMost) {
     EXPECT_LE(stutters(60s), 1);
 }
 

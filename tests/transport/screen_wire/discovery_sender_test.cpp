@@ -106,9 +106,12 @@ TEST_F(DiscoverySenderTest, WhatWaitsAtTheEndGoesOutBeforeItAndWhatComesLaterThr
 
 TEST_F(DiscoverySenderTest, WhatWaitsIsBounded) {
     const Bytes large = Packet().data(screen::entity::PublicationsWriter, 1, Bytes(60'000)).bytes();
+    const auto begin = Clock::now();
     for (int i = 0; i < 100; ++i) send(large);
+    // On a slow machine repetitions are due meanwhile, and make room for others.
+    const auto meanwhile = static_cast<std::size_t>((Clock::now() - begin) / 20ms);
     EXPECT_GE(times(), 120U);
-    EXPECT_LE(sent().size(), 140U);
+    EXPECT_LE(sent().size(), 140U + 40U * meanwhile);
 }
 
 /// The numbers of announcements that came, each with the moments when.
