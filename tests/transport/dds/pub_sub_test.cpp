@@ -149,9 +149,10 @@ TEST(PubSub, LossesAreCountedByTheWritersNumbers) {
     for (std::uint32_t i = 2; i <= 101; ++i) ASSERT_TRUE((*publisher)->write(testPayload(10, i)));
     ASSERT_TRUE((*publisher)->waitForAcknowledgments(5s));  // all came, and one of them waits to be taken
     blocked = false;
+    EXPECT_TRUE(waitUntil([&] { return inbox.samples().back().writerSequence == 101; }));
     EXPECT_TRUE(waitUntil([&] {
         const auto counts = (*subscription)->counts();
-        return counts.lost + counts.samples == inbox.samples().back().writerSequence;
+        return counts.lost + counts.samples == 101;
     }));
     EXPECT_GT((*subscription)->counts().lost, 0U);
 }
