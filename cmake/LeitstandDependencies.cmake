@@ -17,6 +17,8 @@ if(NOT LEITSTAND_CORE_ONLY)
     find_package(nlohmann_json REQUIRED)
     find_package(SQLite3 3.40 REQUIRED)
     find_package(yaml-cpp REQUIRED)
+    find_package(tinyxml2 REQUIRED)
+    find_package(assimp REQUIRED)  # meshes of robots' models
     pkg_check_modules(QRENCODE REQUIRED IMPORTED_TARGET libqrencode)
     # Debian 12 has Embree 3, Debian 13 Embree 4: robots/simulation/scene/embree.h.
     find_package(embree 4 QUIET NAMES embree)

@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "core/base/shared_bytes.h"
+#include "core/base/unknown.h"
 #include "core/event/sample_header.h"
 
 namespace leitstand {
@@ -40,6 +43,23 @@ struct CameraInfoSample {
     int binningX = 1, binningY = 1;
     /// Part of the picture that is sent; 0 x 0: the whole picture [px].
     int roiX = 0, roiY = 0, roiWidth = 0, roiHeight = 0;
+};
+
+/// Something that a detector sees in a picture of a camera.
+struct Detection {
+    /// Middle of its box [px]: x to the right, y down, from the picture's upper left corner.
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    Eigen::Vector2d size = Eigen::Vector2d::Zero();  ///< width and height of the box before it is turned [px]
+    double turned = 0.0;                             ///< rotation of the box, clockwise in the picture [rad]
+    std::string label;                               ///< what it is most likely, "person"; may be empty
+    double score = Unknown;                          ///< how sure the detector is, usually 0 to 1
+};
+
+/// What a detector sees in one picture (vision_msgs/msg/Detection2DArray). The header is that of the picture.
+struct DetectionsSample {
+    static constexpr std::size_t Most = 500;
+    SampleHeader header;
+    std::vector<Detection> detections;
 };
 
 }  // namespace leitstand

@@ -18,6 +18,7 @@ struct CheckpointSample;
 struct ClockOffsetSample;
 struct ClockSample;
 struct CloudSample;
+struct DetectionsSample;
 struct DiagnosticsSample;
 struct DriveLockSample;
 struct FindSample;
@@ -44,6 +45,7 @@ struct PongSample;
 struct PoseSample;
 struct RangesSample;
 struct ReadingSample;
+struct RobotModelSample;
 struct RobotPlaceSample;
 struct ScanBodiesSample;
 struct ScanLinksSample;
@@ -79,7 +81,8 @@ using SampleTypes =
              KeyScanSample, ScanPosesSample, RobotPlaceSample, ClockSample, ClockOffsetSample, UndoSample,
              CheckpointSample, NoteSample, SessionSample, AlarmSample, CandidateSample, MissionInfoSample,
              MapCropSample, ScanLinksSample, ScanBodiesSample, OccupancyGridSample, GridUpdateSample,
-             PathSample, DriveLockSample, JointTrajectorySample, NumbersSample, ReadingSample, MarkersSample>;
+             PathSample, DriveLockSample, JointTrajectorySample, NumbersSample, ReadingSample, MarkersSample,
+             RobotModelSample, DetectionsSample>;
 
 template <class Type>
 concept IsSample = (SampleTypes::indexOf<Type>() < SampleTypes::Size);

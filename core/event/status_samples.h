@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -26,6 +27,12 @@ struct ReadingSample {
     /// In ReadingDescription::unit; Unknown if the message does not tell. A distance that is infinite is out
     /// of reach, or too near if it is negative (REP 117).
     std::vector<double> values;
+};
+
+/// The model of a robot as URDF (robot_description, std_msgs/msg/String).
+struct RobotModelSample {
+    static constexpr std::size_t MostBytes = 2'000'000;
+    std::string urdf;
 };
 
 /// State of a battery (sensor_msgs/msg/BatteryState). Numbers are Unknown if they are not measured.

@@ -35,6 +35,8 @@ enum class StreamRole : std::uint8_t {
     Path = 28,
     Reading = 31,
     Markers = 32,
+    Model = 33,
+    Detections = 34,
     // to the robot
     DriveCommand = 18,
     TrackCommand = 19,
@@ -97,6 +99,10 @@ enum class StreamRole : std::uint8_t {
             return "reading";
         case StreamRole::Markers:
             return "markers";
+        case StreamRole::Model:
+            return "model";
+        case StreamRole::Detections:
+            return "detections";
         case StreamRole::DriveCommand:
             return "drive_command";
         case StreamRole::TrackCommand:

@@ -32,6 +32,15 @@ const elsewhere = {
     field("vision_msgs/BoundingBox3D", "bbox"), field("string", "id")] },
   "vision_msgs/msg/Detection3DArray": { definitions: [field("std_msgs/Header", "header"),
     field("vision_msgs/Detection3D", "detections", { isArray: true })] },
+  "vision_msgs/msg/Point2D": { definitions: [field("float64", "x"), field("float64", "y")] },
+  "vision_msgs/msg/Pose2D": { definitions: [field("vision_msgs/Point2D", "position"), field("float64", "theta")] },
+  "vision_msgs/msg/BoundingBox2D": { definitions: [field("vision_msgs/Pose2D", "center"), field("float64", "size_x"),
+    field("float64", "size_y")] },
+  "vision_msgs/msg/Detection2D": { definitions: [field("std_msgs/Header", "header"),
+    field("vision_msgs/ObjectHypothesisWithPose", "results", { isArray: true }),
+    field("vision_msgs/BoundingBox2D", "bbox"), field("string", "id")] },
+  "vision_msgs/msg/Detection2DArray": { definitions: [field("std_msgs/Header", "header"),
+    field("vision_msgs/Detection2D", "detections", { isArray: true })] },
 };
 const faults = [];
 let compared = 0;

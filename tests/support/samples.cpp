@@ -310,6 +310,9 @@ std::vector<SampleCase> robotCases() {
     add(cases, "sensor_msgs/msg/Range", R::Reading, ReadingSample{header(), {0.75}});
     add(cases, "sensor_msgs/msg/Illuminance", R::Reading, ReadingSample{header(), {300.0}});
     add(cases, "sensor_msgs/msg/NavSatFix", R::Reading, ReadingSample{header(), {51.5, -8.25, 110.0}});
+    add(cases, "std_msgs/msg/String", R::Model, RobotModelSample{"<robot name=\"rover\"/>"});
+    add(cases, "vision_msgs/msg/Detection2DArray", R::Detections,
+        DetectionsSample{header(), {{{320.5, 240.0}, {64.0, 128.0}, 0.25, "person", 0.875}}});
     add(cases, "nav_msgs/msg/Path", R::Path, PathSample{header(), {pose(8.0), pose(9.0)}});
     return cases;
 }

@@ -135,6 +135,35 @@ void paintNotes(QPainter& painter, const QRectF& picture, double top, const QStr
     painter.restore();
 }
 
+/// Paints what detectors see: outlines, each with its text above it, or inside where there is no room above.
+void paintDetections(QPainter& painter, const QRectF& picture, double top,
+                     const std::vector<DetectionMark>& detections) {
+    if (detections.empty()) return;
+    painter.save();
+    painter.setClipRect(picture);
+    painter.setFont(sized(painter.font(), 13, true));
+    const QFontMetricsF metrics(painter.font());
+    for (const DetectionMark& mark : detections) {
+        QPolygonF outline;
+        for (const QPointF& corner : mark.corners)
+            outline << picture.topLeft() +
+                           QPointF(corner.x() * picture.width(), corner.y() * picture.height());
+        QPainterPath path;
+        path.addPolygon(outline);
+        path.closeSubpath();
+        strokeRimmed(painter, path, overlayInks().select, 2.0);
+        if (mark.text.isEmpty()) continue;
+        const QRectF around = outline.boundingRect();
+        QRectF box(around.left(), around.top() - metrics.height() - 2.0,
+                   metrics.horizontalAdvance(mark.text) + 4.0, metrics.height());
+        if (box.top() < std::max(picture.top(), top)) box.moveTop(around.top() + 2.0);
+        box.moveLeft(
+            std::clamp(box.left(), picture.left(), std::max(picture.left(), picture.right() - box.width())));
+        paintRimmedText(painter, box, Qt::AlignCenter, mark.text, overlayInks().select);
+    }
+    painter.restore();
+}
+
 }  // namespace
 
 const ThemeColours& overlayInks() {
@@ -164,6 +193,7 @@ void paintRimmedText(QPainter& painter, const QRectF& box, int flags, const QStr
 void paintCameraOverlay(QPainter& painter, const QRectF& picture, double top, const CameraOverlay& overlay) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
+    paintDetections(painter, picture, top, overlay.detections);
     paintHorizon(painter, picture, overlay);
     double free = std::max(picture.top(), top);
     if (overlay.mode) free = paintMode(painter, picture, top, *overlay.mode);

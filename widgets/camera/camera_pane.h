@@ -12,6 +12,7 @@
 #include "core/perception/pictures/picture.h"
 #include "widgets/camera/picture_image.h"
 #include "widgets/models/camera/camera_text.h"
+#include "widgets/models/camera/detection_marks.h"
 #include "widgets/models/live/robots/proximity.h"
 #include "widgets/models/live/texts/mode_label.h"
 #include "widgets/painting/pane_paint.h"
@@ -28,7 +29,8 @@ struct CameraOverlay {
     double panLimit = 1.75;              ///< largest pan to each side [rad]
     double viewAngle = 0.9;              ///< angle from the left to the right edge of the picture [rad]
     QStringList notes;                   ///< how the picture was processed: "contrast raised"
-    std::vector<Proximity> ring;         ///< proximityRing(); empty: none
+    std::vector<DetectionMark> detections;
+    std::vector<Proximity> ring;  ///< proximityRing(); empty: none
     bool moving = false;  ///< whether the robot moves; then a camera that is turned aside is highlighted
 };
 

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "app/services/domain/model_watch.h"
 #include "app/services/domain/seen_topics.h"
 #include "app/services/domain/topic_lane.h"
 #include "core/base/time.h"
@@ -99,6 +100,7 @@ std::vector<ProbedTopic> Listening::topics() {
 struct DomainProbe::State {
     explicit State(std::unique_ptr<Node> joined) : node(std::move(joined)) {}
     std::unique_ptr<Node> node;
+    ModelWatch models{*node};    ///< likewise
     Listening listening{*node};  ///< after the node: its subscriptions go first
 };
 
@@ -121,6 +123,8 @@ ProbeReport DomainProbe::listen(double seconds, const Progress& progress) {
     const auto elapsed = [&] { return toSeconds(Clock::now() - began); };
     while (elapsed() < seconds && !progress.cancelled()) {
         m_state->listening.look();
+        std::vector<SeenTopic> seen = seenTopics(node.endpoints(), {});
+        m_state->models.complete(seen);
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         progress.done(elapsed() / seconds);
     }
@@ -136,6 +140,7 @@ ProbeReport DomainProbe::listen(double seconds, const Progress& progress) {
     for (const ScreenDrop& drop : node.dropped()) report.warnings.push_back(toString(drop));
     std::vector<SeenTopic> seen;
     for (const ProbedTopic& topic : report.topics) seen.push_back(topic.topic);
+    m_state->models.complete(seen);
     report.robots = guessRobots(seen);
     return report;
 }

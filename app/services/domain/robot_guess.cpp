@@ -5,7 +5,6 @@
 #include <cctype>
 #include <map>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,105 +12,38 @@
 
 #include "app/services/domain/robot_spaces.h"
 #include "app/services/domain/service_guess.h"
+#include "app/services/domain/topic_role.h"
 #include "core/event/station_topics.h"
 #include "core/event/stream_role.h"
+#include "core/io/model/urdf.h"
+#include "core/robot/model/model_body.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "core/robot/streams/stream_table.h"
-#include "transport/convert/message_catalog.h"
 #include "transport/services/service_messages.h"
 
 namespace leitstand {
 namespace {
 
-/// Whether markers on @p topic are drawn unasked: not those that people set in RViz, outlines that the
-/// robot's own mark shows, or whole maps.
-bool isWorthDrawing(const SeenTopic& topic) {
-    const std::string_view leaf = std::string_view(topic.name).substr(topic.name.rfind('/') + 1);
-    constexpr std::array<std::string_view, 4> Of = {"amcl_pose", "pose", "localization_pose", "pcl_pose"};
-    if (topic.type == "geometry_msgs/msg/PoseWithCovarianceStamped")
-        return std::find(Of.begin(), Of.end(), leaf) != Of.end();
-    constexpr std::array<std::string_view, 5> Not = {"published_footprint", "cells_vis", "voxel", "octomap",
-                                                     "tsdf"};
-    return std::none_of(Not.begin(), Not.end(),
-                        [&](std::string_view part) { return leaf.find(part) != std::string_view::npos; });
-}
-
-/// Last part of a name: "/kurt3d/odom" -> "odom".
-std::string_view leafOf(std::string_view name) {
-    return name.substr(name.rfind('/') + 1);
-}
-
-/// Whether a part of @p name is one of @p words.
-bool hasPart(std::string_view name, std::span<const std::string_view> words) {
-    for (std::size_t begin = 0; begin <= name.size();) {
-        const auto end = std::min(name.find_first_of("/_", begin), name.size());
-        const std::string_view part = name.substr(begin, end - begin);
-        if (std::find(words.begin(), words.end(), part) != words.end()) return true;
-        begin = end + 1;
+/// Returns the extent of the robot with the model @p urdf; error: why its size is not known.
+Result<BodyExtent> extentOfModel(const std::string& urdf, const RobotDescription& robot) {
+    auto model = readUrdf(urdf, "model");
+    if (!model) return Error{"it cannot be drawn: " + model.error().text};
+    const ModelBody body = bodyOf(std::move(model).value(), robot.baseFrame,
+                                  [](const std::string& uri) -> Result<TriangleMesh> { return Error{uri}; });
+    for (std::size_t i = 0; i < body.model.links.size(); ++i) {
+        const bool drawn = std::any_of(body.parts.begin(), body.parts.end(),
+                                       [&](const BodyPart& part) { return part.link == i; });
+        if (!drawn && !body.model.links[i].visuals.empty())
+            return Error{"it has meshes: its size is not known without them"};
     }
-    return false;
+    return extentOf(body);
 }
 
-/// Whether @p topic, whose type @p row has, matches the row by name, words or type.
-bool isGuessedBy(const StreamFacts& row, const SeenTopic& topic) {
-    const std::string_view leaf = leafOf(topic.name);
-    switch (row.guessedBy) {
-        case GuessedBy::Name:
-            return leaf == row.topic;
-        case GuessedBy::Words:
-            return hasPart(isCommand(row.role) ? leaf : std::string_view(topic.name), row.words);
-        case GuessedBy::Type:
-            break;
-    }
-    return row.words.empty() || topic.type == row.types.front() || hasPart(topic.name, row.words);
-}
-
-/// Returns the role of @p topic in the table of streams, among commands or among what robots publish. A match
-/// by name goes before a match by type.
-std::optional<StreamRole> roleInTable(const SeenTopic& topic, bool commands) {
-    const StreamFacts* found = nullptr;
-    for (const StreamFacts& row : streamTable()) {
-        const bool known = std::find(row.types.begin(), row.types.end(), topic.type) != row.types.end();
-        if (isCommand(row.role) != commands || !known || !isGuessedBy(row, topic)) continue;
-        if (isPictureType(topic.type) && !row.picture) continue;  // depths: addDepths()
-        if (found == nullptr || (found->guessedBy == GuessedBy::Type && row.guessedBy != GuessedBy::Type))
-            found = &row;
-    }
-    return found == nullptr ? std::nullopt : std::optional(found->role);
-}
-
-/// Whether a controller of joints listens to @p topic. Only a robot's file tells which joints these are.
-bool movesJoints(const SeenTopic& topic) {
-    const auto types = typesOf(StreamRole::JointCommand);
-    const bool known = std::find(types.begin(), types.end(), topic.type) != types.end();
-    return topic.read && known && topic.type != "sensor_msgs/msg/JointState";
-}
-
-/// Parts of the names of pictures that hold distances.
-constexpr std::array<std::string_view, 1> OfDepth = {"depth"}, OfStereo = {"stereo"};
-constexpr std::array<std::string_view, 2> OfEyes = {"left", "right"};
-/// Pictures that ouster_ros makes of its scans.
-constexpr std::array<std::string_view, 4> OfScanners = {"range_image", "signal_image", "reflec_image",
-                                                        "nearir_image"};
 /// Endings of a camera's topics, below its name.
 constexpr std::array<std::string_view, 16> OfPictures = {
     "image", "image_raw",  "image_rect", "image_rect_raw", "image_color",     "image_mono", "ffmpeg",
     "h264",  "compressed", "raw",        "theora",         "compressedDepth", "zstd",       "camera_info",
     "h265",  "video"};
-
-/// Whether a topic's name tells of depths. A stereo camera that names no eye publishes what it computes from
-/// both.
-bool namesDepths(std::string_view name) {
-    return hasPart(name, OfDepth) || (hasPart(name, OfStereo) && !hasPart(name, OfEyes));
-}
-
-/// Whether @p topic carries pictures of depths, raw or as compressed_depth_image_transport sends them. JPEGs
-/// of depths are of no use.
-bool isOfDepths(const SeenTopic& topic) {
-    const bool compressed = topic.type == "sensor_msgs/msg/CompressedImage";
-    return compressed ? leafOf(topic.name) == "compressedDepth"
-                      : topic.type == "sensor_msgs/msg/Image" && namesDepths(topic.name);
-}
 
 /// Camera that a topic belongs to: "/kurt3d/left/image/compressed" -> "left".
 std::string sensorOf(const std::string& name, const std::string& space) {
@@ -243,89 +175,6 @@ bool hasOwn(const std::string& robot, const std::string& topic, const std::vecto
                        [own = "/" + robot + topic](const SeenTopic& one) { return one.name == own; });
 }
 
-}  // namespace
-
-std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark) {
-    if (!topic.obstacle.empty()) {
-        remark = topic.obstacle;
-        return std::nullopt;
-    }
-    const std::string_view name = topic.name, leaf = leafOf(name);
-    if (name.starts_with("rq/") || name.starts_with("rr/") ||
-        name.find("/_action/") != std::string_view::npos) {
-        remark = "of a service or an action that the station does not call";
-        return std::nullopt;
-    }
-    if (!name.starts_with('/')) {
-        remark = "not a topic of ROS 2";
-        return std::nullopt;
-    }
-    const bool ours = topic.type.starts_with("leitstand_msgs/");
-    if (movesJoints(topic)) {
-        remark = "moves joints: the station uses it once the robot's file describes them (joint_groups)";
-        return std::nullopt;
-    }
-    if (const auto command = roleInTable(topic, true)) {
-        if (!topic.read && !ours) remark = "nobody listens to it";
-        return command;
-    }
-    const auto role = roleInTable(topic, false);
-    if (ours && role && streamFacts(*role).guessedBy == GuessedBy::Name) return role;
-    if (!topic.written) {
-        remark = "nobody publishes it, and the station has nothing to say there";
-        return std::nullopt;
-    }
-    if (isOfDepths(topic)) {
-        remark =
-            "pictures of depths: without another scanner the station takes them, else where the robot's "
-            "file names them (role points)";
-        return std::nullopt;
-    }
-    if (leaf == "theora" || leaf == "zstd") {
-        remark = fmt::format(
-            "pictures of the transport \"{}\" are not understood, expected raw or compressed", leaf);
-        return std::nullopt;
-    }
-    if (role == StreamRole::Picture &&
-        std::find(OfScanners.begin(), OfScanners.end(), leaf) != OfScanners.end()) {
-        remark = "what a 3D scanner sees as a picture: the station does not use it";
-        return std::nullopt;
-    }
-    const bool depth = namesDepths(name);
-    if (role == StreamRole::Picture && depth) {
-        remark = "colours of depths: the station does not use them";
-        return std::nullopt;
-    }
-    if (!role) {
-        const auto rows = streamTable();
-        const auto row = std::find_if(rows.begin(), rows.end(), [&](const StreamFacts& one) {
-            return !isCommand(one.role) &&
-                   std::find(one.types.begin(), one.types.end(), topic.type) != one.types.end();
-        });
-        if (row != rows.end()) {
-            remark = fmt::format("role {} takes it, if the robot's file names it", nameOf(row->role));
-        } else {
-            const bool text = topic.type == "std_msgs/msg/String" || topic.type == "std_msgs/msg/Empty";
-            remark = text ? "nothing in the station shows it"
-                     : findMessageType(topic.type) != nullptr
-                         ? "its numbers are shown, if the robot's file names them (role reading)"
-                         : fmt::format("type {} is not known: it can be recorded, not shown", topic.type);
-        }
-        return std::nullopt;
-    }
-    if (*role == StreamRole::Markers && !isWorthDrawing(topic)) {
-        remark =
-            "what is drawn there is of little use here: the station draws it where the robot's file names it "
-            "(role markers)";
-        return std::nullopt;
-    }
-    if (*role == StreamRole::Thermal)
-        remark = "taken as infrared: check scale and offset in the robot's file";
-    return role;
-}
-
-namespace {
-
 /// Takes depth pictures of a robot without any other scanner: of each camera the compressed ones, if there
 /// are any.
 void addDepths(RobotGuess& guess, const std::string& space) {
@@ -375,6 +224,21 @@ void leaveOutBlindCameras(RobotGuess& guess) {
         return std::none_of(streams.begin(), streams.end(),
                             [&](const StreamDescription& stream) { return stream.sensor == sensor.first; });
     });
+}
+
+/// Takes footprint and height from the robot's model, if its simple shapes show all of it.
+void takeBody(RobotGuess& guess) {
+    for (TopicVerdict& verdict : guess.topics) {
+        if (verdict.role != StreamRole::Model || !verdict.topic.model) continue;
+        const auto extent = extentOfModel(*verdict.topic.model, guess.robot);
+        if (!extent) {
+            verdict.remark = extent.error().text;
+            continue;
+        }
+        guess.robot.footprint = extent->footprint;
+        guess.robot.height = extent->height;
+        verdict.remark = "footprint and height are taken from it: measure them all the same";
+    }
 }
 
 /// Leaves out what cancels the goals of an action that is there itself.
@@ -429,6 +293,7 @@ std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics) {
         addDepths(guess, space);
         leaveOutBlindCameras(guess);
         distinguishReadings(guess.robot);
+        takeBody(guess);
         if (!guess.topics.empty()) result.push_back(std::move(guess));
     }
     return result;

@@ -4,22 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "app/services/domain/seen_topic.h"
 #include "core/robot/robot_description.h"
 
 namespace leitstand {
-
-/// A topic that was received, or that is in a bag.
-struct SeenTopic {
-    std::string name;  ///< ROS name; the DDS name if it has no ROS name
-    std::string type;
-    Qos qos;               ///< as offered, or as requested if nobody writes
-    bool written = true;   ///< somebody publishes it
-    bool read = false;     ///< somebody other than this station subscribes to it, as robots do to commands
-    std::string obstacle;  ///< why DDS cannot deliver its samples to this station; empty: it can
-    /// Full names of the ROS 2 nodes that publish the topic, or that read it if nobody publishes:
-    /// "/kurt3d/driver". Empty: unknown.
-    std::vector<std::string> nodes = {};
-};
 
 /// What a topic can be used for.
 struct TopicVerdict {
@@ -30,7 +18,9 @@ struct TopicVerdict {
 
 /// A robot as far as its topics describe it.
 struct RobotGuess {
-    RobotDescription robot;  ///< a first description; sizes and limits are defaults of robot files
+    /// A first description. Footprint and height are those of its model, if that was received; else they, and
+    /// all limits, are defaults of robot files.
+    RobotDescription robot;
     std::vector<TopicVerdict> topics;
 };
 
@@ -39,9 +29,5 @@ struct RobotGuess {
 /// sensor drivers, belong to the robot without a namespace, which is called "robot". If there is none, they
 /// belong to the only robot; if there are several, to none.
 [[nodiscard]] std::vector<RobotGuess> guessRobots(const std::vector<SeenTopic>& topics);
-
-/// Returns the role of @p topic; empty: the station does not use it. Sets @p remark to the reason, or to what
-/// the user should check.
-[[nodiscard]] std::optional<StreamRole> roleOf(const SeenTopic& topic, std::string& remark);
 
 }  // namespace leitstand

@@ -1,4 +1,5 @@
 #include "app/services/domain/robot_spaces.h"
+#include "app/services/domain/topic_role.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/services/domain/robot_guess.h"
+#include "app/services/domain/seen_topic.h"
 
 namespace leitstand {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/services/domain/robot_guess.h"
+#include "app/services/domain/seen_topic.h"
 #include "transport/dds/endpoint.h"
 #include "transport/dds/ros_nodes.h"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/services/domain/robot_guess.h"
+#include "app/services/domain/seen_topic.h"
 #include "core/robot/services/service_description.h"
 
 namespace leitstand {

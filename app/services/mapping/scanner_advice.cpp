@@ -1,55 +1,14 @@
 #include "app/services/mapping/scanner_advice.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "app/services/log/mission_robots.h"
-#include "core/base/words.h"
 #include "core/event/stream_role.h"
-#include "core/io/detail/output_file.h"
-#include "core/io/robot/robot_file.h"
-#include "core/io/settings/folders.h"
+#include "core/io/robot/editing/robot_edits.h"
 
 namespace leitstand {
 namespace fs = std::filesystem;
-
-namespace {
-
-/// Returns the file to write for a robot that was read from @p file: the user's own, never the program's.
-/// Empty: the user has no folder.
-fs::path ownFile(const fs::path& file) {
-    std::error_code problem;
-    fs::path whole = fs::weakly_canonical(file, problem);
-    const bool comes = fs::equivalent(shippedFolder("robots"), whole.parent_path(), problem);
-    if (!comes) return whole;
-    const fs::path folder = userFolder("robots");
-    return folder.empty() ? folder : folder / whole.filename();
-}
-
-Result<std::string> written(const fs::path& file, const std::string& sensor,
-                            const ScannerCorrection& correction) {
-    const fs::path own = ownFile(file);
-    if (own.empty())
-        return Error{
-            leitstand::fill(translate("leitstand::Error", "{}: write this below sensors, {}, by hand: {}"),
-                            file.string(), sensor, correctionLine(correction))};
-    std::error_code problem;
-    std::ifstream in(fs::exists(own, problem) ? own : file, std::ios::binary);
-    if (!in)
-        return Error{leitstand::fill(
-            translate("leitstand::Error", "{}: expected a robot's file, found none that can be read"),
-            file.string())};
-    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    const auto changed = withCorrection(text, own.string(), sensor, correction);
-    if (!changed) return changed.error();
-    fs::create_directories(own.parent_path(), problem);
-    if (const auto whole = detail::writeWhole(own, *changed); !whole) return whole.error();
-    return own.string();
-}
-
-}  // namespace
 
 std::string mappingSensor(const RobotDescription& robot) {
     const StreamDescription* const maps = robot.mappingStream();
@@ -142,7 +101,9 @@ ScannerAdvice::Used ScannerAdvice::use(const ScannerQuestion& question) {
         }
     }
     if (corrected.file.empty()) return used;
-    const auto file = written(corrected.file, sensor, used.total);
+    const auto file = editRobotFile(corrected.file, [&](const std::string& text, const std::string& name) {
+        return withCorrection(text, name, sensor, used.total);
+    });
     if (file) {
         used.file = *file;
     } else {

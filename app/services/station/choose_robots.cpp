@@ -47,6 +47,16 @@ Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string
     return robots;
 }
 
+void useFile(std::vector<std::string>& files, const std::vector<RobotDescription>& robots,
+             const std::string& robot, const std::string& file) {
+    for (std::size_t i = 0; i < robots.size() && i < files.size(); ++i) {
+        if (robots[i].name != robot) continue;
+        std::error_code problem;
+        const auto meant = findRobotFile(files[i]);
+        if (!meant || !std::filesystem::equivalent(*meant, file, problem)) files[i] = file;
+    }
+}
+
 Result<void> checkJoins(const std::string& file, std::vector<RobotDescription> team) {
     auto robots = chooseRobots({file});
     if (!robots) return robots.error();

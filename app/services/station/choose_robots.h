@@ -14,6 +14,11 @@ namespace leitstand {
 /// Reads the robots' files @p files: paths, or names of shipped robots. Errors name the file.
 [[nodiscard]] Result<std::vector<RobotDescription>> chooseRobots(const std::vector<std::string>& files);
 
+/// Opens the robot called @p robot from @p file from now on. @p files: what @p robots were opened from, in
+/// their order. A name stays if it means that file by now.
+void useFile(std::vector<std::string>& files, const std::vector<RobotDescription>& robots,
+             const std::string& robot, const std::string& file);
+
 /// Checks that the robot in @p file can work together with @p team. Errors say what prevents it.
 [[nodiscard]] Result<void> checkJoins(const std::string& file, std::vector<RobotDescription> team);
 

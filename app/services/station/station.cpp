@@ -214,7 +214,9 @@ std::vector<std::string> Station::limits() const {
 }
 
 std::vector<SeenTopic> Station::visibleTopics() const {
-    return seenTopics(m_state->node->endpoints(), m_state->rosNodes->nodes());
+    std::vector<SeenTopic> topics = seenTopics(m_state->node->endpoints(), m_state->rosNodes->nodes());
+    m_state->modelWatch->complete(topics);
+    return topics;
 }
 
 TopicWatch& Station::topicWatch() {

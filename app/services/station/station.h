@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/services/domain/robot_guess.h"
+#include "app/services/domain/seen_topic.h"
 #include "app/services/log/live_mission.h"
 #include "core/base/result.h"
 #include "core/event/station_samples.h"

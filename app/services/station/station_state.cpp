@@ -60,6 +60,7 @@ Station::State::~State() {
     presence.reset();
     rosNodes.reset();
     topicWatch.reset();
+    modelWatch.reset();
     node.reset();
 }
 
@@ -225,6 +226,7 @@ Result<void> Station::State::start() {
     if (!joined) return joined.error();
     node = std::move(joined).value();
     topicWatch.emplace(*node);
+    modelWatch.emplace(*node);
     rosNodes.emplace(*node);
     presence.emplace(*node, rosNodes->nodes(), "/leitstand");
     for (const std::string& warning : node->warnings()) notify(warning);

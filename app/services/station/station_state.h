@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/services/coverage/coverage_watch.h"
+#include "app/services/domain/model_watch.h"
 #include "app/services/domain/reception_watch.h"
 #include "app/services/finds/find_desk.h"
 #include "app/services/heap_keeper.h"
@@ -48,6 +49,7 @@ struct Station::State {
     std::optional<StationFile> memory;
     std::unique_ptr<Node> node;
     std::optional<TopicWatch> topicWatch;
+    std::optional<ModelWatch> modelWatch;
     std::optional<RosNodeWatch> rosNodes;  ///< knows the nodes of all processes in the domain
     std::optional<RosPresence> presence;   ///< announces this one among them
     std::unique_ptr<GrantKeeper> grants;

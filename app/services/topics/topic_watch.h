@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/services/domain/robot_guess.h"
+#include "app/services/domain/seen_topic.h"
 #include "app/services/topics/message_inspector.h"
 #include "core/base/time.h"
 #include "core/event/raw_event.h"

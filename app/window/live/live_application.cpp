@@ -32,6 +32,7 @@
 #include "app/window/live/live_window.h"
 #include "app/window/live/mission/mission_feature.h"
 #include "app/window/live/preflight/preflight_feature.h"
+#include "app/window/robots/measures_feature.h"
 #include "app/window/shell/first_geometry.h"
 #include "app/window/shell/picture_size.h"
 #include "app/window/shell/terminal.h"
@@ -186,11 +187,12 @@ Result<StationSettings> settingsOf(const Options& options, const RosEnvironment&
 /// How a window on the station ended.
 struct Ended {
     int status = 0;
-    std::string robot = {};  ///< file of a robot to add; empty: none
-    QString language = {};   ///< of the next window; empty: there is none
-    bool earlier = false;    ///< the mission before is to be continued
-    fs::path mapOf = {};     ///< mission whose map a new mission begins in; empty: none
-    QString problem = {};    ///< why there is no station; empty: there was one
+    std::string robot = {};    ///< file of a robot to add, or that was changed; empty: none
+    std::string changed = {};  ///< name of the robot whose file was changed; empty: none
+    QString language = {};     ///< of the next window; empty: there is none
+    bool earlier = false;      ///< the mission before is to be continued
+    fs::path mapOf = {};       ///< mission whose map a new mission begins in; empty: none
+    QString problem = {};      ///< why there is no station; empty: there was one
 };
 
 /// Shows a window on @p bridge until it is closed, or something else is wanted. @p earlier: the mission that
@@ -227,6 +229,12 @@ Ended showWindow(LiveBridge& bridge, const Options& options, DemoRobots* demo, c
         ended.robot = file.toStdString();
         window.closeUnasked();
     });
+    QObject::connect(&window.measures(), &MeasuresFeature::fileChanged, &window,
+                     [&](const QString& robot, const QString& file) {
+                         ended.changed = robot.toStdString();
+                         ended.robot = file.toStdString();
+                         window.closeUnasked();
+                     });
     QObject::connect(&window, &LiveWindow::languageWanted, &window, [&](const QString& code) {
         ended.language = remembered.language = code;
         window.closeUnasked();
@@ -363,6 +371,8 @@ int runLive(const Options& options, const RosEnvironment& environment) {
             if (!opened) earlier.clear();
             hint = ended.problem;
             switched = ended.earlier;
+        } else if (!ended.changed.empty()) {
+            useFile(files, settings.mission.robots, ended.changed, ended.robot);
         } else if (!ended.robot.empty()) {
             files.push_back(ended.robot);
         } else if (!ended.mapOf.empty()) {

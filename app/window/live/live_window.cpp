@@ -25,6 +25,7 @@
 #include "app/window/panes/link/link_feature.h"
 #include "app/window/panes/map/map_feature.h"
 #include "app/window/panes/view_context.h"
+#include "app/window/robots/measures_feature.h"
 #include "app/window/robots/robots_feature.h"
 #include "app/window/source/live_bridge.h"
 #include "core/mission/state/session_state.h"
@@ -59,6 +60,7 @@ LiveWindow::LiveWindow(LiveBridge& bridge, const MapViewSettings& view, LayoutBo
     m_features = makePanes(context, view);
     m_pads = new PadFeature(context, m_features.drive->input(), std::move(pads));
     m_preflight = new PreflightFeature(context);
+    m_measures = new MeasuresFeature(context);
     m_closing = new ClosingQuestion(context);
     addLanguageCommands(*m_commands, [this](const QString& code) { emit languageWanted(code); });
     m_layouts = new LayoutFeature(context, std::move(layouts), *m_features.map);

@@ -21,6 +21,7 @@ class MapView;
 class MissionFeature;
 class PadFeature;
 class PaneDocks;
+class MeasuresFeature;
 class PreflightFeature;
 class RobotsFeature;
 class Selection;
@@ -46,6 +47,7 @@ public:
     [[nodiscard]] PaneDocks& panes() const { return *m_panes; }
     [[nodiscard]] MissionFeature& mission() const { return *m_mission; }
     [[nodiscard]] PreflightFeature& preflight() const { return *m_preflight; }
+    [[nodiscard]] MeasuresFeature& measures() const { return *m_measures; }
     [[nodiscard]] LayoutFeature& layouts() const { return *m_layouts; }
     [[nodiscard]] const QString& selected() const;
     [[nodiscard]] bool driving() const;
@@ -79,6 +81,7 @@ private:
     MissionFeature* m_mission = nullptr;
     PadFeature* m_pads = nullptr;
     PreflightFeature* m_preflight = nullptr;
+    MeasuresFeature* m_measures = nullptr;
     ClosingQuestion* m_closing = nullptr;
     PaneFeatures m_features;
     WindowFrame* m_frame = nullptr;

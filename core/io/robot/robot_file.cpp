@@ -195,6 +195,22 @@ void readBindings(const YamlFields& fields, RobotDescription& robot, YamlErrors&
     }
 }
 
+void readPackages(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
+    constexpr std::size_t Most = 32, Longest = 1024;
+    if (!fields.has("packages")) return;
+    for (const YamlPlace& place : fields.list("packages")) {
+        const std::string folder = place.value.IsScalar() ? place.value.Scalar() : std::string();
+        if (!folder.empty() && folder.size() <= Longest && robot.packages.size() < Most) {
+            robot.packages.push_back(folder);
+            continue;
+        }
+        errors.add(
+            place.line, place.path,
+            leitstand::fill(translate("leitstand::Error", "expected a folder, at most {} of them, found {}"),
+                            Most, shown(place.value)));
+    }
+}
+
 void readLinkLoss(const YamlFields& fields, RobotDescription& robot, YamlErrors& errors) {
     if (!fields.has("link_loss")) return;
     const YamlFields rules(fields.at("link_loss"), errors);
@@ -227,6 +243,7 @@ RobotDescription readAll(const YAML::Node& root, YamlErrors& errors) {
     detail::checkJointCommands(fields, robot);
     detail::readServices(fields, robot, errors);
     readBindings(fields, robot, errors);
+    readPackages(fields, robot, errors);
     readLinkLoss(fields, robot, errors);
     return robot;
 }

@@ -8,8 +8,8 @@ namespace leitstand::detail {
 
 // The keys of robot files, map by map; docs/robots.md explains them.
 inline constexpr std::string_view RobotKeys[] = {
-    "letter",  "name",    "title",    "drive",        "frames",   "footprint", "height",      "limits",
-    "sensors", "streams", "services", "joint_groups", "bindings", "link_loss", "refine_turns"};
+    "letter",  "name",    "title",    "drive",        "frames",   "footprint", "height",       "limits",
+    "sensors", "streams", "services", "joint_groups", "bindings", "link_loss", "refine_turns", "packages"};
 inline constexpr std::string_view FrameKeys[] = {"base", "odom", "prefix"};
 inline constexpr std::string_view LimitKeys[] = {"roll", "pitch", "speed", "turn_rate", "climb", "step"};
 inline constexpr std::string_view SensorKeys[] = {"frame",  "position", "rotation",

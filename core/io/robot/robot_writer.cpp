@@ -221,6 +221,7 @@ void writeBody(YAML::Emitter& out, const RobotDescription& robot) {
 }
 
 void writeMaps(YAML::Emitter& out, const RobotDescription& robot) {
+    if (!robot.packages.empty()) list(out, "packages", robot.packages);
     if (robot.refineTurns) entry(out, "refine_turns", "true");
     if (!robot.bindings.empty()) {
         out << YAML::Key << "bindings" << YAML::Value << YAML::BeginMap;

@@ -170,6 +170,10 @@ private:
                    state.odometry ? state.odometry->sample.baseInOdom : Pose::Identity());
         kept = latest(std::move(board));
     }
+    void handle(const RobotModelSample& sample) { keep(&RobotState::model, sample); }
+    void handle(const DetectionsSample& sample) {
+        if (!m_event.robot.empty()) robot().detections[m_event.topic] = latest(sample);
+    }
     void handle(const BumpSample& sample) {
         if (m_event.robot.empty()) return;
         countContacts(sample);

@@ -17,6 +17,7 @@ namespace leitstand {
 struct BatterySample;
 struct BumpSample;
 struct ClockOffsetSample;
+struct DetectionsSample;
 struct DiagnosticsSample;
 struct GasSample;
 struct ImuSample;
@@ -26,6 +27,7 @@ struct OccupancyGridSample;
 struct OdometrySample;
 struct PathSample;
 struct ReadingSample;
+struct RobotModelSample;
 struct RobotPlaceSample;
 struct SightingSample;
 struct StopCommandSample;
@@ -107,6 +109,8 @@ struct RobotState {
     std::map<std::string, LatestPtr<PathSample>> paths;           ///< by topic
     std::map<std::string, LatestPtr<ReadingSample>> readings;     ///< by topic
     std::map<std::string, LatestPtr<MarkerBoard>> markers;        ///< by topic
+    LatestPtr<RobotModelSample> model;
+    std::map<std::string, LatestPtr<DetectionsSample>> detections;  ///< by topic
 
     static constexpr std::size_t MostContacts = 10'000;
     static constexpr std::size_t MostFramesAbove = 8;

@@ -52,6 +52,8 @@ constexpr Type Readings[] = {"sensor_msgs/msg/Temperature",   "sensor_msgs/msg/R
 constexpr Type Drawings[] = {
     "visualization_msgs/msg/MarkerArray", "visualization_msgs/msg/Marker", "geometry_msgs/msg/PolygonStamped",
     "geometry_msgs/msg/PoseWithCovarianceStamped", "vision_msgs/msg/Detection3DArray"};
+constexpr Type Model[] = {"std_msgs/msg/String"};
+constexpr Type Detections[] = {"vision_msgs/msg/Detection2DArray"};
 constexpr Type Question[] = {"leitstand_msgs/msg/Ping"};
 
 constexpr std::string_view OfHeat[] = {"ir", "thermal", "lepton", "flir"};
@@ -384,6 +386,22 @@ constexpr StreamFacts Table[] = {
      .several = true,
      .thinRank = ThinRank::Telemetry,
      .usualMegabits = 0.05},
+    {.role = StreamRole::Model,
+     .title = translatable("leitstand::LinkStatus", "its model"),
+     .types = Model,
+     .topic = "robot_description",
+     .qos = qos(Reliable, Stays, 1),
+     .single = true,
+     .usualRate = 0.0,
+     .guessedBy = GuessedBy::Name},
+    {.role = StreamRole::Detections,
+     .title = translatable("leitstand::LinkStatus", "what it sees in pictures"),
+     .types = Detections,
+     .topic = "detections",
+     .qos = qos(Reliable, Volatile, 10),
+     .several = true,
+     .thinRank = ThinRank::Telemetry,
+     .usualMegabits = 0.02},
 };
 
 /// Whether each row is at the index of its role.

@@ -2,7 +2,10 @@
 
 #include <chrono>
 #include <cstddef>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,6 +13,10 @@
 #include "core/event/motion_samples.h"
 #include "core/event/picture_samples.h"
 #include "core/event/sample.h"
+#include "core/event/status_samples.h"
+#include "core/event/stream_role.h"
+#include "core/io/settings/folders.h"
+#include "core/robot/streams/stream_table.h"
 #include "transport/convert/encode.h"
 #include "transport/convert/readings/field_numbers.h"
 
@@ -33,6 +40,15 @@ Payload nothingOf(std::string_view type) {
     return std::make_shared<const std::vector<std::byte>>(std::move(bytes));
 }
 
+/// Returns the message with the robot's model, resources/stock/NAME.urdf. The error names the file.
+Result<Payload> modelOf(const StockProfile& profile) {
+    const std::filesystem::path file = shippedFolder("stock") / (std::string(profile.name) + ".urdf");
+    std::ifstream in(file);
+    std::string urdf(std::istreambuf_iterator<char>(in), {});
+    if (!in || urdf.empty()) return Error{file.string() + ": expected the model of the stock robot"};
+    return encode(Sample(RobotModelSample{std::move(urdf)}), "std_msgs/msg/String");
+}
+
 }  // namespace
 
 Result<StockOthers> StockOthers::create(Node& node, const StockProfile& profile,
@@ -43,6 +59,11 @@ Result<StockOthers> StockOthers::create(Node& node, const StockProfile& profile,
             {.topic = topicIn(nameSpace, topic.topic), .type = std::string(topic.type), .qos = topic.qos});
         if (!made) return made.error();
         Lane lane{std::move(made).value(), nothingOf(topic.type), {}, {}};
+        if (topic.topic == streamFacts(StreamRole::Model).topic) {
+            auto model = modelOf(profile);
+            if (!model) return model.error();
+            lane.message = std::move(model).value();
+        }
         if (topic.rate > 0.0)
             lane.every = std::chrono::duration_cast<std::chrono::nanoseconds>(
                 std::chrono::duration<double>(1.0 / topic.rate));

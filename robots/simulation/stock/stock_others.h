@@ -13,7 +13,7 @@
 namespace leitstand::simulation {
 
 /// Publishes those topics of a stock robot that the simulation has no content for: empty messages at their
-/// rates.
+/// rates. Its model has content (resources/stock/NAME.urdf).
 class StockOthers {
 public:
     /// Errors name the topic.

@@ -12,6 +12,7 @@
 #include "app/services/station/station.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/layouts/layout_feature.h"
+#include "core/io/robot/editing/robot_edits.h"
 #include "core/io/robot/robot_file.h"
 #include "tests/app/live/live_page.h"
 #include "tests/support/places.h"

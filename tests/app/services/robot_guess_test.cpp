@@ -304,5 +304,48 @@ TEST(ReplayRules, RobotsAreToldByTheirNamespaces) {
     EXPECT_EQ(robotOfTopic("rq/x"), "");
 }
 
+SeenTopic modelOf(const std::string& links) {
+    SeenTopic seen = topic("/robot_description", "std_msgs/msg/String");
+    seen.model = std::make_shared<const std::string>("<robot name=\"r\">" + links + "</robot>");
+    return seen;
+}
+
+const std::string Mesh = "<geometry><mesh filename=\"package://a/b.dae\"/></geometry>";
+
+TEST(RobotGuess, SizesAreTakenFromTheRobotsModel) {
+    const auto guesses = guessRobots(
+        {topic("/odom", "nav_msgs/msg/Odometry"),
+         modelOf("<link name=\"base_link\"><visual>" + Mesh +
+                 "</visual><collision><origin xyz=\"0.1 0 0.2\"/><geometry><box size=\"0.8 0.6 0.4\"/>"
+                 "</geometry></collision></link>")});
+    ASSERT_EQ(guesses.size(), 1U);
+    ASSERT_NE(guesses[0].robot.stream(StreamRole::Model), nullptr);
+    EXPECT_NEAR(guesses[0].robot.height, 0.4, 1e-6);
+    ASSERT_EQ(guesses[0].robot.footprint.size(), 4U);
+    EXPECT_NEAR(guesses[0].robot.footprint[0].x(), -0.3, 1e-6);
+    EXPECT_THAT(verdictOn(guesses[0], "/robot_description").remark, HasSubstr("footprint and height"));
+}
+
+TEST(RobotGuess, AModelThatShowsOnlyPartOfTheRobotTellsNoSize) {
+    const auto guesses = guessRobots(
+        {topic("/odom", "nav_msgs/msg/Odometry"),
+         modelOf("<link name=\"base_link\"><visual>" + Mesh +
+                 "</visual></link><link name=\"wheel\"><visual><geometry><sphere radius=\"0.1\"/></geometry>"
+                 "</visual></link><joint name=\"j\" type=\"fixed\"><parent link=\"base_link\"/>"
+                 "<child link=\"wheel\"/></joint>")});
+    EXPECT_TRUE(guesses[0].robot.footprint.empty());
+    EXPECT_THAT(verdictOn(guesses[0], "/robot_description").remark, HasSubstr("it has meshes"));
+    const auto broken = guessRobots({topic("/odom", "nav_msgs/msg/Odometry"), modelOf("<link>")});
+    EXPECT_TRUE(broken[0].robot.footprint.empty());
+    EXPECT_THAT(verdictOn(broken[0], "/robot_description").remark, HasSubstr("cannot be drawn"));
+}
+
+TEST(RobotGuess, OtherTextsAreNoModels) {
+    const auto guesses =
+        guessRobots({topic("/odom", "nav_msgs/msg/Odometry"), topic("/ip", "std_msgs/msg/String")});
+    EXPECT_EQ(verdictOn(guesses[0], "/ip").role, std::nullopt);
+    EXPECT_EQ(verdictOn(guesses[0], "/ip").remark, "nothing in the station shows it");
+}
+
 }  // namespace
 }  // namespace leitstand::test

@@ -9,6 +9,7 @@
 
 #include "core/base/unknown.h"
 #include "core/event/map_samples.h"
+#include "core/event/picture_samples.h"
 #include "core/event/scan_links.h"
 #include "core/event/station_samples.h"
 #include "core/event/status_samples.h"
@@ -57,6 +58,23 @@ TEST(Checkpoint, HoldsTheNewestReadings) {
     EXPECT_EQ(kept.header.frame, "k/air");
     EXPECT_EQ(kept.values.at(0), 22.5);
     EXPECT_TRUE(std::isnan(kept.values.at(1)));
+}
+
+TEST(Checkpoint, HoldsModelsAndWhatIsSeenInPictures) {
+    Event model = event(1, RobotModelSample{"<robot/>"}, "k");
+    model.topic = "/k/robot_description";
+    Event seen = event(2, DetectionsSample{{at(5), "k/front"}, {{{1, 2}, {3, 4}, 0.5, "door", 0.25}}}, "k");
+    seen.topic = "/k/detections";
+    const auto back = deserialised(serialised(folded({model, seen})));
+    ASSERT_TRUE(back.ok()) << back.error().text;
+    const RobotState& robot = *back->robots.at("k");
+    EXPECT_EQ(robot.model->sample.urdf, "<robot/>");
+    const DetectionsSample& kept = robot.detections.at("/k/detections")->sample;
+    EXPECT_EQ(kept.header.frame, "k/front");
+    ASSERT_EQ(kept.detections.size(), 1U);
+    EXPECT_EQ(kept.detections[0].label, "door");
+    EXPECT_EQ(kept.detections[0].size, Eigen::Vector2d(3, 4));
+    EXPECT_EQ(kept.detections[0].turned, 0.5);
 }
 
 TEST(Checkpoint, HoldsWhatRobotsDraw) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/io/robot/editing/robot_edits.h"
 #include "core/io/robot/robot_file.h"
 
 namespace leitstand::test {

@@ -23,7 +23,7 @@ namespace {
 std::string page() {
     const std::filesystem::path docs = std::filesystem::path(sourceFolder()) / "docs";
     return readText(docs / "robots.md") + readText(docs / "robot-joints.md") +
-           readText(docs / "robot-readings.md");
+           readText(docs / "robot-readings.md") + readText(docs / "robot-drawings.md");
 }
 
 /// Rows of the tables in the chapter @p title whose first cell is code: their cells.

@@ -9,8 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "core/event/map_samples.h"
+#include "core/event/picture_samples.h"
+#include "core/event/status_samples.h"
 #include "core/event/stream_role.h"
 #include "messages/geometry_msgs.h"
+#include "messages/std_msgs.h"
 #include "messages/vision_msgs.h"
 #include "messages/visualization_msgs.h"
 #include "transport/cdr/cdr_writer.h"
@@ -24,11 +27,11 @@ using testing::SizeIs;
 using WireMarker = wire::visualization_msgs::Marker;
 
 template <class Message>
-Result<Sample> decoded(const Message& message) {
+Result<Sample> decoded(const Message& message, StreamRole role = StreamRole::Markers) {
     CdrWriter out;
     encode(out, message);
     StreamDescription stream;
-    stream.role = StreamRole::Markers;
+    stream.role = role;
     stream.topic = "/kurt3d/markers";
     return decode(RawEvent{1, Time(), stream.topic, std::string(Message::RosName),
                            std::make_shared<const std::vector<std::byte>>(std::move(out).finish())},
@@ -176,6 +179,66 @@ TEST(Markers, OfDetectionsAreBoxesWithTheirBestClass) {
     EXPECT_EQ(sample.markers[0].shape, MarkerShape::Box);
     EXPECT_EQ(sample.markers[0].header.frame, "camera") << "the detection has no frame of its own";
     EXPECT_EQ(sample.markers[1].text, "person 0.88");
+}
+
+wire::vision_msgs::Detection2DArray boxes(std::size_t count) {
+    wire::vision_msgs::Detection2DArray message;
+    message.header.frame_id = "camera";
+    for (std::size_t i = 0; i < count; ++i) {
+        auto& detection = message.detections.emplace_back();
+        detection.bbox.center.position = {320.0, 240.0};
+        detection.bbox.size_x = 64.0;
+        detection.bbox.size_y = 128.0;
+        detection.results.resize(2);
+        detection.results[0].hypothesis = {"door", 0.2};
+        detection.results[1].hypothesis = {std::string(1'000, 'p'), 0.875};
+    }
+    return message;
+}
+
+Result<Sample> decodedBoxes(const wire::vision_msgs::Detection2DArray& message) {
+    return decoded(message, StreamRole::Detections);
+}
+
+TEST(Detections2D, AreBoxesWithTheirLikeliestClass) {
+    const auto sample = decodedBoxes(boxes(2));
+    ASSERT_TRUE(sample) << sample.error().text;
+    const auto& seen = sample->get<DetectionsSample>();
+    EXPECT_EQ(seen.header.frame, "camera");
+    ASSERT_THAT(seen.detections, SizeIs(2));
+    EXPECT_EQ(seen.detections[0].centre, Eigen::Vector2d(320, 240));
+    EXPECT_EQ(seen.detections[0].size, Eigen::Vector2d(64, 128));
+    EXPECT_EQ(seen.detections[0].label, std::string(200, 'p')) << "names are cut";
+    EXPECT_EQ(seen.detections[0].score, 0.875);
+}
+
+TEST(Detections2D, ThatMakeNoSenseAreRefused) {
+    EXPECT_TRUE(decodedBoxes(boxes(0)));
+    EXPECT_TRUE(decodedBoxes(boxes(DetectionsSample::Most)));
+    EXPECT_FALSE(decodedBoxes(boxes(DetectionsSample::Most + 1)));
+    auto message = boxes(1);
+    message.detections[0].bbox.center.position.x = std::nan("");
+    EXPECT_THAT(decodedBoxes(message).error().text, HasSubstr("detections.bbox.center"));
+    message = boxes(1);
+    message.detections[0].bbox.size_x = -1.0;
+    EXPECT_THAT(decodedBoxes(message).error().text, HasSubstr("detections.bbox: expected 0 to"));
+    message = boxes(1);
+    message.detections[0].bbox.size_y = 1e300;
+    EXPECT_FALSE(decodedBoxes(message));
+    message = boxes(1);
+    message.detections[0].results[1].hypothesis.score = std::nan("");
+    message.detections[0].results[0].hypothesis.score = std::nan("");
+    EXPECT_TRUE(std::isnan(decodedBoxes(message)->get<DetectionsSample>().detections[0].score));
+}
+
+TEST(RobotModels, AreTakenAsTextUpToTheirLimit) {
+    wire::std_msgs::String message;
+    message.data = "<robot/>";
+    EXPECT_EQ(decoded(message, StreamRole::Model)->get<RobotModelSample>().urdf, "<robot/>");
+    message.data.assign(RobotModelSample::MostBytes, 'x');
+    EXPECT_TRUE(decoded(message, StreamRole::Model));
+    message.data += 'x';
+    EXPECT_THAT(decoded(message, StreamRole::Model).error().text, HasSubstr("expected a model of at most"));
 }
 
 }  // namespace

@@ -52,6 +52,10 @@ public:
     Eigen::Vector3d vector(const char* field, const Xyz& from) {
         return {finite(field, from.x), finite(field, from.y), finite(field, from.z)};
     }
+    template <class Xy>
+    Eigen::Vector2d vector2(const char* field, const Xy& from) {
+        return {finite(field, from.x), finite(field, from.y)};
+    }
     /// Whether nobody set @p rotation, which then is no rotation.
     [[nodiscard]] static bool isUnset(const wire::geometry_msgs::Quaternion& rotation) {
         return rotation.x == 0.0 && rotation.y == 0.0 && rotation.z == 0.0 && rotation.w == 0.0;

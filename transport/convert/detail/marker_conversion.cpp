@@ -12,6 +12,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/event/map_samples.h"
+#include "core/event/picture_samples.h"
 #include "messages/geometry_msgs.h"
 #include "messages/vision_msgs.h"
 #include "messages/visualization_msgs.h"
@@ -141,6 +142,15 @@ Marker plain(const SampleHeader& header, std::int32_t id, MarkerShape shape) {
     return marker;
 }
 
+/// Returns the most likely one of @p results; null: there are none.
+const wire::vision_msgs::ObjectHypothesis* likeliest(
+    const std::vector<wire::vision_msgs::ObjectHypothesisWithPose>& results) {
+    const auto best = std::max_element(results.begin(), results.end(), [](const auto& a, const auto& b) {
+        return a.hypothesis.score < b.hypothesis.score;
+    });
+    return best == results.end() ? nullptr : &best->hypothesis;
+}
+
 }  // namespace
 
 MarkersSample fromWire(const wire::visualization_msgs::MarkerArray& from, const Source&, Checks& checks) {
@@ -247,17 +257,58 @@ MarkersSample fromWire(const wire::vision_msgs::Detection3DArray& from, const So
         Marker label = plain(box.header, id++, MarkerShape::Text);
         label.markerInFrame = box.markerInFrame;
         label.lifetime = Lifetime;
-        const auto best = std::max_element(
-            detection.results.begin(), detection.results.end(),
-            [](const auto& a, const auto& b) { return a.hypothesis.score < b.hypothesis.score; });
+        const auto* const best = likeliest(detection.results);
         to.markers.push_back(std::move(box));
-        if (best == detection.results.end()) continue;
-        label.text = shortened(best->hypothesis.class_id);
-        if (std::isfinite(best->hypothesis.score))
-            label.text += fmt::format(" {:.2f}", best->hypothesis.score);
+        if (best == nullptr) continue;
+        label.text = shortened(best->class_id);
+        if (std::isfinite(best->score)) label.text += fmt::format(" {:.2f}", best->score);
         to.markers.push_back(std::move(label));
     }
     return to;
+}
+
+DetectionsSample fromWire(const wire::vision_msgs::Detection2DArray& from, const Source&, Checks& checks) {
+    constexpr double Farthest = 1e6;  // [px]
+    DetectionsSample to;
+    to.header = checks.header(from.header);
+    checks.require(from.detections.size() <= DetectionsSample::Most, "detections",
+                   "expected at most {}, found {}", DetectionsSample::Most, from.detections.size());
+    if (!checks.ok()) return to;
+    if (from.header.frame_id.empty() && !from.detections.empty())
+        to.header = checks.header(from.detections.front().header);
+    for (const auto& detection : from.detections) {
+        const auto& box = detection.bbox;
+        Detection one;
+        one.centre = checks.vector2("detections.bbox.center", box.center.position);
+        one.turned = checks.finite("detections.bbox.center.theta", box.center.theta);
+        one.size = {checks.finite("detections.bbox.size_x", box.size_x),
+                    checks.finite("detections.bbox.size_y", box.size_y)};
+        checks.require(one.centre.cwiseAbs().maxCoeff() <= Farthest && one.size.maxCoeff() <= Farthest &&
+                           one.size.minCoeff() >= 0.0,
+                       "detections.bbox", "expected 0 to {} px", Farthest);
+        if (const auto* const best = likeliest(detection.results); best != nullptr) {
+            one.label = shortened(best->class_id);
+            if (std::isfinite(best->score)) one.score = best->score;
+        }
+        to.detections.push_back(std::move(one));
+    }
+    return to;
+}
+
+void toWire(const DetectionsSample& from, wire::vision_msgs::Detection2DArray& to, Buffer&, Checks& checks) {
+    to.header = checks.wireHeader(from.header);
+    for (const Detection& one : from.detections) {
+        auto& detection = to.detections.emplace_back();
+        detection.header = to.header;
+        detection.bbox.center.position = {one.centre.x(), one.centre.y()};
+        detection.bbox.center.theta = one.turned;
+        detection.bbox.size_x = one.size.x();
+        detection.bbox.size_y = one.size.y();
+        auto& result = detection.results.emplace_back();
+        result.hypothesis.class_id = one.label;
+        result.hypothesis.score = one.score;
+        result.pose.pose.orientation.w = 1.0;
+    }
 }
 
 std::vector<Conversion> markerConversions() {
@@ -267,6 +318,7 @@ std::vector<Conversion> markerConversions() {
         decoding<wire::geometry_msgs::PolygonStamped, MarkersSample>(),
         decoding<wire::geometry_msgs::PoseWithCovarianceStamped, MarkersSample>(),
         decoding<wire::vision_msgs::Detection3DArray, MarkersSample>(),
+        conversion<wire::vision_msgs::Detection2DArray, DetectionsSample>(),
     };
 }
 

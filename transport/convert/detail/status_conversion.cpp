@@ -172,6 +172,18 @@ void toWire(const PongSample& from, wire::leitstand_msgs::Pong& to, Buffer&, Che
           checks.wireTime("received", from.received), checks.wireTime("replied", from.replied)};
 }
 
+RobotModelSample fromWire(const wire::std_msgs::String& from, const Source&, Checks& checks) {
+    checks.require(from.data.size() <= RobotModelSample::MostBytes, "data",
+                   "expected a model of at most {} bytes, found {}", RobotModelSample::MostBytes,
+                   from.data.size());
+    if (!checks.ok()) return {};
+    return {from.data};
+}
+
+void toWire(const RobotModelSample& from, wire::std_msgs::String& to, Buffer&, Checks&) {
+    to.data = from.urdf;
+}
+
 std::vector<Conversion> statusConversions() {
     return {
         conversion<wire::leitstand_msgs::GasConcentration, GasSample>(),
@@ -184,6 +196,7 @@ std::vector<Conversion> statusConversions() {
         conversion<wire::leitstand_msgs::StopState, StopStateSample>(),
         conversion<wire::leitstand_msgs::Pong, PongSample>(),
         decoding<wire::std_msgs::Float64, GasSample>(),
+        conversion<wire::std_msgs::String, RobotModelSample>(),
     };
 }
 

@@ -11,6 +11,7 @@
 #include "widgets/map_view/camera/map_camera.h"
 #include "widgets/map_view/overlays/overlay_style.h"
 #include "widgets/map_view/overlays/painted_cells.h"
+#include "widgets/map_view/robots/body_overlay.h"
 #include "widgets/map_view/robots/robot_shape.h"
 #include "widgets/models/map/robots/robot_mark.h"
 #include "widgets/painting/pane_paint.h"
@@ -21,6 +22,7 @@ namespace {
 constexpr double SmallestBody = 13.0;  ///< half a body's length on screen; smaller robots become arrows [px]
 constexpr double ArrowSize = 11.0, BadgeSize = 18.0, TargetSize = 9.0;  ///< [px]
 constexpr double NumberSize = 9.0;  ///< radius of a waypoint's number [px]
+constexpr double FaintBody = 0.45;  ///< opacity of a model whose place is uncertain
 constexpr double GoalAhead = 0.45;  ///< length of a goal's heading [m]
 
 std::optional<QPointF> seen(const MapProjection& projection, const Eigen::Vector3d& pointInMap) {
@@ -219,7 +221,10 @@ void paintRobot(QPainter& painter, const MapProjection& projection, const RobotM
     const double size = sizeOnScreen(projection, robot);
     if (size <= 0.0) return;
     const bool large = size >= SmallestBody;
-    if (large) {
+    const BodyLook look{dashed ? FaintBody : 1.0, robot.stale};
+    if (large && paintModel(painter, projection, robot, look, style)) {
+        // drawn by its model
+    } else if (large) {
         paintBody(painter, projection, robot, dashed, style);
     } else {
         paintArrow(painter, projection, robot, dashed, style);

@@ -274,6 +274,7 @@ void CameraFeature::show(const LiveMoment& moment) {
         const ShownPicturePtr picture = m_views.newest(place);
         CameraOverlay overlay =
             cameraOverlay(turn, picture.get(), m_looks.autoRange(), large ? keys : CameraKeyNames{});
+        addDetections(overlay, *robot, moment, picture.get());
         if (large) addDriving(overlay, *robot, moment, picture.get());
         pane(place).setTurnable(large && turn.has_value());
         pane(place).setLimits(m_context.source.pictureLimits(robot->name, m_views.sensor(place)));

@@ -96,4 +96,12 @@ void addDriving(CameraOverlay& overlay, const RobotDescription& robot, const Liv
     overlay.moving = !isZero(view.drive.velocity);
 }
 
+void addDetections(CameraOverlay& overlay, const RobotDescription& robot, const LiveMoment& moment,
+                   const ShownPicture* picture) {
+    if (picture == nullptr || picture->panorama) return;
+    overlay.detections = detectionMarks(robot, moment.reported(robot.name),
+                                        {picture->sensor, picture->sample.header.frame, picture->stamp,
+                                         picture->received, picture->width, picture->height});
+}
+
 }  // namespace leitstand

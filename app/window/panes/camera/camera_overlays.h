@@ -30,6 +30,10 @@ struct CameraKeyNames {
 void addDriving(CameraOverlay& overlay, const RobotDescription& robot, const LiveMoment& moment,
                 const ShownPicture* picture);
 
+/// Adds what the detectors of @p robot see in @p picture, unless that is a panorama. @p picture may be null.
+void addDetections(CameraOverlay& overlay, const RobotDescription& robot, const LiveMoment& moment,
+                   const ShownPicture* picture);
+
 /// Returns the direction of @p place in @p picture, of unit length, in the camera's optical frame. @p place:
 /// shares of width and height (0 to 1), from the top left. Assumes an angle of view of 60 degrees if the
 /// calibration is missing or of an unknown kind.

@@ -36,7 +36,15 @@ MapFollow after(MapFollow how) {
 
 RobotsOnMap::RobotsOnMap(const ViewContext& context, ViewState& state, MapView& view, MapGestures& gestures,
                          QObject* parent)
-    : QObject(parent), m_context(context), m_state(state), m_view(view), m_gestures(gestures) {
+    : QObject(parent),
+      m_context(context),
+      m_state(state),
+      m_view(view),
+      m_gestures(gestures),
+      m_bodies([this](const std::string& text) {
+          QMetaObject::invokeMethod(
+              this, [this, text] { m_context.notify(QString::fromStdString(text)); }, Qt::QueuedConnection);
+      }) {
     addCommands();
     connect(&view, &MapView::followEnded, this, [this] { follow(MapFollow::Free); });
     connect(&context.source, &MomentSource::ticked, this, &RobotsOnMap::show);
@@ -72,6 +80,14 @@ void RobotsOnMap::addCommands() {
                        .keys = QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_D),
                        .checkable = true});
     m_drawn->setChecked(true);
+    m_modelled =
+        &commands.add({.id = "map.models",
+                       .menu = CommandMenu::Map,
+                       .text = tr("Robots as their &models"),
+                       .hint = tr("Robots that publish their model (robot_description) are drawn by it, "
+                                  "with their joints; others as symbols"),
+                       .checkable = true});
+    m_modelled->setChecked(true);
     const auto check = [this] {
         for (const auto& [how, action] : m_follow) action->setChecked(how == m_state.settings().follow);
     };
@@ -136,6 +152,8 @@ void RobotsOnMap::show(const LiveMoment& moment) {
             unplaced.push_back(face);
             continue;
         }
+        if (m_modelled->isChecked())
+            setBody(*mark, m_bodies.body(robot, moment.reported(robot.name).model), moment.view(robot.name));
         if (goal != m_goals.end()) mark->waypoints = goal->second.next;
         if (goal != m_goals.end() && mark->note.isEmpty())
             mark->note = goalNote(moment.view(robot.name).navigation);

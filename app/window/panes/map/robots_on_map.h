@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QString>
 
+#include "app/services/models/robot_bodies.h"
 #include "app/window/panes/view_context.h"
 #include "widgets/models/map/map_view_settings.h"
 #include "widgets/models/map/robots/robot_drawings.h"
@@ -66,6 +67,8 @@ private:
     QAction* m_drawn = nullptr;  ///< whether what robots draw is shown
     std::map<std::string, RobotPlans> m_plans;
     QString m_details;
+    QAction* m_modelled = nullptr;  ///< whether robots are drawn by their models
+    RobotBodies m_bodies;
 };
 
 }  // namespace leitstand

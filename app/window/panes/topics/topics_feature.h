@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "app/services/domain/robot_guess.h"
+#include "app/services/domain/seen_topic.h"
 #include "app/window/panes/view_context.h"
 
 namespace leitstand {

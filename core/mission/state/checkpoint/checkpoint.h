@@ -14,7 +14,7 @@ namespace leitstand {
 struct CheckpointSample;
 
 /// CheckpointSample::version of what this program writes.
-inline constexpr std::uint32_t CheckpointVersion = 10;
+inline constexpr std::uint32_t CheckpointVersion = 11;
 /// Oldest version that this program reads. Fields that were added later follow the older ones.
 inline constexpr std::uint32_t OldestCheckpointVersion = 6;
 

@@ -112,6 +112,18 @@ void describe(A& a, ReadingSample& v) {
     a(v.header, v.values);
 }
 template <class A>
+void describe(A& a, RobotModelSample& v) {
+    a(v.urdf);
+}
+template <class A>
+void describe(A& a, Detection& v) {
+    a(v.centre, v.size, v.turned, v.label, v.score);
+}
+template <class A>
+void describe(A& a, DetectionsSample& v) {
+    a(v.header, v.detections);
+}
+template <class A>
 void describe(A& a, MarkerColour& v) {
     a(v.r, v.g, v.b, v.a);
 }
@@ -221,6 +233,7 @@ void describe(A& a, RobotState& v) {
       v.stop, v.stopCommand, v.clockOffset, v.place, v.streams);
     since<9>(a, v.framesAbove, v.grids, v.paths);
     since<10>(a, v.readings, v.markers);
+    since<11>(a, v.model, v.detections);
     if constexpr (!A::Writes) {
         const auto isThere = [](const auto& one) { return one.second != nullptr; };
         if (!std::all_of(v.grids.begin(), v.grids.end(), isThere) ||

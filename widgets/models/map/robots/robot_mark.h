@@ -10,6 +10,7 @@
 #include "core/base/pose.h"
 #include "core/base/rotation/heading.h"
 #include "core/mapping/live/trail.h"
+#include "core/robot/model/model_body.h"
 #include "widgets/models/live/robots/robot_face.h"
 #include "widgets/models/map/robots/robot_drawings.h"
 #include "widgets/models/map/robots/robot_plans.h"
@@ -24,7 +25,9 @@ struct RobotMark {
     double height = 0.0;                     ///< [m]
     bool tracked = false;                    ///< whether it has tracks; otherwise wheels
     Pose baseInMap = Pose::Identity();
-    TrailPtr trail = {};    ///< in the map's frame; may be null
+    ModelBodyPtr body = {};              ///< what it looks like; null: it is drawn as a symbol
+    std::vector<Pose> linksInBase = {};  ///< poses of the body's links
+    TrailPtr trail = {};                 ///< in the map's frame; may be null
     bool afterGap = false;  ///< whether the path from the end of the trail to baseInMap is unknown
     std::shared_ptr<const PlannedPaths> plans = {};  ///< ways that it plans to take; null: none
     std::shared_ptr<const Drawings> drawings = {};   ///< what it draws; null: nothing

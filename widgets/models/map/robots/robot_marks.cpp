@@ -1,10 +1,13 @@
 #include "widgets/models/map/robots/robot_marks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "core/event/motion_samples.h"
+#include "core/robot/model/model_body.h"
 #include "widgets/models/map/place_text.h"
 
 namespace leitstand {
@@ -48,14 +51,30 @@ std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescripti
     return mark;
 }
 
+void setBody(RobotMark& mark, ModelBodyPtr body, const RobotView& view) {
+    mark.body = std::move(body);
+    if (!mark.body) return;
+    const JointSample* const joints = view.joints.get();
+    mark.linksInBase = linksInBase(
+        mark.body->model, mark.body->base, [joints](const std::string& name) -> std::optional<double> {
+            if (joints == nullptr) return std::nullopt;
+            const auto found = std::find(joints->names.begin(), joints->names.end(), name);
+            const auto at = static_cast<std::size_t>(found - joints->names.begin());
+            if (at >= joints->positions.size()) return std::nullopt;
+            return joints->positions[at];
+        });
+}
+
 bool sameMark(const RobotMark& a, const RobotMark& b) {
     const auto sameGoal = [](const std::optional<Pose>& x, const std::optional<Pose>& y) {
         return x.has_value() == y.has_value() && (!x || x->matrix() == y->matrix());
     };
     const auto samePlace = [](const Pose& x, const Pose& y) { return x.matrix() == y.matrix(); };
-    return a.face == b.face && a.baseInMap.matrix() == b.baseInMap.matrix() && a.trail == b.trail &&
-           a.afterGap == b.afterGap && a.plans == b.plans && a.drawings == b.drawings &&
-           sameGoal(a.goalInMap, b.goalInMap) &&
+    return a.face == b.face && a.body == b.body &&
+           std::equal(a.linksInBase.begin(), a.linksInBase.end(), b.linksInBase.begin(), b.linksInBase.end(),
+                      samePlace) &&
+           a.baseInMap.matrix() == b.baseInMap.matrix() && a.trail == b.trail && a.afterGap == b.afterGap &&
+           a.plans == b.plans && a.drawings == b.drawings && sameGoal(a.goalInMap, b.goalInMap) &&
            std::equal(a.waypoints.begin(), a.waypoints.end(), b.waypoints.begin(), b.waypoints.end(),
                       samePlace) &&
            a.doubtRadius == b.doubtRadius && a.note == b.note && a.tone == b.tone &&

@@ -13,6 +13,9 @@ namespace leitstand {
                                                    const RobotInMap& place, const LinkStatus& link,
                                                    bool selected, const std::optional<Pose>& goalInMap = {});
 
+/// Draws @p mark with @p body, its joints as @p view has them. Null: as a symbol.
+void setBody(RobotMark& mark, ModelBodyPtr body, const RobotView& view);
+
 /// Returns how certain the places of all @p marks are, one per line.
 [[nodiscard]] QString detailsOf(const std::vector<RobotMark>& marks);
 

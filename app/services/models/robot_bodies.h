@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "app/services/job_queue.h"
+#include "core/mission/state/robot_state.h"
+#include "core/robot/model/model_body.h"
+#include "core/robot/robot_description.h"
+
+namespace leitstand {
+
+/// Makes what robots look like from the models that they publish (robot_description), on a thread of its own.
+class RobotBodies {
+public:
+    /// Receives a sentence for the operator: what is wrong with a model, or which of its meshes are missing.
+    using Notify = std::function<void(const std::string& text)>;
+
+    /// @p notify is called on the thread that makes bodies, until the destructor returns.
+    explicit RobotBodies(Notify notify);
+    ~RobotBodies();
+    RobotBodies(const RobotBodies&) = delete;
+    RobotBodies& operator=(const RobotBodies&) = delete;
+
+    /// Returns the body of @p robot by its newest @p model, and begins to make it when the model is new.
+    /// Null: it has no model, or the body is not made yet. While a changed model is being made, the earlier
+    /// body is returned.
+    [[nodiscard]] ModelBodyPtr body(const RobotDescription& robot, const LatestPtr<RobotModelSample>& model);
+
+private:
+    struct Entry {
+        std::uint64_t sequence = 0;  ///< of the event with the model
+        std::string urdf;
+        bool made = false;  ///< whether `body` is that of `urdf`; it may be null then
+        ModelBodyPtr body;
+    };
+    void make(const RobotDescription& robot);
+
+    Notify m_notify;
+    std::mutex m_mutex;
+    std::map<std::string, Entry> m_entries;  ///< by robot
+    JobQueue m_jobs;
+    std::jthread m_worker;  ///< the last member, so that it ends first
+};
+
+}  // namespace leitstand
