@@ -247,6 +247,10 @@
         <source>Readings</source>
         <translation>Messwerte</translation>
     </message>
+    <message>
+        <source>Frames</source>
+        <translation>Koordinatensysteme</translation>
+    </message>
 </context>
 <context>
     <name>PdfText</name>
@@ -3455,6 +3459,18 @@ Funk: %4 %5</translation>
         <source>expected it only for reading, found it for {}</source>
         <translation>nur für reading erwartet, gefunden bei {}</translation>
     </message>
+    <message>
+        <source>{}: it came with the program, and neither HOME nor XDG_CONFIG_HOME tells where a copy goes</source>
+        <translation>{}: Sie kam mit dem Programm, und weder HOME noch XDG_CONFIG_HOME sagt, wohin eine Kopie soll</translation>
+    </message>
+    <message>
+        <source>{}: write this by hand: footprint: {}, height: {}, and places of sensors</source>
+        <translation>{}: Bitte von Hand eintragen: footprint: {}, height: {} und die Orte der Sensoren</translation>
+    </message>
+    <message>
+        <source>expected a folder, at most {} of them, found {}</source>
+        <translation>erwartet: ein Ordner, höchstens {} davon, gefunden: {}</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -3860,6 +3876,102 @@ Ein Klick zeichnet den Verlauf</translation>
     <message>
         <source>%1: up to %2 °C</source>
         <translation>%1: bis %2 °C</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FrameRowsModel</name>
+    <message>
+        <source>Frame</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>x y z [m]</source>
+        <translation>x y z [m]</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FrameWords</name>
+    <message>
+        <source>It is above itself: tf uses no frame of such a circle</source>
+        <translation>Es liegt über sich selbst: tf verwendet kein System eines solchen Kreises</translation>
+    </message>
+    <message>
+        <source>Also below %1: two nodes publish it, and tf jumps between both</source>
+        <translation>Auch unter %1: Zwei Knoten veröffentlichen es, und tf springt zwischen beiden</translation>
+    </message>
+    <message>
+        <source>The highest frame of a tree</source>
+        <translation>Das oberste System eines Baums</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>%1 m · roll %2, pitch %3, yaw %4</source>
+        <translation>%1 m · Rollen %2, Nicken %3, Gieren %4</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>No transforms came</source>
+        <translation>Es kamen keine Transformationen</translation>
+    </message>
+    <message>
+        <source>frames: %1</source>
+        <translation>Koordinatensysteme: %1</translation>
+    </message>
+    <message>
+        <source>trees that nothing connects: %1</source>
+        <translation>Bäume, die nichts verbindet: %1</translation>
+    </message>
+    <message>
+        <source>with two parents or in a circle: %1</source>
+        <translation>mit zwei Eltern oder in einem Kreis: %1</translation>
+    </message>
+    <message>
+        <source>No transforms lead from the base to %1: the places in the robot&apos;s file count</source>
+        <translation>Von der Basis führen keine Transformationen zu %1: Es gelten die Orte in der Datei des Roboters</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FramesFeature</name>
+    <message>
+        <source>&amp;Frames of the robot (tf)</source>
+        <translation>&amp;Koordinatensysteme des Roboters (tf)</translation>
+    </message>
+    <message>
+        <source>The tree of its frames, where each lies in its parent, how often and when that came</source>
+        <translation>Der Baum seiner Koordinatensysteme: wo jedes in seinem Elternsystem liegt, wie oft und wann das kam</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FramesPanel</name>
+    <message>
+        <source>Frames</source>
+        <translation>Koordinatensysteme</translation>
+    </message>
+    <message>
+        <source>Frames of the robot, each below its parent</source>
+        <translation>Koordinatensysteme des Roboters, jedes unter seinem Elternsystem</translation>
     </message>
 </context>
 <context>
@@ -4960,6 +5072,14 @@ Apache License 2.0</translation>
         <source>what it draws</source>
         <translation>was er zeichnet</translation>
     </message>
+    <message>
+        <source>its model</source>
+        <translation>sein Modell</translation>
+    </message>
+    <message>
+        <source>what it sees in pictures</source>
+        <translation>was er in Bildern erkennt</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinksOnMap</name>
@@ -5502,6 +5622,151 @@ F1 listet alle Tasten</translation>
     <message>
         <source>free</source>
         <translation>frei</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MeasuresDrawing</name>
+    <message>
+        <source>The robot from above and from its right side</source>
+        <translation>Der Roboter von oben und von rechts</translation>
+    </message>
+    <message>
+        <source>%1 m long, %2 m wide, %3 m high</source>
+        <translation>%1 m lang, %2 m breit, %3 m hoch</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>from the right</source>
+        <translation>von rechts</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MeasuresFeature</name>
+    <message>
+        <source>Si&amp;ze and sensors...</source>
+        <translation>&amp;Größe und Sensoren...</translation>
+    </message>
+    <message>
+        <source>How large the selected robot is and where its sensors sit, with a drawing; from its model, or measured</source>
+        <translation>Wie groß der gewählte Roboter ist und wo seine Sensoren sitzen, mit Zeichnung; aus seinem Modell oder gemessen</translation>
+    </message>
+    <message>
+        <source>Size and sensors of %1</source>
+        <translation>Größe und Sensoren von %1</translation>
+    </message>
+    <message>
+        <source>A robot is being driven: the station would open again</source>
+        <translation>Ein Roboter wird gefahren: Der Leitstand würde neu öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MeasuresForm</name>
+    <message>
+        <source>Sensors in the robot&apos;s base frame</source>
+        <translation>Sensoren im Basissystem des Roboters</translation>
+    </message>
+    <message>
+        <source>Where the robot tells a place by itself (tf_static), that one counts.</source>
+        <translation>Wo der Roboter einen Ort selbst nennt (tf_static), gilt dieser.</translation>
+    </message>
+    <message>
+        <source>Ahead</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Behind</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>From the base frame to the front end</source>
+        <translation>Vom Basissystem bis zum vorderen Ende</translation>
+    </message>
+    <message>
+        <source>From the base frame to the rear end</source>
+        <translation>Vom Basissystem bis zum hinteren Ende</translation>
+    </message>
+    <message>
+        <source>From the base frame to the left side</source>
+        <translation>Vom Basissystem bis zur linken Seite</translation>
+    </message>
+    <message>
+        <source>From the base frame to the right side</source>
+        <translation>Vom Basissystem bis zur rechten Seite</translation>
+    </message>
+    <message>
+        <source>From the ground to the highest part</source>
+        <translation>Vom Boden bis zum höchsten Teil</translation>
+    </message>
+    <message>
+        <source>Take from its model</source>
+        <translation>Aus seinem Modell</translation>
+    </message>
+    <message>
+        <source>Save and use</source>
+        <translation>Speichern und verwenden</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Outline, height and sensor places as in the model that the robot publishes, all joints at rest</source>
+        <translation>Umriss, Höhe und Orte der Sensoren wie im Modell, das der Roboter veröffentlicht, alle Gelenke in Ruhe</translation>
+    </message>
+    <message>
+        <source>The robot publishes no model (robot_description), or it was not read yet</source>
+        <translation>Der Roboter veröffentlicht kein Modell (robot_description), oder es ist noch nicht gelesen</translation>
+    </message>
+    <message>
+        <source>Writes the robot&apos;s file; the station opens again with it and goes on with its mission</source>
+        <translation>Schreibt die Datei des Roboters; der Leitstand öffnet neu mit ihr und setzt seine Mission fort</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>System %1</translation>
+    </message>
+    <message>
+        <source>The outline has %1 corners; a number that is changed here makes it a rectangle.</source>
+        <translation>Der Umriss hat %1 Ecken; eine Zahl, die hier geändert wird, macht ihn zum Rechteck.</translation>
     </message>
 </context>
 <context>
@@ -7601,6 +7866,17 @@ F1 listet alle Tasten</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::RobotBodies</name>
+    <message>
+        <source>{}: {} meshes of its model are not on this computer, simple shapes are drawn instead ({}). Name the folder with its packages in the robot&apos;s file: packages</source>
+        <translation>{}: {} Netze seines Modells sind nicht auf diesem Rechner, einfache Formen werden gezeichnet ({}). Nennen Sie den Ordner mit seinen Paketen in der Datei des Roboters: packages</translation>
+    </message>
+    <message>
+        <source>{}: its model is not drawn: {}</source>
+        <translation>{}: Sein Modell wird nicht gezeichnet: {}</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::RobotChip</name>
     <message>
         <source>%1 (%2): %3 · link %4</source>
@@ -8001,6 +8277,14 @@ F1 listet alle Tasten</translation>
     <message>
         <source>Markers, outlines, detections and places that robots publish, over the map</source>
         <translation>Marker, Umrisse, Erkennungen und Orte, die Roboter veröffentlichen, über der Karte</translation>
+    </message>
+    <message>
+        <source>Robots as their &amp;models</source>
+        <translation>Roboter als ihre &amp;Modelle</translation>
+    </message>
+    <message>
+        <source>Robots that publish their model (robot_description) are drawn by it, with their joints; others as symbols</source>
+        <translation>Roboter, die ihr Modell veröffentlichen (robot_description), werden danach gezeichnet, mit ihren Gelenken; andere als Symbole</translation>
     </message>
 </context>
 <context>
@@ -9872,8 +10156,20 @@ Eine Funktion dieses Programms, kein zertifizierter Not-Halt.</translation>
         <translation>{} Elemente</translation>
     </message>
     <message>
-        <source>The text of {} is not known here: its fields cannot be shown</source>
-        <translation>Der Text von {} ist hier nicht bekannt: seine Felder können nicht gezeigt werden</translation>
+        <source>The publisher is asked what {} is made of</source>
+        <translation>Der Absender wird gefragt, woraus {} besteht</translation>
+    </message>
+    <message>
+        <source>The text of {} is not known here, and its publisher does not tell it (ROS 2 Iron and later do): its fields cannot be shown</source>
+        <translation>Der Text von {} ist hier nicht bekannt, und sein Absender nennt ihn nicht (ab ROS 2 Iron möglich): Seine Felder können nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>What its publisher tells of {} is not read: {}</source>
+        <translation>Was sein Absender von {} sagt, ist nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>The text of {} is not known here, and {} does not answer what it is</source>
+        <translation>Der Text von {} ist hier nicht bekannt, und {} antwortet nicht, was er ist</translation>
     </message>
 </context>
 <context>

@@ -247,6 +247,10 @@
         <source>Readings</source>
         <translation>測定値</translation>
     </message>
+    <message>
+        <source>Frames</source>
+        <translation>座標系</translation>
+    </message>
 </context>
 <context>
     <name>PdfText</name>
@@ -3455,6 +3459,18 @@ Link: %4 %5</source>
         <source>expected it only for reading, found it for {}</source>
         <translation>reading にのみ指定できますが、{} に指定されています</translation>
     </message>
+    <message>
+        <source>{}: it came with the program, and neither HOME nor XDG_CONFIG_HOME tells where a copy goes</source>
+        <translation>{}: プログラムに付属のファイルであり、HOME も XDG_CONFIG_HOME もコピー先を示していません</translation>
+    </message>
+    <message>
+        <source>{}: write this by hand: footprint: {}, height: {}, and places of sensors</source>
+        <translation>{}: 手で書き込んでください: footprint: {}、height: {}、およびセンサーの位置</translation>
+    </message>
+    <message>
+        <source>expected a folder, at most {} of them, found {}</source>
+        <translation>フォルダー (最大 {} 個) が必要ですが、{} でした</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::EvidenceStrip</name>
@@ -3860,6 +3876,102 @@ A click plots it</source>
     <message>
         <source>%1: up to %2 °C</source>
         <translation>%1：最高 %2 °C</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FrameRowsModel</name>
+    <message>
+        <source>Frame</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>x y z [m]</source>
+        <translation>x y z [m]</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>頻度</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>経過</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FrameWords</name>
+    <message>
+        <source>It is above itself: tf uses no frame of such a circle</source>
+        <translation>自分自身の上位にあります: tf はこのような循環の座標系を使えません</translation>
+    </message>
+    <message>
+        <source>Also below %1: two nodes publish it, and tf jumps between both</source>
+        <translation>%1 の下にもあります: 2 つのノードが発行しており、tf は両者の間で飛びます</translation>
+    </message>
+    <message>
+        <source>The highest frame of a tree</source>
+        <translation>ツリーの最上位の座標系</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>%1 の下</translation>
+    </message>
+    <message>
+        <source>%1 m · roll %2, pitch %3, yaw %4</source>
+        <translation>%1 m · ロール %2、ピッチ %3、ヨー %4</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>No transforms came</source>
+        <translation>座標変換を受信していません</translation>
+    </message>
+    <message>
+        <source>frames: %1</source>
+        <translation>座標系: %1</translation>
+    </message>
+    <message>
+        <source>trees that nothing connects: %1</source>
+        <translation>つながっていないツリー: %1</translation>
+    </message>
+    <message>
+        <source>with two parents or in a circle: %1</source>
+        <translation>親が 2 つあるか循環しているもの: %1</translation>
+    </message>
+    <message>
+        <source>No transforms lead from the base to %1: the places in the robot&apos;s file count</source>
+        <translation>ベースから %1 への座標変換がありません: ロボットのファイルの位置を使います</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FramesFeature</name>
+    <message>
+        <source>&amp;Frames of the robot (tf)</source>
+        <translation>ロボットの座標系 (tf)(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The tree of its frames, where each lies in its parent, how often and when that came</source>
+        <translation>座標系のツリー: 親の中での位置、受信の頻度と時刻</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::FramesPanel</name>
+    <message>
+        <source>Frames</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>Frames of the robot, each below its parent</source>
+        <translation>ロボットの座標系 (親の下に表示)</translation>
     </message>
 </context>
 <context>
@@ -4960,6 +5072,14 @@ Apache License 2.0</translation>
         <source>what it draws</source>
         <translation>描画</translation>
     </message>
+    <message>
+        <source>its model</source>
+        <translation>モデル</translation>
+    </message>
+    <message>
+        <source>what it sees in pictures</source>
+        <translation>画像内の検出</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::LinksOnMap</name>
@@ -5502,6 +5622,151 @@ F1 でキー一覧</translation>
     <message>
         <source>free</source>
         <translation>空き</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MeasuresDrawing</name>
+    <message>
+        <source>The robot from above and from its right side</source>
+        <translation>ロボットの上面図と右側面図</translation>
+    </message>
+    <message>
+        <source>%1 m long, %2 m wide, %3 m high</source>
+        <translation>長さ %1 m、幅 %2 m、高さ %3 m</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>上から</translation>
+    </message>
+    <message>
+        <source>from the right</source>
+        <translation>右から</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MeasuresFeature</name>
+    <message>
+        <source>Si&amp;ze and sensors...</source>
+        <translation>寸法とセンサー(&amp;Z)...</translation>
+    </message>
+    <message>
+        <source>How large the selected robot is and where its sensors sit, with a drawing; from its model, or measured</source>
+        <translation>選択中のロボットの寸法とセンサーの位置を図で示します。モデルから、または実測値で入力します</translation>
+    </message>
+    <message>
+        <source>Size and sensors of %1</source>
+        <translation>%1 の寸法とセンサー</translation>
+    </message>
+    <message>
+        <source>A robot is being driven: the station would open again</source>
+        <translation>ロボットを運転中です: ステーションが開き直されます</translation>
+    </message>
+</context>
+<context>
+    <name>leitstand::MeasuresForm</name>
+    <message>
+        <source>Sensors in the robot&apos;s base frame</source>
+        <translation>ベース座標系でのセンサー</translation>
+    </message>
+    <message>
+        <source>Where the robot tells a place by itself (tf_static), that one counts.</source>
+        <translation>ロボット自身が位置を知らせる場合 (tf_static) は、そちらを使います。</translation>
+    </message>
+    <message>
+        <source>Ahead</source>
+        <translation>前方</translation>
+    </message>
+    <message>
+        <source>Behind</source>
+        <translation>後方</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>From the base frame to the front end</source>
+        <translation>ベース座標系から前端まで</translation>
+    </message>
+    <message>
+        <source>From the base frame to the rear end</source>
+        <translation>ベース座標系から後端まで</translation>
+    </message>
+    <message>
+        <source>From the base frame to the left side</source>
+        <translation>ベース座標系から左側面まで</translation>
+    </message>
+    <message>
+        <source>From the base frame to the right side</source>
+        <translation>ベース座標系から右側面まで</translation>
+    </message>
+    <message>
+        <source>From the ground to the highest part</source>
+        <translation>地面から最も高い部分まで</translation>
+    </message>
+    <message>
+        <source>Take from its model</source>
+        <translation>モデルから取得</translation>
+    </message>
+    <message>
+        <source>Save and use</source>
+        <translation>保存して使用</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Outline, height and sensor places as in the model that the robot publishes, all joints at rest</source>
+        <translation>ロボットが発行するモデルの輪郭、高さ、センサー位置 (全関節は静止状態)</translation>
+    </message>
+    <message>
+        <source>The robot publishes no model (robot_description), or it was not read yet</source>
+        <translation>ロボットがモデル (robot_description) を発行していないか、まだ読み込まれていません</translation>
+    </message>
+    <message>
+        <source>Writes the robot&apos;s file; the station opens again with it and goes on with its mission</source>
+        <translation>ロボットのファイルを書き込みます。ステーションはそれを使って開き直し、任務を続けます</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>ロール</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>ピッチ</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>ヨー</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>座標系 %1</translation>
+    </message>
+    <message>
+        <source>The outline has %1 corners; a number that is changed here makes it a rectangle.</source>
+        <translation>輪郭の角は %1 個です。ここで数値を変えると長方形になります。</translation>
     </message>
 </context>
 <context>
@@ -7601,6 +7866,17 @@ F1 でキー一覧</translation>
     </message>
 </context>
 <context>
+    <name>leitstand::RobotBodies</name>
+    <message>
+        <source>{}: {} meshes of its model are not on this computer, simple shapes are drawn instead ({}). Name the folder with its packages in the robot&apos;s file: packages</source>
+        <translation>{}: モデルのメッシュ {} 個がこのコンピューターにないため、単純な形で描きます ({})。パッケージのフォルダーをロボットのファイルの packages に書いてください</translation>
+    </message>
+    <message>
+        <source>{}: its model is not drawn: {}</source>
+        <translation>{}: モデルを描けません: {}</translation>
+    </message>
+</context>
+<context>
     <name>leitstand::RobotChip</name>
     <message>
         <source>%1 (%2): %3 · link %4</source>
@@ -8001,6 +8277,14 @@ F1 でキー一覧</translation>
     <message>
         <source>Markers, outlines, detections and places that robots publish, over the map</source>
         <translation>ロボットが発行するマーカー・輪郭・検出・位置を地図に重ねて表示</translation>
+    </message>
+    <message>
+        <source>Robots as their &amp;models</source>
+        <translation>ロボットをモデルで表示(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Robots that publish their model (robot_description) are drawn by it, with their joints; others as symbols</source>
+        <translation>モデル (robot_description) を発行するロボットは、関節を含めてモデルで描きます。ほかは記号で描きます</translation>
     </message>
 </context>
 <context>
@@ -9872,8 +10156,20 @@ A function of this program, no certified emergency stop.</source>
         <translation>要素{}個</translation>
     </message>
     <message>
-        <source>The text of {} is not known here: its fields cannot be shown</source>
-        <translation>{}の定義が不明なため、フィールドを表示できません</translation>
+        <source>The publisher is asked what {} is made of</source>
+        <translation>{} の構成を発行元に問い合わせています</translation>
+    </message>
+    <message>
+        <source>The text of {} is not known here, and its publisher does not tell it (ROS 2 Iron and later do): its fields cannot be shown</source>
+        <translation>{} の定義はここになく、発行元も教えません (ROS 2 Iron 以降で可能): フィールドは表示できません</translation>
+    </message>
+    <message>
+        <source>What its publisher tells of {} is not read: {}</source>
+        <translation>{} について発行元が答えた内容を読めません: {}</translation>
+    </message>
+    <message>
+        <source>The text of {} is not known here, and {} does not answer what it is</source>
+        <translation>{} の定義はここになく、{} も答えません</translation>
     </message>
 </context>
 <context>

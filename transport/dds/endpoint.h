@@ -25,9 +25,10 @@ struct RemoteEndpoint {
     Guid guid, participant;
     std::string participantName, host;  ///< as in RemoteParticipant
     std::string topic;                  ///< ROS name "/kurt3d/odom" if it has one, otherwise the DDS name
-    std::string type;    ///< ROS name "nav_msgs/msg/Odometry" if it has one, otherwise the DDS name
-    bool ros = false;    ///< whether the topic belongs to ROS 2 ("rt/" on the network)
-    bool keyed = false;  ///< whether its instances have keys; ROS 2 topics have none
+    std::string type;      ///< ROS name "nav_msgs/msg/Odometry" if it has one, otherwise the DDS name
+    bool ros = false;      ///< whether the topic belongs to ROS 2 ("rt/" on the network)
+    bool keyed = false;    ///< whether its instances have keys; ROS 2 topics have none
+    std::string typeHash;  ///< of its type, "RIHS01_..." (REP 2016); empty: not announced, as before Iron
     bool exclusiveOwnership = false;
     std::vector<std::string> partitions;  ///< empty: the default partition
     /// What it offers or requests. DDS does not announce the depth of the history, so it is always 1 here.

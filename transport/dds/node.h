@@ -46,6 +46,8 @@ struct WriterSettings {
     std::string type = {};
     Qos qos = {};
     Flow flow = Flow::Telemetry;
+    /// Announced as the hash of the type, "RIHS01_..."; empty: that of a type that is built in, if it is one.
+    std::string typeHash = {};
 };
 
 /// What a subscription has received so far.

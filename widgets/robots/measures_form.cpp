@@ -200,8 +200,8 @@ void MeasuresForm::showNumbers() {
     }
     m_filling = false;
     m_outline->setVisible(!isRectangle(m_measures.footprint));
-    m_outline->setText(tr("The outline has %n corners; a number that is changed here makes it a rectangle.",
-                          nullptr, static_cast<int>(m_measures.footprint.size())));
+    m_outline->setText(tr("The outline has %1 corners; a number that is changed here makes it a rectangle.")
+                           .arg(m_measures.footprint.size()));
     showDrawing();
 }
 

@@ -100,7 +100,7 @@ std::vector<ProbedTopic> Listening::topics() {
 struct DomainProbe::State {
     explicit State(std::unique_ptr<Node> joined) : node(std::move(joined)) {}
     std::unique_ptr<Node> node;
-    ModelWatch models{*node};    ///< likewise
+    ModelWatch models{*node};    ///< after the node, too
     Listening listening{*node};  ///< after the node: its subscriptions go first
 };
 

@@ -16,6 +16,8 @@ struct SeenTopic {
     bool written = true;   ///< somebody publishes it
     bool read = false;     ///< somebody other than this station subscribes to it, as robots do to commands
     std::string obstacle;  ///< why DDS cannot deliver its samples to this station; empty: it can
+    /// Of its type, "RIHS01_..." (REP 2016), as its publisher tells; empty: unknown, as before Iron.
+    std::string typeHash = {};
     /// Full names of the ROS 2 nodes that publish the topic, or that read it if nobody publishes:
     /// "/kurt3d/driver". Empty: unknown.
     std::vector<std::string> nodes = {};

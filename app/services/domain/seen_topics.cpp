@@ -27,7 +27,8 @@ bool see(SeenTopic& topic, bool isNew, const RemoteEndpoint& endpoint, const Ros
                  .qos = endpoint.qos,
                  .written = writes,
                  .read = topic.read,
-                 .obstacle = obstacleOf(endpoint)};
+                 .obstacle = obstacleOf(endpoint),
+                 .typeHash = endpoint.typeHash};
     }
     topic.read |= !writes;
     std::string node = writes == topic.written ? nodes.of(endpoint.guid) : std::string();

@@ -219,6 +219,10 @@ std::vector<SeenTopic> Station::visibleTopics() const {
     return topics;
 }
 
+const FrameWatch& Station::frames() const {
+    return m_state->frames;
+}
+
 TopicWatch& Station::topicWatch() {
     return *m_state->topicWatch;
 }

@@ -32,6 +32,7 @@ class JointMoving;
 class StationCameras;
 class StationGuards;
 class StationStreams;
+class FrameWatch;
 class TopicWatch;
 
 /// Settings of a station in a domain.
@@ -98,7 +99,8 @@ public:
     [[nodiscard]] std::vector<std::string> limits() const;
     /// Topics that others publish or subscribe to.
     [[nodiscard]] std::vector<SeenTopic> visibleTopics() const;
-    [[nodiscard]] TopicWatch& topicWatch();  ///< looks at one topic, whether it is recorded or not
+    [[nodiscard]] const FrameWatch& frames() const;  ///< the robots' tf trees
+    [[nodiscard]] TopicWatch& topicWatch();          ///< looks at one topic, whether it is recorded or not
     [[nodiscard]] const StationSettings& settings() const;  ///< settings with which it was opened
 
     /// Gives the sticks to one robot; all other robots stand, with their joints. Empty: to no robot.

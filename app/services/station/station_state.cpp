@@ -133,7 +133,7 @@ void Station::State::share() {
 
 void Station::State::follow() {
     const auto all = std::to_array<EventSink*>({brakes.get(), alarms.get(), mapping.get(), victims.get(),
-                                                coverage.get(), finds.get(), joints.get(),
+                                                coverage.get(), finds.get(), joints.get(), &frames,
                                                 &cameras->turning(), intake.get(), sharing.get()});
     for (EventSink* const service : all) services.add(*service);
 }

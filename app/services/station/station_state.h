@@ -16,6 +16,7 @@
 #include "app/services/heap_keeper.h"
 #include "app/services/log/mission_feed.h"
 #include "app/services/station/cameras/station_cameras.h"
+#include "app/services/station/frame_watch.h"
 #include "app/services/station/joints/joint_moving.h"
 #include "app/services/station/lines/robot_lines.h"
 #include "app/services/station/safety/station_alarms.h"
@@ -48,6 +49,7 @@ struct Station::State {
     StationListener listener;
     std::optional<StationFile> memory;
     std::unique_ptr<Node> node;
+    FrameWatch frames;
     std::optional<TopicWatch> topicWatch;
     std::optional<ModelWatch> modelWatch;
     std::optional<RosNodeWatch> rosNodes;  ///< knows the nodes of all processes in the domain

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/base/words.h"
-#include "transport/convert/message_catalog.h"
 
 namespace leitstand {
 namespace {
@@ -22,20 +21,13 @@ Result<void> TopicWatch::watch(const SeenTopic& topic) {
     auto watched = std::make_shared<Watched>();
     watched->topic = topic.name;
     watched->type = topic.type;
-    const MessageType* const known = findMessageType(topic.type);
-    if (known == nullptr) {
-        watched->problem = leitstand::fill(
-            translate("leitstand::Topics", "The text of {} is not known here: its fields cannot be shown"),
-            topic.type);
-    } else if (auto text = MessageText::parse(topic.type, known->definition)) {
-        watched->text = std::move(text).value();
-    } else {
-        watched->problem = text.error().text;
-    }
+    watched->seen = topic;
+    m_types.forgetFailures();
     end();
     if (!topic.obstacle.empty()) {
         // Our reader would match nobody, and count as a mismatch of the station.
         watched->problem = topic.obstacle;
+        watched->hindered = true;
         const std::scoped_lock lock(m_mutex);
         m_watched = std::move(watched);
         return {};
@@ -53,6 +45,25 @@ Result<void> TopicWatch::watch(const SeenTopic& topic) {
     m_watched = std::move(watched);
     m_subscription = std::move(made).value();
     return {};
+}
+
+void TopicWatch::learn(Watched& watched) const {
+    SeenTopic seen;
+    {
+        const std::scoped_lock lock(watched.mutex);
+        if (watched.text || watched.hindered) return;
+        seen = watched.seen;
+    }
+    const auto text = m_types.text(seen);
+    const std::scoped_lock lock(watched.mutex);
+    watched.problem.clear();
+    if (!text)
+        watched.problem = leitstand::fill(
+            translate("leitstand::Topics", "The publisher is asked what {} is made of"), seen.type);
+    else if (*text)
+        watched.text = text->value();
+    else
+        watched.problem = text->error().text;
 }
 
 void TopicWatch::end() {
@@ -87,9 +98,11 @@ std::optional<TopicView> TopicWatch::view() const {
         watched = m_watched;
     }
     if (!watched) return std::nullopt;
+    learn(*watched);
     const SteadyTime now = steadyNow();
     TopicView view;
     Payload newest;
+    MessageTextPtr text;
     {
         const std::scoped_lock lock(watched->mutex);
         view.topic = watched->topic;
@@ -97,6 +110,7 @@ std::optional<TopicView> TopicWatch::view() const {
         view.messages = watched->messages;
         view.problem = watched->problem;
         newest = watched->newest;
+        text = watched->text;
         std::size_t bytes = 0, count = 0;
         for (const auto& [when, size] : watched->received) {
             if (now - when > Window) continue;
@@ -108,11 +122,11 @@ std::optional<TopicView> TopicWatch::view() const {
         view.megabits = 8e-6 * static_cast<double>(bytes) / seconds;
         if (!watched->received.empty()) view.age = secondsOf(now - watched->received.back().first);
     }
-    if (!newest || !watched->text) return view;
+    if (!newest || !text) return view;
     const std::scoped_lock looking(watched->looking);
     if (watched->shown != newest) {
         watched->shown = newest;
-        watched->inspected = inspect(*watched->text, *newest);  // the text never changes
+        watched->inspected = inspect(*text, *newest);  // a text never changes
     }
     const Result<InspectedMessage>& read = *watched->inspected;
     if (read)

@@ -12,6 +12,7 @@
 
 #include "app/services/domain/seen_topic.h"
 #include "app/services/topics/message_inspector.h"
+#include "app/services/topics/type_asker.h"
 #include "core/base/time.h"
 #include "core/event/raw_event.h"
 #include "transport/dds/node.h"
@@ -33,7 +34,7 @@ struct TopicView {
 /// subscribes as long as somebody looks. Any thread.
 class TopicWatch {
 public:
-    explicit TopicWatch(Node& node) : m_node(node) {}
+    explicit TopicWatch(Node& node) : m_node(node), m_types(node) {}
 
     /// Watches @p topic instead of the one before. Error: it cannot be subscribed.
     Result<void> watch(const SeenTopic& topic);
@@ -52,8 +53,10 @@ private:
     struct Watched {
         std::mutex mutex;
         std::string topic, type;
-        std::optional<MessageText> text;
+        SeenTopic seen;       ///< what is watched
+        MessageTextPtr text;  ///< null: not known yet, or at all
         std::string problem;
+        bool hindered = false;  ///< whether nothing can come
         SteadyTime since = steadyNow();
         Payload newest;
         std::uint64_t messages = 0;
@@ -67,7 +70,10 @@ private:
     };
     static void take(Watched& watched, const ReceivedSample& sample);
 
+    void learn(Watched& watched) const;
+
     Node& m_node;
+    mutable TypeAsker m_types;
     mutable std::mutex m_mutex;  ///< guards the two that follow
     std::shared_ptr<Watched> m_watched;
     std::unique_ptr<Subscription> m_subscription;

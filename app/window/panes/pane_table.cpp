@@ -24,6 +24,8 @@
 #include "app/window/panes/finds/finds_by_click.h"
 #include "app/window/panes/finds/finds_feature.h"
 #include "app/window/panes/finds/victims_feature.h"
+#include "app/window/panes/frames/frames_feature.h"
+
 #include "app/window/panes/joints/joints_feature.h"
 #include "app/window/panes/link/link_feature.h"
 #include "app/window/panes/link/logged_streams.h"
@@ -202,6 +204,10 @@ QWidget& topics(PaneMaking& from) {
     return (new TopicsFeature(*from.live))->pane();
 }
 
+QWidget& frames(PaneMaking& from) {
+    return (new FramesFeature(*from.live))->pane();
+}
+
 QWidget& messages(PaneMaking& from) {
     return (new MessagesFeature(from.view))->pane();
 }
@@ -228,6 +234,7 @@ constexpr PaneRow Table[] = {
     {"score", QT_TRANSLATE_NOOP("Panes", "Score"), liveScore, loggedScore, Kind::Plain, 5},
     {"link", QT_TRANSLATE_NOOP("Panes", "Link"), link, loggedStreams, Kind::Plain, 2},
     {"topics", QT_TRANSLATE_NOOP("Panes", "Topics"), topics, nullptr},
+    {"frames", QT_TRANSLATE_NOOP("Panes", "Frames"), frames, nullptr},
     {"alarms", QT_TRANSLATE_NOOP("Panes", "Alarms"), alarms, loggedAlarms, Kind::Kept},
     {"compare", QT_TRANSLATE_NOOP("Panes", "Compare"), nullptr, compare, Kind::Plain, 7},
     {"messages", QT_TRANSLATE_NOOP("Panes", "Messages"), messages, messages, Kind::Plain, 0, "", messages},

@@ -116,8 +116,8 @@ std::vector<Eigen::Vector2d> hullOf(std::vector<Eigen::Vector2d> points) {
     return hull;
 }
 
-/// Removes corners of the convex @p hull until it has @p most, each time the one that changes it least: it is
-/// replaced by the crossing of its neighbours' sides, so that the outline never shrinks.
+/// Removes corners of the convex @p hull until it has @p most. Each time, one side is removed: its neighbours
+/// grow until they meet. It is the side whose removal adds the least area; the outline never shrinks.
 std::vector<Eigen::Vector2d> simplified(std::vector<Eigen::Vector2d> hull, std::size_t most) {
     const auto at = [&](std::size_t i) -> Eigen::Vector2d& { return hull[i % hull.size()]; };
     while (hull.size() > most) {

@@ -36,7 +36,7 @@ struct OwnFolder {
     TemporaryFolder own;
 };
 
-class ModelsPage : private OwnFolder, public LivePage {
+class ModelsPage : protected OwnFolder, public LivePage {
 protected:
     ModelsPage() : LivePage(Robots::None, {ownCopy(own / "tracked.yaml")}) {
         m_robot = std::make_unique<ChildProcess>(

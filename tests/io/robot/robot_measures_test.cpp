@@ -74,7 +74,8 @@ TEST(RobotMeasures, AreAddedWhereTheFileHasNone) {
 TEST(RobotMeasures, ThatMakeNoSenseAreRefusedBeforeAnythingIsWritten) {
     RobotMeasures crossed = measures();
     std::swap(crossed.footprint[1], crossed.footprint[2]);
-    EXPECT_THAT(withMeasures(Head + Tail, "r.yaml", crossed).error().text, HasSubstr("r.yaml: footprint: expected"));
+    EXPECT_THAT(withMeasures(Head + Tail, "r.yaml", crossed).error().text,
+                HasSubstr("r.yaml: footprint: expected"));
     RobotMeasures flat = measures();
     flat.height = 0.0;
     EXPECT_FALSE(withMeasures(Head + Tail, "r.yaml", flat));
@@ -107,14 +108,18 @@ TEST(RobotMeasures, OfShippedRobotsGoIntoTheUsersOwnCopy) {
     });
     ASSERT_TRUE(own);
     EXPECT_EQ(*own, *file) << "the user's own file is changed itself";
-    EXPECT_THAT(editRobotFile(home / "none.yaml", edit).error().text, HasSubstr("none.yaml: expected a robot's file"));
+    EXPECT_THAT(editRobotFile(home / "none.yaml", edit).error().text,
+                HasSubstr("none.yaml: expected a robot's file"));
 }
 
 TEST(RobotMeasures, AllShippedFilesCanBeChanged) {
-    for (const char* name : {"husky", "kurt3d", "crawler", "tracked", "turtlebot4", "ouster", "livox", "turtlebot"}) {
+    for (const char* name :
+         {"husky", "kurt3d", "crawler", "tracked", "turtlebot4", "ouster", "livox", "turtlebot"}) {
         const std::string text = readText(shippedFolder("robots") / (std::string(name) + ".yaml"));
         RobotMeasures wanted = measures();
-        for (const auto& [sensor, described] : parseRobot(text, name)->sensors)
+        const auto robot = parseRobot(text, name);
+        ASSERT_TRUE(robot) << robot.error().text;
+        for (const auto& [sensor, described] : robot->sensors)
             wanted.sensorsInBase[sensor] = poseFrom({0.1, 0.2, 0.3}, degrees(10), degrees(20), degrees(30));
         expectMeasures(changed(text, wanted), wanted);
     }

@@ -43,7 +43,7 @@ PictureUnderDetections picture(const std::string& sensor, const std::string& fra
 TEST(DetectionMarks, LieInThePictureWithWhatTheyAre) {
     const auto marks = detectionMarks(rover("front"), seeing(""), picture("front", "f"));
     ASSERT_EQ(marks.size(), 1U);
-    EXPECT_EQ(marks[0].text, QStringLiteral("person 87 %"));
+    EXPECT_EQ(marks[0].text, QStringLiteral("person 87\u202f%"));
     EXPECT_NEAR(marks[0].corners[0].x(), 0.45, 1e-9);
     EXPECT_NEAR(marks[0].corners[0].y(), 0.3, 1e-9);
     EXPECT_NEAR(marks[0].corners[2].x(), 0.55, 1e-9);

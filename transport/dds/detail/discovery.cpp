@@ -1,7 +1,9 @@
 #include "transport/dds/detail/discovery.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
+#include <string_view>
 
 #include "core/base/time.h"
 #include "transport/dds/detail/convert.h"
@@ -42,6 +44,21 @@ bool speaksXcdr1(const fastdds::EndpointData& data) {
 
 Guid participantOf(const rtps::GUID_t& endpoint) {
     return guidOf(rtps::GUID_t(endpoint.guidPrefix, rtps::c_EntityId_RTPSParticipant));
+}
+
+/// Returns the type's hash in what an endpoint says about itself, "key=value;key=value;"; empty: there is
+/// none.
+std::string typeHashIn(const std::vector<std::uint8_t>& userData) {
+    constexpr std::string_view Key = "typehash=", Version = "RIHS01_";
+    constexpr std::size_t Digits = 64;
+    const std::string_view text(reinterpret_cast<const char*>(userData.data()), userData.size());
+    const std::size_t key = text.find(Key);
+    if (key == std::string_view::npos) return {};
+    const std::string_view hash = text.substr(key + Key.size(), Version.size() + Digits);
+    const bool right = hash.size() == Version.size() + Digits && hash.starts_with(Version) &&
+                       std::all_of(hash.begin() + Version.size(), hash.end(),
+                                   [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+    return right ? std::string(hash) : std::string();
 }
 
 }  // namespace
@@ -91,6 +108,7 @@ void Discovery::note(const fastdds::EndpointData& data, RemoteEndpoint::Kind kin
     endpoint.type = rosTypeOf(data.type);
     endpoint.keyed = data.keyed;
     endpoint.exclusiveOwnership = data.exclusive;
+    endpoint.typeHash = typeHashIn(data.userData);
     endpoint.partitions = data.partitions;
     endpoint.qos = qosOf(data, 1);
     {

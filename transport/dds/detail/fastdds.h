@@ -271,6 +271,7 @@ struct EndpointData {
     dds::LifespanQosPolicy lifespan;
     dds::LivelinessQosPolicy liveliness;
     dds::DataRepresentationQosPolicy representation;
+    std::vector<std::uint8_t> userData;
 };
 
 #if LEITSTAND_FASTDDS_3
@@ -289,6 +290,7 @@ template <class Data>
     if constexpr (requires { data.lifespan; }) endpoint.lifespan = data.lifespan;
     endpoint.liveliness = data.liveliness;
     endpoint.representation = data.representation;
+    endpoint.userData = data.user_data.getValue();
     return endpoint;
 }
 [[nodiscard]] inline rtps::GUID_t guidOf(const ParticipantData& data) {
@@ -316,6 +318,7 @@ template <class Data>
     endpoint.lifespan = data.m_qos.m_lifespan;
     endpoint.liveliness = data.m_qos.m_liveliness;
     endpoint.representation = data.m_qos.representation;
+    endpoint.userData = data.m_qos.m_userData.getValue();
     return endpoint;
 }
 [[nodiscard]] inline rtps::GUID_t guidOf(const ParticipantData& data) {

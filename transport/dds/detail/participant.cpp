@@ -73,10 +73,10 @@ Qos effective(const EndpointQos& endpoint) {
 
 /// Tells the type's hash as rmw does from Iron on, if it is known ("typehash=RIHS01_...;").
 template <class EndpointQos>
-void announceTypeHash(EndpointQos& qos, const std::string& type) {
+void announceTypeHash(EndpointQos& qos, const std::string& type, const std::string& given = {}) {
     const MessageType* const known = findMessageType(type);
-    if (known == nullptr) return;
-    const std::string words = fmt::format("typehash={};", known->hash);
+    if (known == nullptr && given.empty()) return;
+    const std::string words = fmt::format("typehash={};", given.empty() ? std::string(known->hash) : given);
     qos.user_data() = std::vector<std::uint8_t>(words.begin(), words.end());
 }
 
@@ -336,7 +336,7 @@ Result<efd::DataWriter*> Participant::createWriter(const WriterSettings& setting
     fromProfile(m_settings, settings.topic, qos, [this](const std::string& name, efd::DataWriterQos& into) {
         return m_publisher->get_datawriter_qos_from_profile(name, into);
     });
-    announceTypeHash(qos, settings.type);
+    announceTypeHash(qos, settings.type, settings.typeHash);
     auto* writer =
         m_publisher->create_datawriter(*topic, qos, &listener, efd::StatusMask::publication_matched());
     if (writer == nullptr) {
