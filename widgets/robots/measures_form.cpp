@@ -1,6 +1,6 @@
 #include "widgets/robots/measures_form.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -19,6 +19,7 @@ namespace leitstand {
 namespace {
 
 constexpr double Farthest = 10.0;  ///< as in robots' files [m]
+constexpr int Narrow = 84;         ///< of a box without a unit [px]
 
 NumberBox* metres(double low, const QString& name, QWidget* parent) {
     auto* box = new NumberBox(low, Farthest, 0.01, 3, QStringLiteral(" m"), parent);
@@ -143,10 +144,15 @@ void MeasuresForm::complain(const QString& problem) {
 }
 
 void MeasuresForm::setMeasures(const Measures& measures) {
+    // Boxes of the same sensors stay, and keep the focus.
+    const bool same = std::equal(measures.sensors.begin(), measures.sensors.end(), m_measures.sensors.begin(),
+                                 m_measures.sensors.end(), [](const SensorPlace& a, const SensorPlace& b) {
+                                     return a.name == b.name && a.frame == b.frame;
+                                 });
     m_measures = measures;
     m_chosen.clear();
     complain({});
-    fillSensors();
+    if (!same || m_boxes.empty()) fillSensors();
     showNumbers();
 }
 
@@ -157,8 +163,11 @@ void MeasuresForm::fillSensors() {
     }
     m_boxes.clear();
     const QString heads[] = {{}, tr("x"), tr("y"), tr("z"), tr("roll"), tr("pitch"), tr("yaw")};
-    for (int column = 0; column < 7; ++column)
-        m_grid->addWidget(new QLabel(heads[column], m_table), 0, column);
+    // Units stand above: boxes that repeat them do not fit side by side.
+    for (int column = 1; column < 7; ++column) {
+        const QString unit = column < 4 ? QStringLiteral(" [m]") : QStringLiteral(" [°]");
+        m_grid->addWidget(new QLabel(heads[column] + unit, m_table), 0, column);
+    }
     int row = 1;
     for (const SensorPlace& sensor : m_measures.sensors) {
         auto* name = new QLabel(othersText(sensor.name), m_table);
@@ -167,8 +176,9 @@ void MeasuresForm::fillSensors() {
         SensorBoxes boxes{};
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             const QString what = othersText(sensor.name) + QLatin1Char(' ') + heads[i + 1];
-            boxes[i] = i < 3 ? metres(-Farthest, what, m_table)
-                             : new NumberBox(-360.0, 360.0, 1.0, 2, QStringLiteral("°"), m_table);
+            boxes[i] = i < 3 ? new NumberBox(-Farthest, Farthest, 0.01, 3, {}, m_table)
+                             : new NumberBox(-360.0, 360.0, 1.0, 2, {}, m_table);
+            boxes[i]->setMinimumWidth(Narrow);
             boxes[i]->setAccessibleName(what);
             m_grid->addWidget(boxes[i], row, static_cast<int>(i) + 1);
             connect(boxes[i], &NumberBox::valueChanged, this, [this, chosen = sensor.name] {

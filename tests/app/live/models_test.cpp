@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QPushButton>
+#include <QTableView>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,7 @@
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/map_view/map_view.h"
+#include "widgets/models/frames/frame_rows.h"
 #include "widgets/robots/measures_form.h"
 
 namespace leitstand::test {
@@ -101,11 +103,13 @@ TEST_F(ModelsPage, ItsSizeIsTakenFromTheModelAndWrittenToItsFile) {
     EXPECT_NEAR(form->measures().height, 0.5, 1e-9);
     auto* const fromModel = form->findChild<QPushButton*>(QStringLiteral("fromModel"));
     ASSERT_TRUE(soon([&] { return fromModel->isEnabled(); })) << "the robot's model has come";
-    lookAt("measures-file");
+    if (const QString folder = qEnvironmentVariable("LEITSTAND_PICTURES"); !folder.isEmpty())
+        form->grab().save(folder + QStringLiteral("/measures-file.png"));
     fromModel->click();
     EXPECT_GT(form->measures().footprint.size(), 3U);
     const double height = form->measures().height;
     EXPECT_NE(height, 0.5);
+    QTest::qWait(200);
     if (const QString folder = qEnvironmentVariable("LEITSTAND_PICTURES"); !folder.isEmpty())
         form->grab().save(folder + QStringLiteral("/measures-model.png"));
     form->findChild<QPushButton*>(QStringLiteral("save"))->click();
@@ -116,6 +120,27 @@ TEST_F(ModelsPage, ItsSizeIsTakenFromTheModelAndWrittenToItsFile) {
     ASSERT_TRUE(written) << written.error().text;
     EXPECT_NEAR(written->height, height, 1e-3);
     EXPECT_EQ(written->streams.size(), shippedRobot("tracked").streams.size());
+}
+
+TEST_F(ModelsPage, ItsFramesAreATree) {
+    m_window->commands().find(QStringLiteral("frames.open"))->trigger();
+    auto* const table = m_window->findChild<QTableView*>(QStringLiteral("frames"));
+    const auto rowOf = [&](const QString& frame) {
+        for (int row = 0; row < table->model()->rowCount(); ++row) {
+            if (table->model()->index(row, 0).data().toString().trimmed() == frame) return row;
+        }
+        return -1;
+    };
+    ASSERT_TRUE(soon(
+        [&] { return rowOf(QStringLiteral("velodyne")) >= 0 && rowOf(QStringLiteral("base_link")) >= 0; }));
+    EXPECT_LT(rowOf(QStringLiteral("odom")), rowOf(QStringLiteral("base_link")));
+    EXPECT_LT(rowOf(QStringLiteral("base_link")), rowOf(QStringLiteral("velodyne")));
+    const auto cell = [&](const char* frame, int column) {
+        return table->model()->index(rowOf(QLatin1String(frame)), column).data().toString();
+    };
+    EXPECT_TRUE(soon([&] { return cell("base_link", FrameRowsModel::Rate).endsWith(QStringLiteral("Hz")); }));
+    EXPECT_EQ(cell("velodyne", FrameRowsModel::Rate), QStringLiteral("static"));
+    lookAt("frames");
 }
 
 }  // namespace
