@@ -7875,6 +7875,10 @@ F1 listet alle Tasten</translation>
         <source>{}: its model is not drawn: {}</source>
         <translation>{}: Sein Modell wird nicht gezeichnet: {}</translation>
     </message>
+    <message>
+        <source>it reaches farther than {} m from its base</source>
+        <translation>Es reicht weiter als {} m von seiner Basis</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotChip</name>

@@ -7875,6 +7875,10 @@ F1 でキー一覧</translation>
         <source>{}: its model is not drawn: {}</source>
         <translation>{}: モデルを描けません: {}</translation>
     </message>
+    <message>
+        <source>it reaches farther than {} m from its base</source>
+        <translation>ベースから {} m を超えて広がっています</translation>
+    </message>
 </context>
 <context>
     <name>leitstand::RobotChip</name>

@@ -104,7 +104,7 @@ struct RobotDescription {
     double maxClimb = 0.0;                   ///< steepest ramp [rad]; 0: not given, a usual value is used
     double maxStep = 0.0;                    ///< highest step [m]; 0: not given, a usual value is used
     /// Folders of ROS packages ("FOLDER/husky_description/meshes/base.dae"), which have the meshes of the
-    /// robot's model; relative to the folder of its file.
+    /// robot's model. readRobot() makes them absolute; in its file they count from the file's folder.
     std::vector<std::string> packages;
     /// Whether mapping estimates the motion within a turn of the scanner, because the odometry is poor.
     bool refineTurns = false;

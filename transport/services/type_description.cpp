@@ -19,7 +19,7 @@ namespace leitstand {
 namespace {
 
 // type_description_interfaces/msg/FieldType: a kind, and how often it is there.
-constexpr std::uint8_t Nested = 1, BoundedString = 21, PerForm = 48;
+constexpr std::uint8_t Nested = 1, FixedString = 19, BoundedString = 21, PerForm = 48;
 constexpr std::uint8_t Single = 0, Array = 1, BoundedSequence = 2, Sequence = 3;
 /// Types as .msg files name them, by their kinds; empty: not read by the station.
 constexpr std::array<std::string_view, 20> Kinds = {
@@ -91,7 +91,7 @@ Result<std::string> lineOf(const Field& field) {
     if (!isName(field.name) || (!field.nested.empty() && !isName(field.nested)))
         return Error{fmt::format("expected the name of a field, found {}", printable(field.name))};
     const std::uint8_t kind = field.type % PerForm, form = field.type / PerForm;
-    const bool text = kind >= BoundedString - 2 && kind <= BoundedString;
+    const bool text = kind == FixedString || kind == BoundedString;
     std::string type = kind == Nested ? withoutMsg(field.nested) : text ? "string" : std::string();
     if (type.empty() && kind < Kinds.size()) type = Kinds[kind];
     if (type.empty() || form > Sequence)

@@ -113,6 +113,8 @@ QWidget* MeasuresForm::buttons() {
     connect(m_model, &QPushButton::clicked, this, &MeasuresForm::modelWanted);
     connect(m_save, &QPushButton::clicked, this, &MeasuresForm::saveWanted);
     connect(close, &QPushButton::clicked, this, &MeasuresForm::closeWanted);
+    // Enter ends the writing of a number; it presses no button.
+    for (QPushButton* const button : {m_model, m_save, close}) button->setAutoDefault(false);
     line->addWidget(m_model);
     line->addStretch(1);
     line->addWidget(m_save);

@@ -15,29 +15,12 @@
 #include "app/services/domain/topic_role.h"
 #include "core/event/station_topics.h"
 #include "core/event/stream_role.h"
-#include "core/io/model/urdf.h"
-#include "core/robot/model/model_body.h"
 #include "core/robot/streams/stream_defaults.h"
 #include "core/robot/streams/stream_table.h"
 #include "transport/services/service_messages.h"
 
 namespace leitstand {
 namespace {
-
-/// Returns the extent of the robot with the model @p urdf; error: why its size is not known.
-Result<BodyExtent> extentOfModel(const std::string& urdf, const RobotDescription& robot) {
-    auto model = readUrdf(urdf, "model");
-    if (!model) return Error{"it cannot be drawn: " + model.error().text};
-    const ModelBody body = bodyOf(std::move(model).value(), robot.baseFrame,
-                                  [](const std::string& uri) -> Result<TriangleMesh> { return Error{uri}; });
-    for (std::size_t i = 0; i < body.model.links.size(); ++i) {
-        const bool drawn = std::any_of(body.parts.begin(), body.parts.end(),
-                                       [&](const BodyPart& part) { return part.link == i; });
-        if (!drawn && !body.model.links[i].visuals.empty())
-            return Error{"it has meshes: its size is not known without them"};
-    }
-    return extentOf(body);
-}
 
 /// Endings of a camera's topics, below its name.
 constexpr std::array<std::string_view, 16> OfPictures = {
@@ -230,7 +213,7 @@ void leaveOutBlindCameras(RobotGuess& guess) {
 void takeBody(RobotGuess& guess) {
     for (TopicVerdict& verdict : guess.topics) {
         if (verdict.role != StreamRole::Model || !verdict.topic.model) continue;
-        const auto extent = extentOfModel(*verdict.topic.model, guess.robot);
+        const Result<BodyExtent>& extent = *verdict.topic.model;
         if (!extent) {
             verdict.remark = extent.error().text;
             continue;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
+#include "core/robot/model/model_body.h"
 #include "core/robot/streams/qos.h"
 
 namespace leitstand {
@@ -21,8 +23,8 @@ struct SeenTopic {
     /// Full names of the ROS 2 nodes that publish the topic, or that read it if nobody publishes:
     /// "/kurt3d/driver". Empty: unknown.
     std::vector<std::string> nodes = {};
-    /// What was published there, if it is a robot's model (URDF); null: it is none, or none was received.
-    std::shared_ptr<const std::string> model = {};
+    /// How large the robot is by its model, if one is published there; null: none, or not known yet.
+    std::shared_ptr<const Result<BodyExtent>> model = {};
 };
 
 }  // namespace leitstand

@@ -1,5 +1,7 @@
 #include "app/services/models/robot_bodies.h"
 
+#include <chrono>
+#include <exception>
 #include <utility>
 
 #include "core/base/words.h"
@@ -21,6 +23,38 @@ std::string missingText(const RobotDescription& robot, const ModelBody& body) {
         robot.title, body.missing.size(), body.missing.front());
 }
 
+/// Whether a part of @p body lies farther from the base than any robot reaches.
+bool isTooLarge(const ModelBody& body) {
+    const auto poses = linksInBase(body.model, body.base, [](const std::string&) { return std::nullopt; });
+    for (const BodyPart& part : body.parts) {
+        for (const Eigen::Vector3f& vertex : part.surface.vertices) {
+            const Eigen::Vector3d inBase = poses[part.link] * vertex.cast<double>();
+            // Written so that what is no number is too large.
+            if (!(inBase.cwiseAbs().maxCoeff() <= ModelBody::Farthest)) return true;
+        }
+    }
+    return false;
+}
+
+Result<ModelBody> bodyIn(const std::string& urdf, const RobotDescription& robot,
+                         const std::stop_token& cancelled) {
+    auto model = readUrdf(urdf, robot.name + "/robot_description");
+    if (!model) return model.error();
+    const PackageFiles files = PackageFiles::of(robot);
+    ModelBody body = bodyOf(std::move(model).value(), robot.baseFrame,
+                            [&](const std::string& uri) -> Result<TriangleMesh> {
+                                if (cancelled.stop_requested()) return Error{"cancelled"};
+                                const auto file = files.find(uri);
+                                if (!file) return file.error();
+                                return readMesh(*file);
+                            });
+    if (isTooLarge(body))
+        return Error{
+            leitstand::fill(translate("leitstand::RobotBodies", "it reaches farther than {} m from its base"),
+                            ModelBody::Farthest)};
+    return body;
+}
+
 }  // namespace
 
 RobotBodies::RobotBodies(Notify notify)
@@ -31,52 +65,53 @@ RobotBodies::~RobotBodies() {
 }
 
 ModelBodyPtr RobotBodies::body(const RobotDescription& robot, const LatestPtr<RobotModelSample>& model) {
+    constexpr std::chrono::seconds Least{5};  // between two bodies of a robot
     if (!model) return nullptr;
     const std::lock_guard lock(m_mutex);
     Entry& entry = m_entries[robot.name];
-    if (entry.sequence == model->sequence) return entry.body;
-    entry.sequence = model->sequence;
-    // A review that jumps, or a robot that starts again, sends the same model as before.
-    if (entry.urdf == model->sample.urdf) return entry.body;
-    entry.urdf = model->sample.urdf;
-    entry.made = false;
-    m_jobs.submit([this, robot](const std::stop_token& cancelled) {
-        if (!cancelled.stop_requested()) make(robot);
-    });
+    if (entry.sequence != model->sequence) {
+        entry.sequence = model->sequence;
+        // A review that jumps, or a robot that starts again, sends the same model as before.
+        if (entry.wanted != model->sample.urdf) entry.wanted = model->sample.urdf;
+    }
+    const SteadyTime now = steadyNow();
+    const bool due = entry.began == SteadyTime{} || now - entry.began >= Least;
+    if (entry.atWork || entry.wanted == entry.made || !due) return entry.body;
+    entry.atWork = true;
+    entry.began = now;
+    m_jobs.submit([this, robot](const std::stop_token& cancelled) { make(robot, cancelled); });
     return entry.body;
 }
 
-void RobotBodies::make(const RobotDescription& robot) {
-    std::string urdf;
+void RobotBodies::make(const RobotDescription& robot, const std::stop_token& cancelled) {
+    std::string urdf, text;
     {
         const std::lock_guard lock(m_mutex);
-        const Entry& entry = m_entries[robot.name];
-        if (entry.made) return;  // the newest model was made in place of an earlier one
-        urdf = entry.urdf;
+        urdf = m_entries[robot.name].wanted;
     }
-    auto model = readUrdf(urdf, robot.name + "/robot_description");
     ModelBodyPtr body;
-    std::string text;
-    if (model) {
-        const PackageFiles files = PackageFiles::of(robot);
-        auto made = std::make_shared<const ModelBody>(bodyOf(
-            std::move(model).value(), robot.baseFrame, [&](const std::string& uri) -> Result<TriangleMesh> {
-                const auto file = files.find(uri);
-                if (!file) return file.error();
-                return readMesh(*file);
-            }));
-        text = missingText(robot, *made);
-        if (!made->parts.empty()) body = std::move(made);
-    } else {
+    try {
+        auto made = bodyIn(urdf, robot, cancelled);
+        if (cancelled.stop_requested()) return;
+        if (made) {
+            text = missingText(robot, *made);
+            if (!made->parts.empty()) body = std::make_shared<const ModelBody>(std::move(made).value());
+        } else {
+            text = leitstand::fill(translate("leitstand::RobotBodies", "{}: its model is not drawn: {}"),
+                                   robot.title, made.error().text);
+        }
+    } catch (const std::exception& broken) {  // out of memory, or what a library throws
         text = leitstand::fill(translate("leitstand::RobotBodies", "{}: its model is not drawn: {}"),
-                               robot.title, model.error().text);
+                               robot.title, broken.what());
     }
     {
         const std::lock_guard lock(m_mutex);
         Entry& entry = m_entries[robot.name];
-        if (entry.urdf != urdf) return;  // a newer one follows
         entry.body = std::move(body);
-        entry.made = true;
+        entry.made = std::move(urdf);
+        entry.atWork = false;
+        if (entry.said == text) return;
+        entry.said = text;
     }
     if (!text.empty()) m_notify(text);
 }

@@ -53,6 +53,7 @@ TypeAsker::Question TypeAsker::begin(const SeenTopic& topic) {
 }
 
 std::optional<Result<MessageTextPtr>> TypeAsker::text(const SeenTopic& topic) {
+    std::unique_ptr<ServiceClient> answered;  // destroyed without the lock: it waits for its callback
     const std::lock_guard lock(m_mutex);
     auto found = m_questions.find(topic.type);
     if (found == m_questions.end()) {
@@ -62,7 +63,10 @@ std::optional<Result<MessageTextPtr>> TypeAsker::text(const SeenTopic& topic) {
     Question& question = found->second;
     {
         const std::lock_guard reading(question.asked->mutex);
-        if (question.asked->answer) return question.asked->answer;
+        if (question.asked->answer) {
+            answered = std::move(question.client);
+            return question.asked->answer;
+        }
     }
     if (!question.sent && !question.client->servers().empty())
         question.sent = question.client->call(encodeTypeRequest({topic.type, topic.typeHash}), 1).ok();

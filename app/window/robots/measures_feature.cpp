@@ -45,6 +45,7 @@ MeasuresFeature::MeasuresFeature(const LiveContext& context)
 void MeasuresFeature::open() {
     const RobotDescription* const robot = m_context.selection.find(m_context.selection.name());
     if (robot == nullptr) return;
+    if (m_dialog->isVisible() && m_robot == robot->name) return m_dialog->raise();  // its numbers stay
     m_robot = robot->name;
     m_body.reset();
     m_dialog->setWindowTitle(tr("Size and sensors of %1").arg(m_context.selection.faceOfRobot(*robot).title));
@@ -73,7 +74,10 @@ void MeasuresFeature::show(const LiveMoment& moment) {
 }
 
 void MeasuresFeature::takeModel() {
-    if (m_body) m_form->setMeasures(withModel(m_form->measures(), *m_body));
+    if (!m_body) return;
+    std::string problem;
+    m_form->setMeasures(withModel(m_form->measures(), *m_body, problem));
+    m_form->complain(QString::fromStdString(problem));
 }
 
 void MeasuresFeature::save() {

@@ -279,6 +279,10 @@ Result<RobotDescription> readRobot(const std::filesystem::path& file) {
     if (!read) return read;
     RobotDescription robot = std::move(read).value();
     robot.file = file.string();
+    // The mission's copy of the file stands elsewhere, and means the same folders.
+    for (std::string& folder : robot.packages)
+        folder =
+            std::filesystem::absolute(file, problem).parent_path().append(folder).lexically_normal().string();
     return robot;
 }
 

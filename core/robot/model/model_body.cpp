@@ -65,14 +65,24 @@ private:
     std::vector<std::string> m_missing;
 };
 
+/// Keeps what was put together so far small, however many parts follow.
+void bound(TriangleMesh& surface) {
+    if (surface.triangles.size() > 4 * ModelBody::MostTriangles)
+        surface = reduced(std::move(surface), ModelBody::MostTriangles);
+}
+
 TriangleMesh surfaceOf(const ModelLink& link, Surfaces& surfaces) {
     TriangleMesh surface;
     bool whole = true;
-    for (const LinkPart& part : link.visuals) whole = surfaces.add(surface, part) && whole;
+    for (const LinkPart& part : link.visuals) {
+        whole = surfaces.add(surface, part) && whole;
+        bound(surface);
+    }
     if (whole) return surface;
     TriangleMesh simple;
     for (const LinkPart& part : link.collisions) {
         if (!std::holds_alternative<MeshShape>(part.shape)) surfaces.add(simple, part);
+        bound(simple);
     }
     return simple.triangles.empty() ? surface : simple;
 }
@@ -83,14 +93,20 @@ std::size_t trianglesOf(const std::vector<BodyPart>& parts) {
     return count;
 }
 
-/// Reduces all parts alike, so that they have @p most triangles together. Small ones stay as they are.
+/// Reduces @p parts so that they have @p most triangles together. Small parts stay as they are; what they
+/// leave of the budget is shared among the larger ones.
 void reduceAll(std::vector<BodyPart>& parts, std::size_t most) {
-    constexpr std::size_t Small = 60;
-    const std::size_t all = trianglesOf(parts);
-    if (all <= most) return;
-    for (BodyPart& part : parts) {
-        const std::size_t share = part.surface.triangles.size() * most / all;
-        part.surface = reduced(std::move(part.surface), std::max(share, Small));
+    if (trianglesOf(parts) <= most) return;
+    std::vector<BodyPart*> bySize;
+    for (BodyPart& part : parts) bySize.push_back(&part);
+    std::sort(bySize.begin(), bySize.end(), [](const BodyPart* a, const BodyPart* b) {
+        return a->surface.triangles.size() < b->surface.triangles.size();
+    });
+    std::size_t left = most;
+    for (std::size_t i = 0; i < bySize.size(); ++i) {
+        TriangleMesh& surface = bySize[i]->surface;
+        surface = reduced(std::move(surface), left / (bySize.size() - i));
+        left -= surface.triangles.size();
     }
 }
 
@@ -100,6 +116,7 @@ double cross(const Eigen::Vector2d& from, const Eigen::Vector2d& a, const Eigen:
 
 /// Returns the convex hull of @p points, counter-clockwise (Andrew 1979).
 std::vector<Eigen::Vector2d> hullOf(std::vector<Eigen::Vector2d> points) {
+    if (points.size() < 3) return {};
     std::sort(points.begin(), points.end(),
               [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
     std::vector<Eigen::Vector2d> hull;
@@ -153,9 +170,16 @@ std::vector<Eigen::Vector2d> simplified(std::vector<Eigen::Vector2d> hull, std::
 ModelBody bodyOf(RobotModel model, const std::string& baseFrame, const MeshSource& meshes) {
     ModelBody body;
     Surfaces surfaces(meshes);
+    std::size_t triangles = 0;
     for (std::size_t i = 0; i < model.links.size(); ++i) {
         TriangleMesh surface = surfaceOf(model.links[i], surfaces);
-        if (!surface.triangles.empty()) body.parts.push_back({i, std::move(surface)});
+        body.whole = body.whole && (!surface.triangles.empty() || model.links[i].visuals.empty());
+        if (surface.triangles.empty()) continue;
+        triangles += surface.triangles.size();
+        body.parts.push_back({i, std::move(surface)});
+        if (triangles <= 10 * ModelBody::MostTriangles) continue;
+        reduceAll(body.parts, ModelBody::MostTriangles);
+        triangles = trianglesOf(body.parts);
     }
     reduceAll(body.parts, ModelBody::MostTriangles);
     body.base = model.linkAt(baseFrame).value_or(model.root);
@@ -166,21 +190,36 @@ ModelBody bodyOf(RobotModel model, const std::string& baseFrame, const MeshSourc
 
 Result<BodyExtent> extentOf(const ModelBody& body) {
     constexpr std::size_t MostCorners = 16;
+    constexpr double Millimetres = 1e3, Flattest = 0.01;  // [m], as in robots' files
+    if (!body.whole)
+        return Error{"parts of the robot's model are meshes that are not here: its size is not known"};
     const auto poses = linksInBase(body.model, body.base, [](const std::string&) { return std::nullopt; });
+    const auto rounded = [&](const std::vector<Eigen::Vector2d>& corners) {
+        std::vector<Eigen::Vector2d> result;
+        for (const Eigen::Vector2d& corner : corners)
+            result.emplace_back((Millimetres * corner).array().round() / Millimetres);
+        return result;
+    };
     std::vector<Eigen::Vector2d> seen;
-    double lowest = 0.0, highest = 0.0;
+    double lowest = 0.0, highest = 0.0, farthest = 0.0;
     for (const BodyPart& part : body.parts) {
         for (const Eigen::Vector3f& vertex : part.surface.vertices) {
             const Eigen::Vector3d inBase = poses[part.link] * vertex.cast<double>();
             lowest = seen.empty() ? inBase.z() : std::min(lowest, inBase.z());
             highest = seen.empty() ? inBase.z() : std::max(highest, inBase.z());
+            farthest = std::max(farthest, inBase.cwiseAbs().maxCoeff());
             seen.emplace_back(inBase.head<2>());
         }
     }
     BodyExtent extent;
-    if (seen.size() >= 3) extent.footprint = simplified(hullOf(std::move(seen)), MostCorners);
-    extent.height = highest - lowest;
+    if (farthest > ModelBody::Farthest)
+        return Error{"the robot's model reaches farther than 10 m from its base: expected metres"};
+    // Corners that are the same when they are written are one.
+    if (seen.size() >= 3)
+        extent.footprint = hullOf(rounded(simplified(hullOf(std::move(seen)), MostCorners)));
+    extent.height = std::round(Millimetres * (highest - lowest)) / Millimetres;
     if (extent.footprint.size() < 3) return Error{"the robot's model has no surface"};
+    if (extent.height < Flattest) return Error{"the robot's model is flatter than 1 cm"};
     return extent;
 }
 

@@ -24,10 +24,13 @@ struct BodyPart {
 struct ModelBody {
     /// Triangles that a body is drawn with at most.
     static constexpr std::size_t MostTriangles = 12'000;
+    static constexpr double Farthest = 10.0;  ///< of its parts from the base, all joints at rest [m]
 
     RobotModel model;
-    std::size_t base = 0;              ///< index of the link that is the robot's base frame
-    std::vector<BodyPart> parts;       ///< links without a surface have none
+    std::size_t base = 0;         ///< index of the link that is the robot's base frame
+    std::vector<BodyPart> parts;  ///< links without a surface have none
+    /// Whether each link that has something to show is drawn, if only with simple shapes.
+    bool whole = true;
     std::vector<std::string> missing;  ///< why meshes are not drawn, one text per mesh
 };
 using ModelBodyPtr = std::shared_ptr<const ModelBody>;
@@ -45,7 +48,8 @@ struct BodyExtent {
         footprint;        ///< convex, counter-clockwise, at most 16 corners, in the base [m]
     double height = 0.0;  ///< of its highest point above its lowest [m]
 };
-/// Returns the extent of @p body; error: it has no surface.
+/// Returns the extent of @p body, to the millimetre. Errors: it has no surface, is not whole, or is larger or
+/// flatter than a robot's file may say.
 [[nodiscard]] Result<BodyExtent> extentOf(const ModelBody& body);
 
 }  // namespace leitstand

@@ -1,6 +1,7 @@
 #include "core/robot/model/robot_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -19,10 +20,14 @@ double atRest(const ModelJoint& joint) {
 }
 
 double positionOf(const ModelJoint& joint, const JointPositions& positions) {
-    if (const auto own = positions(joint.name)) return *own;
+    // Some drivers send NaN for what they do not know; huge numbers are no angles.
+    constexpr double Most = 1e5;  // [rad or m]
+    const auto isSane = [](double position) { return std::abs(position) <= Most; };
+    if (const auto own = positions(joint.name); own && isSane(*own)) return *own;
     if (joint.mimics) {
-        if (const auto other = positions(joint.mimics->joint))
-            return joint.mimics->multiplier * *other + joint.mimics->offset;
+        const auto other = positions(joint.mimics->joint);
+        const double position = other ? joint.mimics->multiplier * *other + joint.mimics->offset : Infinite;
+        if (isSane(position)) return position;
     }
     return atRest(joint);
 }

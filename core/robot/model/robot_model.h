@@ -84,7 +84,7 @@ struct RobotModel {
 using JointPositions = std::function<std::optional<double>(const std::string& joint)>;
 
 /// Returns the pose of each link in the link at @p base, in the order of RobotModel::links. Joints whose
-/// positions are unknown are at 0, or at the limit that is nearest to 0.
+/// positions are unknown, or make no sense, are at 0, or at the limit that is nearest to 0.
 [[nodiscard]] std::vector<Pose> linksInBase(const RobotModel& model, std::size_t base,
                                             const JointPositions& positions);
 

@@ -30,29 +30,46 @@ void count(FrameNode& node, Time now) {
 
 }  // namespace
 
+bool FrameTree::makeRoom() {
+    if (m_nodes.size() < MostFrames) return true;
+    auto oldest = m_nodes.end();
+    for (auto node = m_nodes.begin(); node != m_nodes.end(); ++node) {
+        const bool older = oldest == m_nodes.end() || node->second.received < oldest->second.received;
+        if (!node->second.fixed && older) oldest = node;
+    }
+    if (oldest == m_nodes.end()) return false;
+    m_nodes.erase(oldest);
+    return true;
+}
+
+void FrameTree::take(const FrameTransform& one, const Event& event) {
+    constexpr std::size_t MostOthers = 8;
+    if (one.childFrame.size() > LongestName || one.header.frame.size() > LongestName) return;
+    auto found = m_nodes.find(one.childFrame);
+    const bool isNew = found == m_nodes.end();
+    if (isNew && !makeRoom()) return;
+    if (isNew) found = m_nodes.try_emplace(one.childFrame).first;
+    FrameNode& node = found->second;
+    const bool fixed = event.role == StreamRole::StaticTransforms;
+    if (!isNew && node.parent != one.header.frame && node.others.size() < MostOthers)
+        node.others[node.parent] = {node.received, node.fixed};
+    node.others.erase(one.header.frame);
+    if (fixed)
+        node.rate = 0.0;
+    else if (!isNew)
+        count(node, event.received);
+    node.frame = one.childFrame;
+    node.parent = one.header.frame;
+    node.topic = event.topic;
+    node.fixed = fixed;
+    node.received = event.received;
+    node.frameInParent = one.childInParent;
+}
+
 void FrameTree::take(const Event& event) {
     const auto* const transforms = event.sample.as<TransformsSample>();
     if (transforms == nullptr) return;
-    const bool fixed = event.role == StreamRole::StaticTransforms;
-    for (const FrameTransform& one : transforms->transforms) {
-        const auto found = m_nodes.find(one.childFrame);
-        if (found == m_nodes.end() && m_nodes.size() >= MostFrames) continue;
-        FrameNode& node = found == m_nodes.end() ? m_nodes[one.childFrame] : found->second;
-        if (found != m_nodes.end() && node.parent != one.header.frame) {
-            node.otherParent = node.parent;
-            node.disputed = event.received;
-        }
-        if (fixed)
-            node.rate = 0.0;
-        else if (found != m_nodes.end())
-            count(node, event.received);
-        node.frame = one.childFrame;
-        node.parent = one.header.frame;
-        node.topic = event.topic;
-        node.fixed = fixed;
-        node.received = event.received;
-        node.frameInParent = one.childInParent;
-    }
+    for (const FrameTransform& one : transforms->transforms) take(one, event);
 }
 
 std::vector<FrameRow> FrameTree::rows(Time now) const {
@@ -61,8 +78,11 @@ std::vector<FrameRow> FrameTree::rows(Time now) const {
     std::vector<FrameRow> rows;
     std::set<std::string> shown;
     const auto rowOf = [&](const FrameNode& node, int depth) {
-        FrameRow row{node, false, depth, false};
-        if (now - node.disputed > DisputeLasts) row.node.otherParent.clear();
+        FrameRow row;
+        row.node = node;
+        row.depth = depth;
+        for (const auto& [parent, other] : node.others)
+            if (other.fixed || now - other.received <= DisputeLasts) row.otherParent = parent;
         return row;
     };
     // A stack, not a recursion: a hostile robot may send a chain of any length.

@@ -22,6 +22,8 @@
 #include "tests/support/temporary_folder.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/frames/frame_rows.h"
+#include "widgets/models/live/robots/measures.h"
+#include "widgets/painting/number_box.h"
 #include "widgets/robots/measures_form.h"
 
 namespace leitstand::test {
@@ -105,6 +107,11 @@ TEST_F(ModelsPage, ItsSizeIsTakenFromTheModelAndWrittenToItsFile) {
     ASSERT_TRUE(soon([&] { return fromModel->isEnabled(); })) << "the robot's model has come";
     if (const QString folder = qEnvironmentVariable("LEITSTAND_PICTURES"); !folder.isEmpty())
         form->grab().save(folder + QStringLiteral("/measures-file.png"));
+    auto* const ahead = form->findChild<NumberBox*>();
+    ahead->setFocus();
+    ahead->setValue(0.62);
+    QTest::keyClick(ahead, Qt::Key_Return);
+    EXPECT_NEAR(sidesOf(form->measures().footprint).front, 0.62, 1e-9) << "Enter presses no button";
     fromModel->click();
     EXPECT_GT(form->measures().footprint.size(), 3U);
     const double height = form->measures().height;

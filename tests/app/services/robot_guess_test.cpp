@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/services/domain/model_watch.h"
 #include "app/services/log/replay/replay_rules.h"
 #include "core/event/stream_role.h"
 
@@ -306,7 +307,8 @@ TEST(ReplayRules, RobotsAreToldByTheirNamespaces) {
 
 SeenTopic modelOf(const std::string& links) {
     SeenTopic seen = topic("/robot_description", "std_msgs/msg/String");
-    seen.model = std::make_shared<const std::string>("<robot name=\"r\">" + links + "</robot>");
+    seen.model =
+        std::make_shared<const Result<BodyExtent>>(extentOfModel("<robot name=\"r\">" + links + "</robot>"));
     return seen;
 }
 
@@ -334,7 +336,8 @@ TEST(RobotGuess, AModelThatShowsOnlyPartOfTheRobotTellsNoSize) {
                  "</visual></link><joint name=\"j\" type=\"fixed\"><parent link=\"base_link\"/>"
                  "<child link=\"wheel\"/></joint>")});
     EXPECT_TRUE(guesses[0].robot.footprint.empty());
-    EXPECT_THAT(verdictOn(guesses[0], "/robot_description").remark, HasSubstr("it has meshes"));
+    EXPECT_THAT(verdictOn(guesses[0], "/robot_description").remark,
+                HasSubstr("are meshes that are not here"));
     const auto broken = guessRobots({topic("/odom", "nav_msgs/msg/Odometry"), modelOf("<link>")});
     EXPECT_TRUE(broken[0].robot.footprint.empty());
     EXPECT_THAT(verdictOn(broken[0], "/robot_description").remark, HasSubstr("cannot be drawn"));

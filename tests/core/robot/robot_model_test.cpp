@@ -73,6 +73,19 @@ TEST(RobotModel, AJointThatMimicsAnotherFollowsIt) {
     EXPECT_NEAR((poses[2].translation() - Eigen::Vector3d(0, 0, 1)).norm(), 0.5 + 0.5 * 0.4 + 0.1, 1e-12);
 }
 
+TEST(RobotModel, PositionsThatMakeNoSenseAreUnknown) {
+    RobotModel model = arm();
+    for (const double wrong : {std::nan(""), 1e300, -1e300}) {
+        const auto poses = linksInBase(model, 0, [&](const std::string&) { return std::optional(wrong); });
+        EXPECT_TRUE(poses[2].translation().isApprox(Eigen::Vector3d(0.5, 0, 1))) << wrong;
+    }
+    model.joints[1].mimics = MimickedJoint{"shoulder", 1e6, 0.0};
+    const auto poses = linksInBase(model, 0, [](const std::string& name) {
+        return name == "shoulder" ? std::optional(1.0) : std::nullopt;
+    });
+    EXPECT_NEAR((poses[2].translation() - Eigen::Vector3d(0, 0, 1)).norm(), 0.5, 1e-9);
+}
+
 TEST(RobotModel, LinksAreFoundWithAndWithoutTheRobotsPrefix) {
     EXPECT_EQ(arm().linkAt("rover/arm"), 1U);
     EXPECT_EQ(arm().linkAt("leg"), std::nullopt);
@@ -163,7 +176,44 @@ TEST(BodyOf, ManyTrianglesBecomeFew) {
     std::size_t triangles = 0;
     for (const BodyPart& one : body.parts) triangles += one.surface.triangles.size();
     EXPECT_EQ(body.parts.size(), 300U);
-    EXPECT_LE(triangles, 300U * 60U);
+    EXPECT_LE(triangles, ModelBody::MostTriangles);
+}
+
+TEST(BodyOf, OneLinkWithManyPartsIsBoundedWhileItIsMade) {
+    RobotModel model;
+    model.links = {{"base_link", {}, {}}};
+    for (int i = 0; i < 5'000; ++i) model.links[0].visuals.push_back(part(SphereShape{0.5}, 0.001 * i));
+    const ModelBody body = bodyOf(model, "base_link", noMesh);
+    ASSERT_EQ(body.parts.size(), 1U);
+    EXPECT_LE(body.parts[0].surface.triangles.size(), ModelBody::MostTriangles);
+}
+
+TEST(BodyOf, SmallPartsKeepTheirFormBesideALargeOne) {
+    RobotModel model = arm();
+    TriangleMesh huge;
+    for (std::uint32_t i = 0; i < 100'000; ++i) {
+        const auto x = static_cast<float>(i % 1'000) * 1e-3F, y = static_cast<float>(i / 1'000) * 1e-2F;
+        huge.vertices.insert(huge.vertices.end(), {{x, y, 0}, {x + 1e-3F, y, 0}, {x, y + 1e-2F, 0}});
+        huge.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        huge.colours.emplace_back(1, 1, 1);
+    }
+    model.links[0].visuals = {part(MeshShape{"huge"})};
+    model.links[1].visuals = {part(BoxShape{{0.1, 0.1, 0.1}})};
+    const ModelBody body =
+        bodyOf(model, "base_link", [&](const std::string&) { return Result<TriangleMesh>(huge); });
+    ASSERT_EQ(body.parts.size(), 2U);
+    EXPECT_EQ(body.parts[1].surface.triangles.size(), 12U);
+}
+
+TEST(ExtentOf, OfWhatIsNoRobotIsRefused) {
+    RobotModel model = arm();
+    model.links[0].visuals = {part(BoxShape{{30, 1, 1}})};
+    EXPECT_THAT(extentOf(bodyOf(model, "base_link", noMesh)).error().text, HasSubstr("farther than 10 m"));
+    model.links[0].visuals = {part(BoxShape{{1, 1, 0.001}})};
+    EXPECT_THAT(extentOf(bodyOf(model, "base_link", noMesh)).error().text, HasSubstr("flatter"));
+    model.links[0].visuals = {part(BoxShape{{1, 1, 1}})};
+    model.links[1].visuals = {part(MeshShape{"package://a/b.dae"})};
+    EXPECT_THAT(extentOf(bodyOf(model, "base_link", noMesh)).error().text, HasSubstr("not here"));
 }
 
 TEST(ExtentOf, IsTheOutlineFromAboveAndTheHeight) {

@@ -2,6 +2,7 @@
 #include "core/station/frames/frame_tree.h"
 
 #include <chrono>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -75,9 +76,23 @@ TEST(FrameTree, TwoParentsOfAFrameAreNamedWhileBothCome) {
     tree.take(transforms({{"map", "base"}}, Began + milliseconds(20)));
     auto rows = tree.rows(Began + milliseconds(40));
     EXPECT_THAT(namesOf(rows), ElementsAre("map", " base"));
-    EXPECT_EQ(rows[1].node.otherParent, "odom");
+    EXPECT_EQ(rows[1].otherParent, "odom");
     rows = tree.rows(Began + std::chrono::seconds(8));
-    EXPECT_EQ(rows[1].node.otherParent, "") << "the first one ceased";
+    EXPECT_EQ(rows[1].otherParent, "") << "the first one ceased";
+}
+
+TEST(FrameTree, StaticParentsStayInDispute) {
+    FrameTree tree;
+    tree.take(transforms({{"base", "lidar"}}, Began, StreamRole::StaticTransforms));
+    tree.take(transforms({{"mast", "lidar"}, {"base", "mast"}}, Began, StreamRole::StaticTransforms));
+    tree.take(transforms({{"odom", "base"}}, Began, StreamRole::StaticTransforms));
+    tree.take(transforms({{"map", "base"}}, Began + std::chrono::seconds(60)));
+    std::map<std::string, std::string> others;
+    for (const FrameRow& row : tree.rows(Began + std::chrono::seconds(61)))
+        others[row.node.frame] = row.otherParent;
+    EXPECT_EQ(others["lidar"], "base") << "both were told for good";
+    EXPECT_EQ(others["base"], "odom") << "one was told for good";
+    EXPECT_EQ(others["mast"], "");
 }
 
 TEST(FrameTree, CirclesAreShownAndConnectNothing) {
@@ -95,11 +110,22 @@ TEST(FrameTree, CirclesAreShownAndConnectNothing) {
 
 TEST(FrameTree, IsBoundedHoweverManyFramesCome) {
     FrameTree tree;
+    tree.take(transforms({{"base", "lidar"}}, Began, StreamRole::StaticTransforms));
     for (int i = 0; i < 5'000; ++i)
-        tree.take(transforms({{"f" + std::to_string(i), "f" + std::to_string(i + 1)}}));
+        tree.take(transforms({{"base", "person_" + std::to_string(i)}}, Began + i * milliseconds(1)));
+    tree.take(transforms({{"base", std::string(300, 'x')}}));
     const auto rows = tree.rows(Began);
-    EXPECT_EQ(rows.size(), FrameTree::MostFrames + 1) << "a chain, and its root";
-    EXPECT_EQ(rows.back().depth, static_cast<int>(FrameTree::MostFrames));
+    EXPECT_EQ(rows.size(), FrameTree::MostFrames + 1) << "and their root";
+    EXPECT_TRUE(tree.connects("lidar", "base")) << "what is static stays";
+    EXPECT_TRUE(tree.connects("person_4999", "base"));
+    EXPECT_FALSE(tree.connects("person_1", "base"));
+}
+
+TEST(FrameTree, ALongChainIsARow) {
+    FrameTree tree;
+    for (int i = 0; i < 2'000; ++i)
+        tree.take(transforms({{"f" + std::to_string(i), "f" + std::to_string(i + 1)}}));
+    EXPECT_EQ(tree.rows(Began).back().depth, 2'000);
 }
 
 }  // namespace

@@ -44,15 +44,23 @@ TEST(Measures, TheModelGivesOutlineHeightAndThePlacesOfItsLinks) {
     mast.jointInParent.translation().z() = 0.5;
     model.joints = {mast};
     Measures measures;
-    measures.sensors = {{"camera", "camera_optical", Pose::Identity()}, {"lidar", "rover/velodyne", Pose::Identity()}};
-    const Measures taken = withModel(
-        measures, bodyOf(model, "base_link", [](const std::string& uri) -> Result<TriangleMesh> {
-            return Error{uri};
-        }));
+    measures.sensors = {{"camera", "camera_optical", Pose::Identity()},
+                        {"lidar", "rover/velodyne", Pose::Identity()}};
+    const auto none = [](const std::string& uri) -> Result<TriangleMesh> { return Error{uri}; };
+    std::string problem;
+    const Measures taken = withModel(measures, bodyOf(model, "base_link", none), problem);
+    EXPECT_EQ(problem, "");
     EXPECT_NEAR(taken.height, 0.3, 1e-6);
     EXPECT_NEAR(sidesOf(taken.footprint).front, 0.4, 1e-6);
     EXPECT_EQ(taken.sensors[1].sensorInBase.translation().z(), 0.5);
     EXPECT_TRUE(taken.sensors[0].sensorInBase.isApprox(Pose::Identity())) << "the model has no such link";
+    LinkPart mesh;
+    mesh.shape = MeshShape{"package://a/b.dae"};
+    model.links[1].visuals = {mesh};
+    const Measures partial = withModel(measures, bodyOf(model, "base_link", none), problem);
+    EXPECT_NE(problem, "") << "part of the robot is not here";
+    EXPECT_EQ(partial.height, measures.height);
+    EXPECT_EQ(partial.sensors[1].sensorInBase.translation().z(), 0.5) << "places are known all the same";
 }
 
 }  // namespace

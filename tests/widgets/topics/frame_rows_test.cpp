@@ -42,7 +42,7 @@ TEST(FrameLines, WhatIsWrongIsAmberAndTold) {
     FrameRow old = row("base_link", "odom", 1);
     old.node.received = Now - std::chrono::seconds(7);
     FrameRow disputed = row("arm", "base_link", 2);
-    disputed.node.otherParent = "map";
+    disputed.otherParent = "map";
     FrameRow circle = row("a", "b", 0);
     circle.circle = true;
     const std::vector<FrameRow> rows = {row("odom", "", 0), old, disputed, circle};

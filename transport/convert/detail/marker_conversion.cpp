@@ -151,6 +151,23 @@ const wire::vision_msgs::ObjectHypothesis* likeliest(
     return best == results.end() ? nullptr : &best->hypothesis;
 }
 
+Detection seenIn(const wire::vision_msgs::Detection2D& from, Checks& checks) {
+    constexpr double Farthest = 1e6;  // [px]
+    Detection to;
+    to.centre = checks.vector2("bbox.center", from.bbox.center.position);
+    to.turned = checks.finite("bbox.center.theta", from.bbox.center.theta);
+    to.size = {checks.finite("bbox.size_x", from.bbox.size_x),
+               checks.finite("bbox.size_y", from.bbox.size_y)};
+    checks.require(to.centre.cwiseAbs().maxCoeff() <= Farthest && to.size.maxCoeff() <= Farthest &&
+                       to.size.minCoeff() >= 0.0,
+                   "bbox", "expected 0 to {} px", Farthest);
+    if (const auto* const best = likeliest(from.results); best != nullptr) {
+        to.label = shortened(best->class_id);
+        if (std::isfinite(best->score)) to.score = best->score;
+    }
+    return to;
+}
+
 }  // namespace
 
 MarkersSample fromWire(const wire::visualization_msgs::MarkerArray& from, const Source&, Checks& checks) {
@@ -268,30 +285,22 @@ MarkersSample fromWire(const wire::vision_msgs::Detection3DArray& from, const So
 }
 
 DetectionsSample fromWire(const wire::vision_msgs::Detection2DArray& from, const Source&, Checks& checks) {
-    constexpr double Farthest = 1e6;  // [px]
     DetectionsSample to;
     to.header = checks.header(from.header);
-    checks.require(from.detections.size() <= DetectionsSample::Most, "detections",
-                   "expected at most {}, found {}", DetectionsSample::Most, from.detections.size());
-    if (!checks.ok()) return to;
     if (from.header.frame_id.empty() && !from.detections.empty())
         to.header = checks.header(from.detections.front().header);
+    // A box that makes no sense is left out; if all are such, the message is refused.
+    std::string wrong;
     for (const auto& detection : from.detections) {
-        const auto& box = detection.bbox;
-        Detection one;
-        one.centre = checks.vector2("detections.bbox.center", box.center.position);
-        one.turned = checks.finite("detections.bbox.center.theta", box.center.theta);
-        one.size = {checks.finite("detections.bbox.size_x", box.size_x),
-                    checks.finite("detections.bbox.size_y", box.size_y)};
-        checks.require(one.centre.cwiseAbs().maxCoeff() <= Farthest && one.size.maxCoeff() <= Farthest &&
-                           one.size.minCoeff() >= 0.0,
-                       "detections.bbox", "expected 0 to {} px", Farthest);
-        if (const auto* const best = likeliest(detection.results); best != nullptr) {
-            one.label = shortened(best->class_id);
-            if (std::isfinite(best->score)) one.score = best->score;
-        }
-        to.detections.push_back(std::move(one));
+        if (to.detections.size() >= DetectionsSample::Most) break;
+        Checks own;
+        Detection one = seenIn(detection, own);
+        if (own.ok())
+            to.detections.push_back(std::move(one));
+        else if (wrong.empty())
+            wrong = own.error();
     }
+    checks.require(wrong.empty() || !to.detections.empty(), "detections", "{}", wrong);
     return to;
 }
 

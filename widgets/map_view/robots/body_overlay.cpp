@@ -55,16 +55,20 @@ public:
         m_image.fill(Qt::transparent);
     }
 
-    void fill(const std::array<Corner, 3>& corners, QRgb colour) {
+    /// False: filling costs too much time, and is given up.
+    [[nodiscard]] bool fill(const std::array<Corner, 3>& corners, QRgb colour) {
         const auto& [a, b, c] = corners;
         const float area = edge(a.at, b.at, c.at);
-        if (std::abs(area) < 1e-6F) return;
+        if (std::abs(area) < 1e-6F) return true;
         const Eigen::Vector2f least = a.at.cwiseMin(b.at).cwiseMin(c.at);
         const Eigen::Vector2f most = a.at.cwiseMax(b.at).cwiseMax(c.at);
         const int left = std::max(0, static_cast<int>(std::floor(least.x())));
         const int top = std::max(0, static_cast<int>(std::floor(least.y())));
         const int right = std::min(m_image.width() - 1, static_cast<int>(std::ceil(most.x())));
         const int bottom = std::min(m_image.height() - 1, static_cast<int>(std::ceil(most.y())));
+        if (right < left || bottom < top) return true;
+        m_spent += static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(bottom - top + 1);
+        if (m_spent > MostSpent) return false;
         for (int y = top; y <= bottom; ++y) {
             auto* const line = reinterpret_cast<QRgb*>(m_image.scanLine(y));
             float* const nearness =
@@ -80,6 +84,7 @@ public:
                 line[x] = colour;
             }
         }
+        return true;
     }
     [[nodiscard]] const QImage& image() const { return m_image; }
 
@@ -88,8 +93,11 @@ private:
         return (to - from).x() * (at - from).y() - (to - from).y() * (at - from).x();
     }
 
+    static constexpr std::size_t MostSpent = 12'000'000;  ///< pixels that are looked at: about 20 ms
+
     QImage m_image;
     std::vector<float> m_nearness;
+    std::size_t m_spent = 0;
 };
 
 /// A part of the body as it is seen.
@@ -107,7 +115,8 @@ std::optional<std::vector<SeenPart>> seenParts(const MapProjection& projection, 
         for (const Eigen::Vector3f& vertex : part.surface.vertices) {
             const Eigen::Vector3d inMap = pose * vertex.cast<double>();
             const auto at = projection.project(inMap);
-            if (!at) return std::nullopt;
+            // A joint may be where no number tells.
+            if (!at || !inMap.allFinite()) return std::nullopt;
             const double nearness = projection.camera().parallel ? -at->depth : 1.0 / at->depth;
             seen.inMap.push_back(inMap.cast<float>());
             seen.corners.push_back(
@@ -124,10 +133,11 @@ QRectF boundsOf(const std::vector<SeenPart>& parts) {
         for (const Corner& corner : part.corners) box.extend(corner.at);
     if (box.isEmpty()) return {};
     return QRectF(QPointF(box.min().x(), box.min().y()), QPointF(box.max().x(), box.max().y()))
-        .adjusted(-1, -1, 1, 1);
+        .adjusted(-3, -3, 3, 3);  // room for the rim
 }
 
 /// Paints @p parts into a picture of @p area of the widget, @p scale pixels of it for each logical one.
+/// Empty: that would take too long.
 QImage pictureOf(std::vector<SeenPart>& parts, const QRectF& area, double scale,
                  const MapProjection& projection, const BodyLook& look) {
     Canvas canvas((area.size() * scale).toSize().expandedTo(QSize(1, 1)));
@@ -144,8 +154,9 @@ QImage pictureOf(std::vector<SeenPart>& parts, const QRectF& area, double scale,
                 projection.camera().parallel ? -forward : (eye - part.inMap[a]).normalized();
             // The sides of triangles in CAD files are not always the right way round.
             if (outward.dot(toEye) < 0.0F) outward = -outward;
-            canvas.fill({part.corners[a], part.corners[b], part.corners[c]},
-                        shaded(part.surface->colours[i], lightOf(outward, toEye), look.grey));
+            if (!canvas.fill({part.corners[a], part.corners[b], part.corners[c]},
+                             shaded(part.surface->colours[i], lightOf(outward, toEye), look.grey)))
+                return {};
         }
     }
     return canvas.image();
@@ -185,38 +196,48 @@ void paintGround(QPainter& painter, const MapProjection& projection, const Robot
     painter.drawPolygon(projection.outline(arrow));
 }
 
+/// Returns @p picture with a rim of @p width pixels in @p colour: dark parts are seen on dark ground, and
+/// whose it is.
+QImage rimmed(const QImage& picture, int width, const QColor& colour) {
+    QImage shape = picture;
+    QPainter tint(&shape);
+    tint.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    tint.fillRect(shape.rect(), colour);
+    tint.end();
+    QImage result(picture.size(), QImage::Format_ARGB32_Premultiplied);
+    result.fill(Qt::transparent);
+    QPainter painter(&result);
+    const int aslant = std::max(1, qRound(0.7 * width));
+    for (const QPoint& step :
+         {QPoint(width, 0), QPoint(-width, 0), QPoint(0, width), QPoint(0, -width), QPoint(aslant, aslant),
+          QPoint(-aslant, aslant), QPoint(aslant, -aslant), QPoint(-aslant, -aslant)})
+        painter.drawImage(step, shape);
+    painter.drawImage(QPoint(0, 0), picture);
+    return result;
+}
+
 }  // namespace
 
 bool paintModel(QPainter& painter, const MapProjection& projection, const RobotMark& robot,
                 const BodyLook& look, const OverlayStyle& style) {
     constexpr double Finer = 2.0, Coarser = 1.0, Large = 400.0;  // pixels of the picture per pixel; [px]
-    constexpr double MostPixels = 2000.0;                        // of the picture's side
+    constexpr double MostPixels = 600'000.0;                     // of the picture
     if (!robot.body || robot.linksInBase.size() != robot.body->model.links.size()) return false;
     auto parts = seenParts(projection, robot);
     if (!parts) return false;
-    paintGround(painter, projection, robot, look, style);
     const QRectF area = boundsOf(*parts).intersected(QRectF(QPointF(0, 0), QSizeF(projection.size())));
     if (area.isEmpty()) return true;
-    const double longest = std::max(area.width(), area.height());
-    const double finer = longest < Large ? Finer : Coarser;
-    const double scale =
-        std::min(finer * painter.device()->devicePixelRatioF(), MostPixels / std::max(longest, 1.0));
+    const double finer = std::max(area.width(), area.height()) < Large ? Finer : Coarser;
+    const double most = std::sqrt(MostPixels / std::max(area.width() * area.height(), 1.0));
+    const double scale = std::min(finer * painter.device()->devicePixelRatioF(), most);
     const QImage picture = pictureOf(*parts, area, scale, projection, look);
-    QImage rim = picture;
-    QPainter tint(&rim);
-    tint.setCompositionMode(QPainter::CompositionMode_SourceIn);
-    tint.fillRect(rim.rect(), robotColour(robot, look, style));
-    tint.end();
+    if (picture.isNull()) return false;
+    paintGround(painter, projection, robot, look, style);
     painter.save();
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.setOpacity(look.opacity);
-    // A rim in the robot's colour: dark parts are seen on dark ground, and whose it is.
-    constexpr double Rim = 1.3, Aslant = 0.9;  // [px]
-    for (const auto& [x, y] : {std::pair(Rim, 0.0), std::pair(-Rim, 0.0), std::pair(0.0, Rim),
-                               std::pair(0.0, -Rim), std::pair(Aslant, Aslant), std::pair(-Aslant, Aslant),
-                               std::pair(Aslant, -Aslant), std::pair(-Aslant, -Aslant)})
-        painter.drawImage(area.translated(x, y), rim);
-    painter.drawImage(area, picture);
+    painter.drawImage(area,
+                      rimmed(picture, std::max(1, qRound(1.3 * scale)), robotColour(robot, look, style)));
     painter.restore();
     return true;
 }

@@ -16,7 +16,7 @@ struct BodyLook {
 
 /// Paints the surface of @p robot by its model, with shading, and hidden parts hidden. Nothing of the map
 /// hides it. On the ground its footprint and an arrow ahead show the robot's colour and heading. Returns
-/// false, and paints nothing, if the robot has no model or is partly behind the eye.
+/// false, and paints nothing, if the robot has no model, is partly behind the eye, or would take too long.
 [[nodiscard]] bool paintModel(QPainter& painter, const MapProjection& projection, const RobotMark& robot,
                               const BodyLook& look, const OverlayStyle& style);
 

@@ -25,9 +25,9 @@ double ageOf(const FrameNode& node, Time now) {
 
 QString trouble(const FrameRow& row) {
     if (row.circle) return Words::tr("It is above itself: tf uses no frame of such a circle");
-    if (!row.node.otherParent.empty())
+    if (!row.otherParent.empty())
         return Words::tr("Also below %1: two nodes publish it, and tf jumps between both")
-            .arg(othersText(row.node.otherParent));
+            .arg(othersText(row.otherParent));
     return {};
 }
 
@@ -66,7 +66,7 @@ FrameLine lineOf(const FrameRow& row, Time now) {
         line.rate = Words::tr("%1 Hz").arg(numberText(node.rate, node.rate < 10.0 ? 1 : 0));
     const double age = ageOf(node, now);
     if (!node.fixed && age >= Young) line.age = Words::tr("%1 s").arg(numberText(age, 0));
-    if (row.circle || !node.otherParent.empty() || (!node.fixed && age >= Old)) line.tone = Tone::Attention;
+    if (row.circle || !row.otherParent.empty() || (!node.fixed && age >= Old)) line.tone = Tone::Attention;
     return line;
 }
 
@@ -86,9 +86,8 @@ QString framesSummary(const std::vector<FrameRow>& rows, const std::vector<std::
         std::count_if(rows.begin(), rows.end(), [](const FrameRow& row) { return row.root || row.circle; });
     QStringList parts = {Words::tr("frames: %1").arg(rows.size())};
     if (roots > 1) parts += Words::tr("trees that nothing connects: %1").arg(roots);
-    const auto disputed = std::count_if(rows.begin(), rows.end(), [](const FrameRow& row) {
-        return row.circle || !row.node.otherParent.empty();
-    });
+    const auto disputed = std::count_if(
+        rows.begin(), rows.end(), [](const FrameRow& row) { return row.circle || !row.otherParent.empty(); });
     if (disputed > 0) parts += Words::tr("with two parents or in a circle: %1").arg(disputed);
     QString text = parts.join(QStringLiteral(" · "));
     if (!unconnected.empty()) {

@@ -40,9 +40,9 @@ std::size_t endOfFlow(const std::string& text, std::size_t begin) {
 /// Returns the end of the plain scalar that begins at @p begin. @p inFlow: whether it stands in a flow map.
 std::size_t endOfScalar(const std::string& text, std::size_t begin, bool inFlow) {
     std::size_t end = std::min(text.find('\n', begin), text.size());
-    end = std::min(end, text.find(" #", begin));
+    end = std::min({end, text.find(" #", begin), text.find("\t#", begin)});
     if (inFlow) end = std::min(end, text.find_first_of(",}", begin));
-    while (end > begin && (text[end - 1] == ' ' || text[end - 1] == '\r')) --end;
+    while (end > begin && (text[end - 1] == ' ' || text[end - 1] == '\t' || text[end - 1] == '\r')) --end;
     return end;
 }
 

@@ -10,7 +10,8 @@
 
 namespace leitstand {
 
-// Changes of robots' files that people write and comment: everything else stays as written.
+// Changes of robots' files that people write and comment: everything else stays as written. Comments within a
+// list that is replaced go with it.
 
 /// Returns @p text, which is a robot's file, with @p correction for the sensor @p sensor. Everything else
 /// stays as written, comments included. Error when there is no such sensor, or when the file writes it in a

@@ -239,7 +239,8 @@ void describe(A& a, RobotState& v) {
         if (!std::all_of(v.grids.begin(), v.grids.end(), isThere) ||
             !std::all_of(v.paths.begin(), v.paths.end(), isThere) ||
             !std::all_of(v.readings.begin(), v.readings.end(), isThere) ||
-            !std::all_of(v.markers.begin(), v.markers.end(), isThere))
+            !std::all_of(v.markers.begin(), v.markers.end(), isThere) ||
+            !std::all_of(v.detections.begin(), v.detections.end(), isThere))
             a.fail();
     }
 }

@@ -55,10 +55,13 @@ std::vector<Eigen::Vector2d> footprintOf(const Sides& sides) {
             {sides.front, -sides.right}};
 }
 
-Measures withModel(Measures measures, const ModelBody& body) {
+Measures withModel(Measures measures, const ModelBody& body, std::string& problem) {
+    problem.clear();
     if (const auto extent = extentOf(body)) {
         measures.footprint = extent->footprint;
         measures.height = extent->height;
+    } else {
+        problem = extent.error().text;
     }
     const auto poses =
         linksInBase(body.model, body.base, [](const std::string&) { return std::optional<double>(); });

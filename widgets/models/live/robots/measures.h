@@ -41,8 +41,9 @@ struct Sides {
 [[nodiscard]] bool isRectangle(const std::vector<Eigen::Vector2d>& footprint);
 [[nodiscard]] std::vector<Eigen::Vector2d> footprintOf(const Sides& sides);
 
-/// Returns @p measures with those of a robot's model: footprint and height if it has a surface, and the
-/// places of sensors whose frames are links of it.
-[[nodiscard]] Measures withModel(Measures measures, const ModelBody& body);
+/// Returns @p measures with those of a robot's model: footprint and height if extentOf() tells them, and the
+/// places of sensors whose frames are links of it. @p problem: why footprint and height stay; empty: they do
+/// not.
+[[nodiscard]] Measures withModel(Measures measures, const ModelBody& body, std::string& problem);
 
 }  // namespace leitstand

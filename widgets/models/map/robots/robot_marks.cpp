@@ -1,6 +1,8 @@
 #include "widgets/models/map/robots/robot_marks.h"
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <QCoreApplication>
@@ -54,14 +56,15 @@ std::optional<RobotMark> robotMarkOf(const RobotFace& face, const RobotDescripti
 void setBody(RobotMark& mark, ModelBodyPtr body, const RobotView& view) {
     mark.body = std::move(body);
     if (!mark.body) return;
-    const JointSample* const joints = view.joints.get();
-    mark.linksInBase = linksInBase(
-        mark.body->model, mark.body->base, [joints](const std::string& name) -> std::optional<double> {
-            if (joints == nullptr) return std::nullopt;
-            const auto found = std::find(joints->names.begin(), joints->names.end(), name);
-            const auto at = static_cast<std::size_t>(found - joints->names.begin());
-            if (at >= joints->positions.size()) return std::nullopt;
-            return joints->positions[at];
+    std::unordered_map<std::string_view, double> positions;
+    if (const JointSample* const joints = view.joints.get(); joints != nullptr) {
+        const std::size_t count = std::min(joints->names.size(), joints->positions.size());
+        for (std::size_t i = 0; i < count; ++i) positions.emplace(joints->names[i], joints->positions[i]);
+    }
+    mark.linksInBase =
+        linksInBase(mark.body->model, mark.body->base, [&](const std::string& name) -> std::optional<double> {
+            const auto found = positions.find(name);
+            return found == positions.end() ? std::nullopt : std::optional(found->second);
         });
 }
 
