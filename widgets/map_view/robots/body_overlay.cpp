@@ -93,7 +93,7 @@ private:
         return (to - from).x() * (at - from).y() - (to - from).y() * (at - from).x();
     }
 
-    static constexpr std::size_t MostSpent = 12'000'000;  ///< pixels that are looked at: about 20 ms
+    static constexpr std::size_t MostSpent = 6'000'000;  ///< pixels that are looked at: some 20 ms
 
     QImage m_image;
     std::vector<float> m_nearness;
@@ -221,7 +221,7 @@ QImage rimmed(const QImage& picture, int width, const QColor& colour) {
 bool paintModel(QPainter& painter, const MapProjection& projection, const RobotMark& robot,
                 const BodyLook& look, const OverlayStyle& style) {
     constexpr double Finer = 2.0, Coarser = 1.0, Large = 400.0;  // pixels of the picture per pixel; [px]
-    constexpr double MostPixels = 600'000.0;                     // of the picture
+    constexpr double MostPixels = 250'000.0;                     // of the picture
     if (!robot.body || robot.linksInBase.size() != robot.body->model.links.size()) return false;
     auto parts = seenParts(projection, robot);
     if (!parts) return false;
