@@ -1,5 +1,6 @@
 #include "app/services/topics/type_asker.h"
 
+#include <chrono>
 #include <utility>
 
 #include "core/base/words.h"
@@ -68,8 +69,12 @@ std::optional<Result<MessageTextPtr>> TypeAsker::text(const SeenTopic& topic) {
             return question.asked->answer;
         }
     }
-    if (!question.sent && !question.client->servers().empty())
-        question.sent = question.client->call(encodeTypeRequest({topic.type, topic.typeHash}), 1).ok();
+    // A server that has not found this client yet misses the call without a word, or its answer is lost.
+    constexpr std::chrono::milliseconds Again{500};
+    const SteadyTime now = steadyNow();
+    if (now - question.sent >= Again && !question.client->servers().empty() &&
+        question.client->call(encodeTypeRequest({topic.type, topic.typeHash}), 1))
+        question.sent = now;
     if (steadyNow() - question.since < Patience) return std::nullopt;
     const std::lock_guard writing(question.asked->mutex);
     question.asked->answer = Result<MessageTextPtr>(Error{leitstand::fill(

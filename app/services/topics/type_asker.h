@@ -45,7 +45,7 @@ private:
         std::unique_ptr<ServiceClient> client;
         std::string node;
         SteadyTime since = steadyNow();
-        bool sent = false;
+        SteadyTime sent{};  ///< when it was asked last; epoch: not yet
     };
     Question begin(const SeenTopic& topic);
 

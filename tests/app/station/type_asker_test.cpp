@@ -38,6 +38,7 @@ struct Rover {
             *node, "/driver/get_type_description", TypeDescriptionService, [this](const Payload& request) {
                 const auto asked = decodeTypeRequest(*request);
                 right = asked && asked->type == Type && asked->hash == Hash;
+                if (calls++ < missed) return Payload();  // as of a server that has not found its client yet
                 return encodeTypeAnswer(MessageText::parse(Type, "float64 speed\nint32[] ticks\n").value());
             }));
     }
@@ -52,6 +53,7 @@ struct Rover {
     std::unique_ptr<Node> node;
     std::unique_ptr<Publisher> wheels;
     std::atomic<bool> right = false;
+    std::atomic<int> calls = 0, missed = 0;
     std::unique_ptr<ServiceServer> server;
 };
 
@@ -85,6 +87,22 @@ TEST(TypeAsker, ShowsMessagesOfATypeThatOnlyTheirPublisherKnows) {
     ASSERT_TRUE(view->newest);
     EXPECT_EQ(numberAt(*view->newest, "speed"), 1.5);
     EXPECT_EQ(view->problem, "");
+}
+
+TEST(TypeAsker, AsksAgainWhereTheFirstCallWasMissed) {
+    const TestDomain domain;
+    Rover rover(domain, true);
+    rover.missed = 2;
+    const auto node = nodeIn(domain);
+    TypeAsker types(*node);
+    const SeenTopic topic = seenFrom(*node, "/driver");
+    std::optional<Result<MessageTextPtr>> text;
+    EXPECT_TRUE(waitUntil([&] {
+        text = types.text(topic);
+        return text.has_value();
+    }));
+    ASSERT_TRUE(text && *text) << (text ? text->error().text : "");
+    EXPECT_EQ(rover.calls, 3);
 }
 
 TEST(TypeAsker, SaysWhyATypeIsNotKnown) {
