@@ -122,8 +122,9 @@ Payload payloadOf(CdrWriter&& out) {
 Field fieldOf(const MessageField& from) {
     Field field;
     field.name = from.name;
-    for (std::uint8_t kind = 2; kind < Kinds.size(); ++kind)
-        if (Kinds[kind] == from.type && field.type == 0) field.type = kind;
+    // From the first kind that has a name on.
+    const auto* const kind = std::find(Kinds.begin() + 2, Kinds.end(), from.type);
+    if (kind != Kinds.end()) field.type = static_cast<std::uint8_t>(kind - Kinds.begin());
     if (field.type == 0) {
         field.type = Nested;
         field.nested = withMsg(from.type);

@@ -92,7 +92,8 @@ Pose originOf(const XMLElement& element) {
 
 PartShape shapeOf(const XMLElement& geometry) {
     const XMLElement* const shape = geometry.FirstChildElement();
-    const std::string_view kind = shape == nullptr ? "nothing" : shape->Name();
+    if (shape == nullptr) fail(geometry, "expected box, cylinder, sphere or mesh, found nothing");
+    const std::string_view kind = shape->Name();
     if (kind == "box") {
         attribute(*shape, "size");
         const Eigen::Vector3d size = vector(*shape, "size", Eigen::Vector3d::Zero());

@@ -98,6 +98,7 @@ std::size_t trianglesOf(const std::vector<BodyPart>& parts) {
 void reduceAll(std::vector<BodyPart>& parts, std::size_t most) {
     if (trianglesOf(parts) <= most) return;
     std::vector<BodyPart*> bySize;
+    bySize.reserve(parts.size());
     for (BodyPart& part : parts) bySize.push_back(&part);
     std::sort(bySize.begin(), bySize.end(), [](const BodyPart* a, const BodyPart* b) {
         return a->surface.triangles.size() < b->surface.triangles.size();
@@ -196,6 +197,7 @@ Result<BodyExtent> extentOf(const ModelBody& body) {
     const auto poses = linksInBase(body.model, body.base, [](const std::string&) { return std::nullopt; });
     const auto rounded = [&](const std::vector<Eigen::Vector2d>& corners) {
         std::vector<Eigen::Vector2d> result;
+        result.reserve(corners.size());
         for (const Eigen::Vector2d& corner : corners)
             result.emplace_back((Millimetres * corner).array().round() / Millimetres);
         return result;

@@ -43,7 +43,8 @@ TEST(RobotErrors, TellKeysThatAreUnknownTwiceOrMissing) {
         top("hight: 0.5",
             "expected one of the keys letter, name, title, drive, frames, footprint, height, limits, "
             "sensors, "
-            "streams, services, joint_groups, bindings, link_loss, refine_turns or packages, found \"hight\", did you "
+            "streams, services, joint_groups, bindings, link_loss, refine_turns or packages, found "
+            "\"hight\", did you "
             "mean height?"),
         top("limits:\n  speeed: 1",
             "limits: expected one of the keys roll, pitch, speed, turn_rate, climb or step, found "
@@ -59,7 +60,8 @@ TEST(RobotErrors, TellKeysThatAreUnknownTwiceOrMissing) {
         top("? [1, 2]\n: 3",
             "expected one of the keys letter, name, title, drive, frames, footprint, height, limits, "
             "sensors, "
-            "streams, services, joint_groups, bindings, link_loss, refine_turns or packages, found a list of 2"),
+            "streams, services, joint_groups, bindings, link_loss, refine_turns or packages, found a list of "
+            "2"),
         top("sensors:\n  my camera: {}",
             "sensors: expected a name of at most 64 letters, digits and _ that begins with a letter, found "
             "\"my "

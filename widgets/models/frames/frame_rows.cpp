@@ -74,6 +74,7 @@ FrameLine lineOf(const FrameRow& row, Time now) {
 
 std::vector<FrameLine> frameLines(const std::vector<FrameRow>& rows, Time now) {
     std::vector<FrameLine> lines;
+    lines.reserve(rows.size());
     for (const FrameRow& row : rows) lines.push_back(lineOf(row, now));
     return lines;
 }
