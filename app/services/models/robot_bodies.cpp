@@ -23,19 +23,6 @@ std::string missingText(const RobotDescription& robot, const ModelBody& body) {
         robot.title, body.missing.size(), body.missing.front());
 }
 
-/// Whether a part of @p body lies farther from the base than any robot reaches.
-bool isTooLarge(const ModelBody& body) {
-    const auto poses = linksInBase(body.model, body.base, [](const std::string&) { return std::nullopt; });
-    for (const BodyPart& part : body.parts) {
-        for (const Eigen::Vector3f& vertex : part.surface.vertices) {
-            const Eigen::Vector3d inBase = poses[part.link] * vertex.cast<double>();
-            // Written so that what is no number is too large.
-            if (!(inBase.cwiseAbs().maxCoeff() <= ModelBody::Farthest)) return true;
-        }
-    }
-    return false;
-}
-
 Result<ModelBody> bodyIn(const std::string& urdf, const RobotDescription& robot,
                          const std::stop_token& cancelled) {
     auto model = readUrdf(urdf, robot.name + "/robot_description");

@@ -10,7 +10,7 @@
 #include "app/services/models/saved_measures.h"
 #include "app/services/station/station.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/frame/pane_docks.h"
+#include "app/window/frame/over_panes.h"
 #include "app/window/input/selection.h"
 #include "app/window/source/moment_source.h"
 #include "core/robot/footprint.h"
@@ -51,15 +51,7 @@ void MeasuresFeature::open() {
     m_dialog->setWindowTitle(tr("Size and sensors of %1").arg(m_context.selection.faceOfRobot(*robot).title));
     m_form->setMeasures(measuresOf(*robot));
     m_form->setModelKnown(false);
-    if (!m_dialog->isVisible()) {
-        // Over the panes but not over the bar: STOP stays in sight.
-        const PaneDocks& panes = m_context.panes;
-        m_dialog->resize(m_dialog->size().boundedTo(panes.size()));
-        m_dialog->move(panes.mapToGlobal(QPoint((panes.width() - m_dialog->width()) / 2, 0)));
-    }
-    m_dialog->show();
-    m_dialog->raise();
-    m_dialog->activateWindow();
+    showOverPanes(*m_dialog, m_context.panes);
 }
 
 void MeasuresFeature::show(const LiveMoment& moment) {

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include <opencv2/imgproc.hpp>
+
 namespace leitstand {
 namespace {
 
@@ -115,22 +117,16 @@ double cross(const Eigen::Vector2d& from, const Eigen::Vector2d& a, const Eigen:
     return (a - from).x() * (b - from).y() - (a - from).y() * (b - from).x();
 }
 
-/// Returns the convex hull of @p points, counter-clockwise (Andrew 1979).
-std::vector<Eigen::Vector2d> hullOf(std::vector<Eigen::Vector2d> points) {
-    if (points.size() < 3) return {};
-    std::sort(points.begin(), points.end(),
-              [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+/// Returns the convex hull of @p points, counter-clockwise.
+std::vector<Eigen::Vector2d> hullOf(const std::vector<Eigen::Vector2d>& points) {
+    std::vector<cv::Point2f> all, corners;
+    all.reserve(points.size());
+    for (const Eigen::Vector2d& point : points)
+        all.emplace_back(static_cast<float>(point.x()), static_cast<float>(point.y()));
+    if (!all.empty()) cv::convexHull(all, corners);
     std::vector<Eigen::Vector2d> hull;
-    for (const bool back : {false, true}) {
-        const std::size_t first = hull.size();
-        for (const Eigen::Vector2d& point : points) {
-            while (hull.size() >= first + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0.0)
-                hull.pop_back();
-            hull.push_back(point);
-        }
-        hull.pop_back();
-        if (!back) std::reverse(points.begin(), points.end());
-    }
+    hull.reserve(corners.size());
+    for (const cv::Point2f& corner : corners) hull.emplace_back(corner.x, corner.y);
     return hull;
 }
 
@@ -189,6 +185,18 @@ ModelBody bodyOf(RobotModel model, const std::string& baseFrame, const MeshSourc
     return body;
 }
 
+bool isTooLarge(const ModelBody& body) {
+    const auto poses = linksInBase(body.model, body.base, [](const std::string&) { return std::nullopt; });
+    for (const BodyPart& part : body.parts) {
+        for (const Eigen::Vector3f& vertex : part.surface.vertices) {
+            const Eigen::Vector3d inBase = poses[part.link] * vertex.cast<double>();
+            // Written so that what is no number is too large.
+            if (!(inBase.cwiseAbs().maxCoeff() <= ModelBody::Farthest)) return true;
+        }
+    }
+    return false;
+}
+
 Result<BodyExtent> extentOf(const ModelBody& body) {
     constexpr std::size_t MostCorners = 16;
     constexpr double Millimetres = 1e3, Flattest = 0.01;  // [m], as in robots' files
@@ -203,22 +211,20 @@ Result<BodyExtent> extentOf(const ModelBody& body) {
         return result;
     };
     std::vector<Eigen::Vector2d> seen;
-    double lowest = 0.0, highest = 0.0, farthest = 0.0;
+    double lowest = 0.0, highest = 0.0;
     for (const BodyPart& part : body.parts) {
         for (const Eigen::Vector3f& vertex : part.surface.vertices) {
             const Eigen::Vector3d inBase = poses[part.link] * vertex.cast<double>();
             lowest = seen.empty() ? inBase.z() : std::min(lowest, inBase.z());
             highest = seen.empty() ? inBase.z() : std::max(highest, inBase.z());
-            farthest = std::max(farthest, inBase.cwiseAbs().maxCoeff());
             seen.emplace_back(inBase.head<2>());
         }
     }
     BodyExtent extent;
-    if (farthest > ModelBody::Farthest)
+    if (isTooLarge(body))
         return Error{"the robot's model reaches farther than 10 m from its base: expected metres"};
     // Corners that are the same when they are written are one.
-    if (seen.size() >= 3)
-        extent.footprint = hullOf(rounded(simplified(hullOf(std::move(seen)), MostCorners)));
+    if (seen.size() >= 3) extent.footprint = rounded(hullOf(rounded(simplified(hullOf(seen), MostCorners))));
     extent.height = std::round(Millimetres * (highest - lowest)) / Millimetres;
     if (extent.footprint.size() < 3) return Error{"the robot's model has no surface"};
     if (extent.height < Flattest) return Error{"the robot's model is flatter than 1 cm"};

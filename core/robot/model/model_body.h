@@ -42,6 +42,9 @@ using MeshSource = std::function<Result<TriangleMesh>(const std::string& uri)>;
 /// collision geometry, if it has any. @p baseFrame: the robot's base; the root if no link is called so.
 [[nodiscard]] ModelBody bodyOf(RobotModel model, const std::string& baseFrame, const MeshSource& meshes);
 
+/// Whether a part of @p body lies farther from its base than ModelBody::Farthest, all joints at rest.
+[[nodiscard]] bool isTooLarge(const ModelBody& body);
+
 /// What a body takes up when all joints are at rest.
 struct BodyExtent {
     std::vector<Eigen::Vector2d>

@@ -7,15 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
-#include "app/window/layouts/layout_feature.h"
 #include "core/event/map_samples.h"
 #include "core/event/stream_role.h"
-#include "core/mapping/live/robot_in_map.h"
-#include "tests/app/live/live_page.h"
-#include "tests/support/child_process.h"
-#include "tests/support/places.h"
+#include "tests/app/live/stock_page.h"
 #include "tests/transport/dds/test_node.h"
 #include "transport/convert/encode.h"
 #include "widgets/map_view/map_view.h"
@@ -23,21 +18,8 @@
 namespace leitstand::test {
 namespace {
 
-class DrawingsPage : public LivePage {
+class DrawingsPage : public StockPage {
 protected:
-    DrawingsPage() : LivePage(Robots::None, {shippedRobot("tracked")}) {
-        m_robot = std::make_unique<ChildProcess>(
-            program("leitstand-robot"),
-            std::vector<std::string>{"stock", "tracked", "--domain", std::to_string(m_domain.number()),
-                                     "--arena", "yellow", "--seed", "7"});
-        m_window->layouts().use("map");
-    }
-    [[nodiscard]] bool isPlaced() const {
-        const RobotsInMapPtr robots = station().mapping().robots();
-        for (const RobotInMap& place : *robots)
-            if (place.robot == "tracked" && place.placed) return true;
-        return false;
-    }
     /// Pixels of the map in the colour that the markers below have.
     [[nodiscard]] int violet() const {
         const QImage image = m_window->mapView().grab().toImage();
@@ -67,8 +49,6 @@ protected:
         sample.markers.push_back(word);
         return sample;
     }
-
-    std::unique_ptr<ChildProcess> m_robot;
 };
 
 TEST_F(DrawingsPage, LieWhereTheRobotSaysUntilTheyAreRemovedOrHidden) {

@@ -10,15 +10,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/station/station_mapping.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/layouts/layout_feature.h"
 #include "app/window/robots/measures_feature.h"
 #include "core/io/robot/robot_file.h"
-#include "core/mapping/live/robot_in_map.h"
-#include "tests/app/live/live_page.h"
-#include "tests/support/child_process.h"
-#include "tests/support/places.h"
+#include "tests/app/live/stock_page.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/map_view/map_view.h"
 #include "widgets/models/frames/frame_rows.h"
@@ -40,21 +36,9 @@ struct OwnFolder {
     TemporaryFolder own;
 };
 
-class ModelsPage : protected OwnFolder, public LivePage {
+class ModelsPage : protected OwnFolder, public StockPage {
 protected:
-    ModelsPage() : LivePage(Robots::None, {ownCopy(own / "tracked.yaml")}) {
-        m_robot = std::make_unique<ChildProcess>(
-            program("leitstand-robot"),
-            std::vector<std::string>{"stock", "tracked", "--domain", std::to_string(m_domain.number()),
-                                     "--arena", "yellow", "--seed", "7"});
-        m_window->layouts().use("map");
-    }
-    [[nodiscard]] bool isPlaced() const {
-        const RobotsInMapPtr robots = station().mapping().robots();
-        for (const RobotInMap& place : *robots)
-            if (place.robot == "tracked" && place.placed) return true;
-        return false;
-    }
+    ModelsPage() : StockPage(ownCopy(own / "tracked.yaml")) {}
     /// Pixels of the map in the orange of the model's hull, in any light.
     [[nodiscard]] int orange() const {
         const QImage image = m_window->mapView().grab().toImage();
@@ -69,8 +53,6 @@ protected:
         }
         return count;
     }
-
-    std::unique_ptr<ChildProcess> m_robot;
 };
 
 TEST_F(ModelsPage, ARobotIsDrawnByItsModelUntilItIsSwitchedOff) {

@@ -16,7 +16,7 @@
 #include "app/services/station/station.h"
 #include "app/window/commands/command_table.h"
 #include "app/window/frame/corner_badge.h"
-#include "app/window/frame/pane_docks.h"
+#include "app/window/frame/over_panes.h"
 #include "app/window/input/selection.h"
 #include "app/window/source/moment_source.h"
 #include "widgets/models/others_text.h"
@@ -99,15 +99,7 @@ void PreflightFeature::openWhenSomethingFails() {
 
 void PreflightFeature::open() {
     refresh();
-    if (!m_dialog->isVisible()) {
-        // Over the panes but not over the bar: it opens by itself, and STOP stays in sight.
-        const PaneDocks& panes = m_context.panes;
-        m_dialog->resize(m_dialog->size().boundedTo(panes.size()));
-        m_dialog->move(panes.mapToGlobal(QPoint((panes.width() - m_dialog->width()) / 2, 0)));
-    }
-    m_dialog->show();
-    m_dialog->raise();
-    m_dialog->activateWindow();
+    showOverPanes(*m_dialog, m_context.panes);
 }
 
 void PreflightFeature::refresh() {
