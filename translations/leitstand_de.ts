@@ -3136,10 +3136,6 @@ Funk: %4 %5</translation>
         <translation>{}: wird nicht geschrieben: abgebrochen</translation>
     </message>
     <message>
-        <source>{}: messages of an MCAP file have no numbers: what was undone in the mission is not undone in it</source>
-        <translation>{}: Nachrichten einer MCAP-Datei haben keine Nummern: was im Einsatz rückgängig gemacht wurde, ist es dort nicht</translation>
-    </message>
-    <message>
         <source>{}: byte 0: expected the beginning of an MCAP file</source>
         <translation>{}: Byte 0: erwartet wurde der Anfang einer MCAP-Datei</translation>
     </message>
@@ -3470,6 +3466,14 @@ Funk: %4 %5</translation>
     <message>
         <source>expected a folder, at most {} of them, found {}</source>
         <translation>erwartet: ein Ordner, höchstens {} davon, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected sequences of {} messages, found {}; the others are left out</source>
+        <translation>erwartet wurden die Nummern von {} Nachrichten, gefunden {}; die übrigen bleiben weg</translation>
+    </message>
+    <message>
+        <source>{}: expected a sequence of its own for each message; {} are left out</source>
+        <translation>{}: erwartet wurde für jede Nachricht eine eigene Nummer; {} bleiben weg</translation>
     </message>
 </context>
 <context>

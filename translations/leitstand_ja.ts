@@ -3136,10 +3136,6 @@ Link: %4 %5</source>
         <translation>{}: 書き込みません: 中止されました</translation>
     </message>
     <message>
-        <source>{}: messages of an MCAP file have no numbers: what was undone in the mission is not undone in it</source>
-        <translation>{}: MCAP ファイルのメッセージには番号がないため、任務で取り消した操作はこの中では取り消されません</translation>
-    </message>
-    <message>
         <source>{}: byte 0: expected the beginning of an MCAP file</source>
         <translation>{}: バイト 0: MCAP ファイルの先頭が必要です</translation>
     </message>
@@ -3470,6 +3466,14 @@ Link: %4 %5</source>
     <message>
         <source>expected a folder, at most {} of them, found {}</source>
         <translation>フォルダー (最大 {} 個) が必要ですが、{} でした</translation>
+    </message>
+    <message>
+        <source>expected sequences of {} messages, found {}; the others are left out</source>
+        <translation>{} 件のメッセージの番号が必要ですが、{} 件しかありません。残りは除かれます</translation>
+    </message>
+    <message>
+        <source>{}: expected a sequence of its own for each message; {} are left out</source>
+        <translation>{}: メッセージごとに異なる番号が必要です。{} 件は除かれます</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@
 #include "app/services/interrupt.h"
 #include "app/services/log/mission_recorder.h"
 #include "app/services/station/choose_robots.h"
+#include "core/io/bag/bag_storage.h"
 #include "core/io/robot/robot_file.h"
 #include "core/io/robot/shipped_robots.h"
 #include "core/robot/team.h"
@@ -33,6 +34,7 @@ struct RecordOptions {
     std::string out;
     DomainOptions domain;
     std::vector<std::string> robots;
+    std::string storage;
     bool json = false;
 };
 
@@ -100,6 +102,9 @@ int runRecord(const RecordOptions& options) {
     const InterruptGuard interrupt(InterruptGuard::End::Surely);
     RecorderSettings settings;
     settings.mission.folder = options.out;
+    if (!options.storage.empty())
+        settings.mission.storage =
+            options.storage == nameOf(BagStorage::Mcap) ? BagStorage::Mcap : BagStorage::Sqlite;
     settings.mission.title = "leitstandctl record";
     settings.mission.version = version();
     auto domain = withEnvironment(options.domain);
@@ -192,6 +197,12 @@ void addRecord(CLI::App& app, int& exitCode) {
                      "whose listed "
                      "topics to record; without any, every topic that is heard")
         ->type_name("YAML...");
+    command
+        ->add_option(
+            "--storage", options->storage,
+            "Of the files: sqlite3 or mcap (compressed by zstd); by default as the mission's earlier "
+            "ones, and the first in sqlite3")
+        ->check(CLI::IsMember({"mcap", "sqlite3"}));
     command->add_flag("--json", options->json, "Print the summary as JSON");
     command->final_callback([options, &exitCode] { exitCode = runRecord(*options); });
 }

@@ -205,6 +205,7 @@ Result<std::unique_ptr<LiveMission>> LiveMission::open(const LiveMissionSettings
     if (std::filesystem::exists(settings.folder, ignored))
         earlier = earlierState(settings.folder, decoder, listener.onAlarm);
     BagWriterSettings log;
+    log.storage = settings.storage;
     log.alarmMinutes = settings.alarmMinutes;
     auto relay = std::make_shared<AlarmRelay>();
     auto bag = BagWriter::open(settings.folder, log,

@@ -5,12 +5,14 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/services/log/event_decoder.h"
 #include "core/base/result.h"
 #include "core/event/raw_event.h"
+#include "core/io/bag/bag_storage.h"
 #include "core/mission/state/mission_state.h"
 
 namespace leitstand {
@@ -20,7 +22,8 @@ struct Event;
 
 /// Settings of a mission that is being recorded.
 struct LiveMissionSettings {
-    std::filesystem::path folder;  ///< made if it is missing; an existing mission is resumed
+    std::filesystem::path folder;         ///< made if it is missing; an existing mission is resumed
+    std::optional<BagStorage> storage{};  ///< see BagWriterSettings::storage
     std::vector<RobotDescription>
         robots;  ///< robots whose topics are used for state(); their files are stored beside the log
     std::string station = "leitstand";  ///< persistent identity

@@ -9,6 +9,7 @@
 
 #include "app/services/domain/reception_watch.h"
 #include "app/services/log/link_line.h"
+#include "core/event/sample.h"
 #include "core/event/station_samples.h"
 #include "core/event/station_topics.h"
 #include "transport/dds/node.h"

@@ -46,13 +46,16 @@ Result<void> writeMetadata(const fs::path& folder, const std::string& file, BagR
         messages += metadata.topics.back().messages;
     }
     metadata.files.push_back({file, bag.first(), bag.last(), messages});
+    if (bag.ours())  // a mission, which can be gone on with
+        metadata.custom[std::string(detail::CountedKey)] = std::to_string(bag.lastSequence());
     return detail::writeWhole(folder / "metadata.yaml", detail::yamlOf(metadata, false));
 }
 
 Result<std::uint64_t> writeMcap(BagReader& bag, const fs::path& folder, const std::string& name,
                                 const Progress& progress) {
     const std::string file = name + "_0.mcap";
-    auto created = McapWriter::create(folder / file);
+    auto created = McapWriter::create(
+        folder / file, bag.ours() ? McapWriter::Sequences::Kept : McapWriter::Sequences::Dropped);
     if (!created) return created.error();
     McapWriter writer = std::move(created).value();
     const Topics topics = topicsOf(bag);
@@ -75,7 +78,7 @@ Result<std::uint64_t> writeMcap(BagReader& bag, const fs::path& folder, const st
 }
 
 Result<std::uint64_t> writeDatabase(BagReader& bag, const fs::path& folder, const Progress& progress) {
-    auto writer = BagWriter::open(folder);
+    auto writer = BagWriter::open(folder, {.storage = BagStorage::Sqlite});
     if (!writer) return writer.error();
     for (const auto& [key, topic] : topicsOf(bag)) (*writer)->addTopic(topic);
     const bool ours = bag.ours();
@@ -160,14 +163,7 @@ Result<BagConversion> convertBag(const fs::path& bag, const fs::path& out, BagSt
             leitstand::fill(translate("leitstand::Error", "{}: is not written: cancelled"), out.string())};
     if (const auto copied = copyBeside(bag, out); !copied) return copied.error();
     unfinished.done();
-    BagConversion result{*written, source.problems()};
-    if (storage == BagStorage::Mcap && source.ours())
-        result.problems.push_back(leitstand::fill(
-            translate("leitstand::Error",
-                      "{}: messages of an MCAP file have no numbers: what was undone in the mission is not "
-                      "undone in it"),
-            out.string()));
-    return result;
+    return BagConversion{*written, source.problems()};
 }
 
 }  // namespace leitstand

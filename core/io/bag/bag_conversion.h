@@ -7,13 +7,11 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/io/bag/bag_storage.h"
 
 namespace leitstand {
 
 class BagReader;
-
-/// How a bag stores its messages.
-enum class BagStorage : std::uint8_t { Sqlite, Mcap };
 
 /// The outcome of convertBag().
 struct BagConversion {
@@ -21,8 +19,8 @@ struct BagConversion {
     std::vector<std::string> problems;  ///< of the source, and what the copy does not keep
 };
 
-/// Whether @p bag is a mission that convertBag() copied into MCAP. There, messages have no numbers, by which
-/// undos and finds name others: nothing can be folded from it.
+/// Whether @p bag is a copy of a mission in MCAP that lacks the sequences of its messages, by which undos and
+/// finds name others. Other programs make such copies; nothing can be folded from them.
 [[nodiscard]] bool isCopyOfMission(const BagReader& bag);
 
 /// Copies the messages of @p bag with their topics into a new bag: the folder @p out, which may not exist

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/io/bag/writing/bag_store.h"
-#include "core/io/bag/writing/sqlite_store.h"
+#include "core/io/bag/writing/mission_store.h"
 #include "core/io/bag/writing/writer_core.h"
 
 namespace leitstand {
@@ -22,7 +22,7 @@ BagWriter::~BagWriter() {
 
 Result<std::unique_ptr<BagWriter>> BagWriter::open(const std::filesystem::path& mission,
                                                    const BagWriterSettings& settings, AlarmHandler onAlarm) {
-    auto store = detail::SqliteStore::create(mission);
+    auto store = detail::createStore(mission, settings.storage);
     if (!store) return store.error();
     return over(std::move(store).value(), settings, std::move(onAlarm));
 }

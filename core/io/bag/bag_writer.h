@@ -8,17 +8,21 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
 #include "core/base/time.h"
 #include "core/event/raw_event.h"
+#include "core/io/bag/bag_storage.h"
 #include "core/io/bag/topic_info.h"
 
 namespace leitstand {
 
 /// How a BagWriter commits and queues, and when it warns.
 struct BagWriterSettings {
+    /// Empty: as the earlier sessions are stored; the first one in SQLite.
+    std::optional<BagStorage> storage{};
     /// Longest time that an event waits until it is committed.
     std::chrono::milliseconds commitInterval{400};
     std::size_t commitBytes = 16U << 20U;  ///< approximate largest size of a commit [B]
@@ -71,8 +75,8 @@ public:
     using AlarmHandler = std::function<void(const BagAlarm&)>;
 
     /// Opens a new session in the folder @p mission, which is made if it is missing. Reads the files of
-    /// earlier sessions and never writes to them. Error when another writer has the mission, or when it
-    /// cannot be written.
+    /// earlier sessions and never writes to them. Error when another writer has the mission, when its earlier
+    /// sessions are stored in another kind of files than @p settings ask for, or when it cannot be written.
     [[nodiscard]] static Result<std::unique_ptr<BagWriter>> open(const std::filesystem::path& mission,
                                                                  const BagWriterSettings& settings = {},
                                                                  AlarmHandler onAlarm = {});

@@ -1,5 +1,7 @@
 #include "core/io/detail/input_file.h"
 
+#include <sys/stat.h>
+
 #include <cerrno>
 #include <system_error>
 
@@ -27,6 +29,11 @@ Result<InputFile> InputFile::open(const fs::path& path) {
     file.m_size = fs::file_size(path, problem);
     if (problem) return Error{fmt::format("{}: {}", path.string(), problem.message())};
     return file;
+}
+
+void InputFile::lookAgain() {
+    struct stat facts {};
+    if (::fstat(fileno(m_file.get()), &facts) == 0) m_size = static_cast<std::uint64_t>(facts.st_size);
 }
 
 Result<std::size_t> InputFile::read(char* to, std::size_t count) {

@@ -22,7 +22,10 @@ public:
     [[nodiscard]] Result<void> seek(std::uint64_t offset);
 
     [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
-    [[nodiscard]] std::uint64_t size() const { return m_size; }  ///< size when it was opened [B]
+    /// Size when it was opened, or when somebody looked again [B].
+    [[nodiscard]] std::uint64_t size() const { return m_size; }
+    /// Looks how large the file is now.
+    void lookAgain();
 
 private:
     struct Close {

@@ -99,6 +99,30 @@ TEST(Mission, WhatARobotSaysIsRecordedAndRegistered) {
     EXPECT_LT((positionOf(scans[2]) - Eigen::Vector3d(0.8, 0.2, 0.0)).norm(), 0.03) << run.out;
 }
 
+TEST(Mission, RecordedIntoMcapItIsAMissionToo) {
+    const TemporaryFolder folder;
+    const fs::path mission = folder / "mission";
+    ASSERT_NO_FATAL_FAILURE(record(mission, {}, {"--storage", "mcap"}));
+    ASSERT_NO_FATAL_FAILURE(record(mission));  // goes on as it began
+    const json info = json::parse(leitstandctl({"info", mission.string(), "--json"}).out);
+    ASSERT_EQ(info["sessions"].size(), 2u);
+    EXPECT_EQ(info["sessions"][0]["file"], "mission_0.mcap");
+    EXPECT_EQ(info["sessions"][1]["file"], "mission_1.mcap");
+    EXPECT_EQ(info["ours"], true);
+    EXPECT_EQ(messagesOn(info, "/kurt3d/points"), 6u);
+    EXPECT_EQ(info["problems"].size(), 0u) << info.dump();
+
+    const auto run = leitstandctl({"register", mission.string(), "--json"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)["scans"].size(), 6u);
+
+    const TestDomain domain;
+    const auto refused = leitstandctl({"record", "--out", mission.string(), "--storage", "sqlite3",
+                                       "--domain", std::to_string(domain.number())});
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.err, HasSubstr("stored alike"));
+}
+
 TEST(Mission, SlicesBecomeTurns) {
     const TemporaryFolder folder;
     const fs::path mission = folder / "mission";

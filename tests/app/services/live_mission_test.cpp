@@ -4,6 +4,7 @@
 #include <fstream>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <string>
 #include <thread>
@@ -67,6 +68,7 @@ protected:
     std::unique_ptr<LiveMission> begin(LiveMission::Listener listener = {}, double alarmMinutes = 10.0) {
         LiveMissionSettings settings;
         settings.folder = m_mission;
+        settings.storage = m_storage;
         settings.alarmMinutes = alarmMinutes;
         settings.robots = {kurt()};
         settings.version = "test";
@@ -87,9 +89,16 @@ protected:
 
     const TemporaryFolder m_folder;
     const std::filesystem::path m_mission = m_folder / "mission";
+    std::optional<BagStorage> m_storage;
 };
 
-TEST_F(LiveMissionTest, ACheckpointComesAtLeastEveryHalfMinuteAndAtTheEnd) {
+/// What holds in files of each kind.
+class StoredLiveMission : public LiveMissionTest, public testing::WithParamInterface<BagStorage> {
+protected:
+    StoredLiveMission() { m_storage = GetParam(); }
+};
+
+TEST_P(StoredLiveMission, ACheckpointComesAtLeastEveryHalfMinuteAndAtTheEnd) {
     {
         const auto mission = begin();
         const Time begun = Time(std::chrono::system_clock::now().time_since_epoch());
@@ -109,7 +118,7 @@ TEST_F(LiveMissionTest, ACheckpointComesAtLeastEveryHalfMinuteAndAtTheEnd) {
     EXPECT_EQ(all.back().topic, station_topic::Checkpoints);
 }
 
-TEST_F(LiveMissionTest, AResumeGoesOnFromTheStateThatWas) {
+TEST_P(StoredLiveMission, AResumeGoesOnFromTheStateThatWas) {
     std::uint64_t last = 0;
     {
         const auto mission = begin();
@@ -136,7 +145,7 @@ TEST_F(LiveMissionTest, AResumeGoesOnFromTheStateThatWas) {
     EXPECT_THAT(*mission->state()->sessions, SizeIs(2));
 }
 
-TEST_F(LiveMissionTest, AnyJumpEqualsTheWholeReplay) {
+TEST_P(StoredLiveMission, AnyJumpEqualsTheWholeReplay) {
     {
         const auto mission = begin();
         for (int i = 1; i <= 200; ++i) {
@@ -168,7 +177,7 @@ Pose arbitraryPose(std::mt19937& random) {
     return pose;
 }
 
-TEST_F(LiveMissionTest, TheStateOfALiveMissionIsToTheLastBitTheOneThatItsLogGives) {
+TEST_P(StoredLiveMission, TheStateOfALiveMissionIsToTheLastBitTheOneThatItsLogGives) {
     std::vector<std::byte> live;
     {
         const auto mission = begin();
@@ -265,6 +274,9 @@ TEST_F(LiveMissionTest, RobotFilesOfEarlierSessionsStay) {
     std::getline(earlier, line);
     EXPECT_EQ(line, "# as it was then");
 }
+
+INSTANTIATE_TEST_SUITE_P(Storage, StoredLiveMission, testing::Values(BagStorage::Sqlite, BagStorage::Mcap),
+                         [](const auto& one) { return std::string(nameOf(one.param)); });
 
 }  // namespace
 }  // namespace leitstand::test

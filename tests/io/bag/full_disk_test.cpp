@@ -20,7 +20,7 @@ namespace {
 using namespace std::chrono_literals;
 
 /// A disk of a few megabytes of its own.
-class FullDisk : public testing::Test {
+class FullDisk : public testing::TestWithParam<BagStorage> {
 protected:
     void SetUp() override {
         std::filesystem::create_directory(m_disk);
@@ -33,6 +33,9 @@ protected:
     void TearDown() override {
         if (m_mounted) ::umount2(m_disk.c_str(), MNT_DETACH);
     }
+
+    /// Words for the table of attacks.
+    static std::string kind() { return GetParam() == BagStorage::Mcap ? " (MCAP)" : ""; }
 
     bool waitFor(const std::function<bool()>& condition) {
         const auto deadline = std::chrono::steady_clock::now() + 20s;
@@ -48,11 +51,12 @@ protected:
     bool m_mounted = false;
 };
 
-TEST_F(FullDisk, TheBagStaysReadableAndWritingGoesOnWhenThereIsSpaceAgain) {
+TEST_P(FullDisk, TheBagStaysReadableAndWritingGoesOnWhenThereIsSpaceAgain) {
     test::writeText(m_disk / "ballast", std::string(12'000'000, 'b'));
     std::atomic<bool> full = false;
     const auto mission = m_disk / "mission";
     BagWriterSettings settings;
+    settings.storage = GetParam();
     settings.commitInterval = 20ms;
     settings.commitBytes = 1'000'000;
     settings.retryInterval = 20ms;
@@ -81,13 +85,14 @@ TEST_F(FullDisk, TheBagStaysReadableAndWritingGoesOnWhenThereIsSpaceAgain) {
     const auto reader = test::opened(mission);
     EXPECT_EQ(test::readAll(*reader).size(), last) << "nothing but pictures may be missing";
     EXPECT_THAT(reader->problems(), testing::IsEmpty());
-    test::tellAttack("log", "the disk is full for a while", 1,
+    test::tellAttack("log", "the disk is full for a while" + kind(), 1,
                      fmt::format("all {} events are there once there is space, but for pictures", last));
 }
 
-TEST_F(FullDisk, ClosingWhileItIsFullLeavesAReadableBag) {
+TEST_P(FullDisk, ClosingWhileItIsFullLeavesAReadableBag) {
     const auto mission = m_disk / "mission";
     BagWriterSettings settings;
+    settings.storage = GetParam();
     settings.commitInterval = 20ms;
     settings.retryInterval = 20ms;
     const auto writer = std::move(BagWriter::open(mission, settings)).value();
@@ -98,9 +103,12 @@ TEST_F(FullDisk, ClosingWhileItIsFullLeavesAReadableBag) {
     ASSERT_NE(reader, nullptr);
     const auto events = test::readAll(*reader);
     EXPECT_EQ(test::differing(events, 20'000), 0U);
-    test::tellAttack("log", "the disk is full when the log is closed", 1,
+    test::tellAttack("log", "the disk is full when the log is closed" + kind(), 1,
                      fmt::format("the loss is told; the {} events that had space are read", events.size()));
 }
+
+INSTANTIATE_TEST_SUITE_P(Storage, FullDisk, testing::Values(BagStorage::Sqlite, BagStorage::Mcap),
+                         [](const auto& one) { return std::string(nameOf(one.param)); });
 
 }  // namespace
 }  // namespace leitstand

@@ -24,8 +24,8 @@ Time now() {
 }
 
 /// A process that records numbered events, some 2 MB/s, until it is killed; tells by a byte that it began.
-[[noreturn]] void record(const std::filesystem::path& mission, int notifyPipe) {
-    auto opening = BagWriter::open(mission);
+[[noreturn]] void record(const std::filesystem::path& mission, BagStorage storage, int notifyPipe) {
+    auto opening = BagWriter::open(mission, {.storage = storage});
     if (!opening) _exit(1);
     const auto writer = std::move(opening).value();
     for (const TopicInfo& topic : test::sampleTopics()) writer->addTopic(topic);
@@ -41,7 +41,7 @@ Time now() {
 
 /// Kills a recorder at @p rounds random moments, each resuming the same mission, and looks what is there. At
 /// most the last @p mostMissing [s] are missing; infinite: not held, since a commit waits for the disk.
-void killAndLook(int rounds, unsigned seed, double mostMissing) {
+void killAndLook(BagStorage storage, int rounds, unsigned seed, double mostMissing) {
     const test::TemporaryFolder folder;
     std::mt19937 random(seed);
     std::uint64_t before = 0;
@@ -50,7 +50,7 @@ void killAndLook(int rounds, unsigned seed, double mostMissing) {
         int ends[2];
         ASSERT_EQ(pipe(ends), 0);
         const pid_t child = fork();
-        if (child == 0) record(folder / "mission", ends[1]);
+        if (child == 0) record(folder / "mission", storage, ends[1]);
         close(ends[1]);
         char begun = 0;
         EXPECT_EQ(read(ends[0], &begun, 1), 1) << "the recorder did not begin";
@@ -76,20 +76,27 @@ void killAndLook(int rounds, unsigned seed, double mostMissing) {
             before = events.back().sequence;
         }
     }
-    test::tellAttack("log", "kill -9 of the recorder at random moments", static_cast<std::uint64_t>(rounds),
+    test::tellAttack("log",
+                     std::string("kill -9 of the recorder at random moments") +
+                         (storage == BagStorage::Mcap ? " (MCAP)" : ""),
+                     static_cast<std::uint64_t>(rounds),
                      fmt::format("all missions open; at worst the last {:.2f} s are missing", worst));
 }
 
 TEST(KilledRecorder, LeavesWhatItCommittedWithoutAGapAtFiveMoments) {
-    killAndLook(5, 1, std::numeric_limits<double>::infinity());
+    killAndLook(BagStorage::Sqlite, 5, 1, std::numeric_limits<double>::infinity());
+}
+
+TEST(KilledRecorder, LeavesAnMcapFileThatIsReadToTheLastCommitAtFiveMoments) {
+    killAndLook(BagStorage::Mcap, 5, 4, std::numeric_limits<double>::infinity());
 }
 
 TEST(KilledRecorderLatency, LosesAtMostTheLastSecond) {
-    killAndLook(5, 3, 1.0);
+    killAndLook(BagStorage::Sqlite, 5, 3, 1.0);
 }
 
 TEST(KilledRecorderLong, LosesAtMostTheLastSecondAtFiftyMoments) {
-    killAndLook(50, 2, 1.0);
+    killAndLook(BagStorage::Sqlite, 50, 2, 1.0);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <zstd.h>
 
 #include "core/io/bag/bag_conversion.h"
+#include "core/io/bag/mcap/mcap_sequences.h"
+#include "core/io/bag/mcap/mcap_writer.h"
 #include "tests/io/bag/foreign_database.h"
 #include "tests/io/bag/mcap_bytes.h"
 #include "tests/io/bag/sample_bags.h"
@@ -249,8 +251,9 @@ TEST_F(McapBag, MessagesThatAreNoCdrAreLeftOutAndNamed) {
                 Contains(HasSubstr("topic /c: expected serialization \"cdr\", found \"ros1\"")));
 }
 
-TEST_F(McapBag, AConvertedMissionHasTheSameMessagesAndIsForOtherPrograms) {
-    test::writeSession(m_folder / "mission", 1, 300);
+TEST_F(McapBag, AConvertedMissionStaysAMissionThereAndBack) {
+    test::writeSession(m_folder / "mission", 1, 200);
+    test::writeSession(m_folder / "mission", 301, 400);  // numbers are missing between the sessions
     const auto mission = readAll(*opened(m_folder / "mission"));
     const auto there = convertBag(m_folder / "mission", m_folder / "mcap", BagStorage::Mcap);
     ASSERT_TRUE(there) << there.error().text;
@@ -258,7 +261,9 @@ TEST_F(McapBag, AConvertedMissionHasTheSameMessagesAndIsForOtherPrograms) {
     EXPECT_TRUE(fs::exists(m_folder / "mcap" / "mcap_0.mcap"));
     const auto mcap = opened(m_folder / "mcap");
     EXPECT_THAT(mcap->problems(), IsEmpty());
+    EXPECT_TRUE(mcap->ours());
     EXPECT_EQ(test::differing(readAll(*mcap)), 0U);
+    EXPECT_EQ(test::sequences(readAll(*mcap)), test::sequences(mission));
     const auto whole = opened(m_folder / "mission");
     ASSERT_EQ(mcap->topics().size(), whole->topics().size());
     for (std::size_t i = 0; i < mcap->topics().size(); ++i) {
@@ -271,9 +276,90 @@ TEST_F(McapBag, AConvertedMissionHasTheSameMessagesAndIsForOtherPrograms) {
         EXPECT_EQ(is.messages, was.messages);
     }
     const auto back = convertBag(m_folder / "mcap", m_folder / "back", BagStorage::Sqlite);
+    ASSERT_TRUE(back) << back.error().text;
+    const auto again = opened(m_folder / "back");
+    EXPECT_TRUE(again->ours());
+    EXPECT_EQ(test::differing(readAll(*again)), 0U);
+    EXPECT_EQ(test::sequences(readAll(*again)), test::sequences(mission));
+    // It is gone on with, too.
+    test::writeSession(m_folder / "mcap", 401, 410, {.storage = BagStorage::Mcap});
+    EXPECT_EQ(test::sequences(readAll(*opened(m_folder / "mcap"))).back(), 410U);
+}
+
+TEST_F(McapBag, ACopyOfAMissionWithoutSequencesIsForOtherPrograms) {
+    test::writeSession(m_folder / "mission", 1, 300);
+    const auto mission = opened(m_folder / "mission");
+    auto writer = std::move(McapWriter::create(m_file, McapWriter::Sequences::Dropped)).value();
+    for (const RawEvent& event : readAll(*mission)) {
+        for (const BagTopic& topic : mission->topics()) {
+            if (topic.info.name == event.topic) writer.write(topic.info, event);
+        }
+    }
+    ASSERT_TRUE(writer.close().ok());
+    EXPECT_FALSE(opened(m_file)->ours());
+    const auto back = convertBag(m_file, m_folder / "back", BagStorage::Sqlite);
     ASSERT_FALSE(back) << "finds would name other messages";
     EXPECT_THAT(back.error().text, HasSubstr("expected the mission itself"));
     EXPECT_FALSE(fs::exists(m_folder / "back"));
+}
+
+/// A mission's file of one chunk, whose sequences are @p stated.
+std::string missionOf(const std::string& records, const detail::McapSequences& stated) {
+    return McapText()
+        .record(0x80, detail::McapSequences().content())
+        .record(0x80, stated.content())
+        .chunk(records)
+        .end(false)
+        .bytes();
+}
+
+TEST_F(McapBag, HostileSequencesNeitherCrashNorMakeUpMessages) {
+    const auto read = [&](const std::string& bytes) {
+        test::writeText(m_file, bytes);
+        return test::sequences(readAll(*opened(m_file)));
+    };
+    const auto problems = [&] { return opened(m_file)->problems(); };
+    const std::string records = McapText::described() + m_early + m_late;
+    detail::McapSequences right, few, twice, huge;
+    for (const std::uint64_t one : {7U, 8U, 9U, 20U}) right.add(one);
+    for (const std::uint64_t one : {7U, 8U}) few.add(one);
+    for (const std::uint64_t one : {7U, 8U, 8U, 9U}) twice.add(one);
+    huge.add(~0ULL);
+    EXPECT_THAT(read(missionOf(records, right)), ElementsAre(7, 8, 9, 20));
+    EXPECT_THAT(problems(), IsEmpty());
+    EXPECT_THAT(read(missionOf(records, few)), ElementsAre(7, 8));
+    EXPECT_THAT(problems(), Contains(HasSubstr("expected sequences of 4 messages, found 2")));
+    EXPECT_THAT(read(missionOf(records, twice)), ElementsAre(7, 8, 9));
+    EXPECT_THAT(problems(), Contains(HasSubstr("a sequence of its own for each message; 1 are left out")));
+    EXPECT_THAT(read(missionOf(records, huge)), IsEmpty());
+    // Counts that claim the whole memory, and records that end within a number.
+    const std::string name = detail::McapSequences().content();
+    const auto record = [&](const std::string& content) {
+        return McapText().record(0x80, name).record(0x80, content);
+    };
+    for (const std::string& content :
+         {name + McapText::number(1, 8) + McapText::number(~0U, 4),
+          name + McapText::number(0, 8) + McapText::number(4, 4), name + McapText::number(1, 8),
+          name + McapText::number(1, 8) + McapText::number(0, 4), std::string(3, '\1')})
+        EXPECT_THAT(read(record(content).chunk(records).end(false).bytes()), IsEmpty());
+    // A record of the same number by another program is none of ours.
+    EXPECT_THAT(read(McapText().record(0x80, "theirs").chunk(records).end(false).bytes()),
+                ElementsAre(1, 2, 3, 4));
+}
+
+TEST_F(McapBag, AMissionThatIsCutOffAnywhereKeepsItsNumbers) {
+    test::writeSession(m_folder / "mission", 1, 60, {.storage = BagStorage::Mcap});
+    const std::string whole = test::readText(m_folder / "mission" / "mission_0.mcap");
+    std::size_t most = 0;
+    for (std::size_t size = McapText::Magic.size(); size <= whole.size(); size += 1 + size / 40) {
+        test::writeText(m_file, whole.substr(0, size));
+        const auto events = readAll(*opened(m_file));
+        EXPECT_GE(events.size(), most) << size;
+        most = events.size();
+        for (std::size_t i = 0; i < events.size(); ++i) ASSERT_EQ(events[i].sequence, i + 1) << size;
+        EXPECT_EQ(test::differing(events), 0U) << size;
+    }
+    EXPECT_GT(most, 0U);
 }
 
 TEST_F(McapBag, BagsOfOthersAreConvertedThereAndBack) {

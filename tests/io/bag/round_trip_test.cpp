@@ -31,14 +31,24 @@ std::uint64_t messages(const BagReader& reader, const std::string& topic) {
     return 0;
 }
 
-class BagRoundTrip : public testing::Test {
+/// The same in files of each kind.
+class BagRoundTrip : public testing::TestWithParam<BagStorage> {
 protected:
+    [[nodiscard]] std::unique_ptr<BagWriter> newWriter() const {
+        return std::move(BagWriter::open(m_mission, {.storage = GetParam()})).value();
+    }
+    void writeSession(std::uint64_t first, std::uint64_t last) const {
+        test::writeSession(m_mission, first, last, {.storage = GetParam()});
+    }
+    [[nodiscard]] std::string nameOfFile(int number) const {
+        return "mission_" + std::to_string(number) + std::string(endingOf(GetParam()));
+    }
     const test::TemporaryFolder m_folder;
     const std::filesystem::path m_mission = m_folder / "mission";
 };
 
-TEST_F(BagRoundTrip, GivesBackWhatWasWritten) {
-    test::writeSession(m_mission, 1, 2'000);
+TEST_P(BagRoundTrip, GivesBackWhatWasWritten) {
+    writeSession(1, 2'000);
     const auto reader = test::opened(m_mission);
     EXPECT_THAT(reader->problems(), IsEmpty());
     EXPECT_TRUE(reader->ours());
@@ -61,9 +71,9 @@ TEST_F(BagRoundTrip, GivesBackWhatWasWritten) {
     }
 }
 
-TEST_F(BagRoundTrip, EmptyAndLargeMessagesAndUnannouncedTopics) {
+TEST_P(BagRoundTrip, EmptyAndLargeMessagesAndUnannouncedTopics) {
     {
-        const auto writer = std::move(BagWriter::open(m_mission)).value();
+        const auto writer = newWriter();
         writer->write({0, at(1), "/a", "std_msgs/msg/Empty", std::make_shared<std::vector<std::byte>>()});
         writer->write({0, at(2), "/b", "sensor_msgs/msg/Image", test::payload(20'000'000, 1)});
         writer->write({7, at(3), "/a", "std_msgs/msg/Empty", test::payload(4, 2)});
@@ -78,9 +88,9 @@ TEST_F(BagRoundTrip, EmptyAndLargeMessagesAndUnannouncedTopics) {
     EXPECT_EQ(*events[1].cdr, *test::payload(20'000'000, 1));
 }
 
-TEST_F(BagRoundTrip, QueriesByTimeTopicAndSequence) {
-    test::writeSession(m_mission, 1, 1'000);
-    test::writeSession(m_mission, 1'001, 1'500);
+TEST_P(BagRoundTrip, QueriesByTimeTopicAndSequence) {
+    writeSession(1, 1'000);
+    writeSession(1'001, 1'500);
     const auto reader = test::opened(m_mission);
     EXPECT_EQ(sequences(readAll(*reader, {.fromSequence = 990, .toSequence = 1'010})), numbers(990, 1'010));
     EXPECT_EQ(sequences(readAll(*reader, {.from = at(9'905), .to = at(10'200)})), numbers(991, 1'019));
@@ -100,12 +110,12 @@ TEST_F(BagRoundTrip, QueriesByTimeTopicAndSequence) {
     EXPECT_EQ(reader->sequenceAt(at(15'001)), 1'501U);
 }
 
-TEST_F(BagRoundTrip, AResumeWritesANewFileAndLeavesTheOldOneAsItIs) {
-    test::writeSession(m_mission, 1, 300);
-    const auto first = m_mission / "mission_0.db3";
+TEST_P(BagRoundTrip, AResumeWritesANewFileAndLeavesTheOldOneAsItIs) {
+    writeSession(1, 300);
+    const auto first = m_mission / nameOfFile(0);
     const std::string before = test::readText(first);
-    const auto writer = std::move(BagWriter::open(m_mission)).value();
-    EXPECT_EQ(writer->file(), m_mission / "mission_1.db3");
+    const auto writer = newWriter();
+    EXPECT_EQ(writer->file(), m_mission / nameOfFile(1));
     EXPECT_EQ(writer->earlierSequence(), 300U);
     RawEvent next = sampleEvent(301);
     next.sequence = 0;  // numbered on
@@ -120,18 +130,18 @@ TEST_F(BagRoundTrip, AResumeWritesANewFileAndLeavesTheOldOneAsItIs) {
     EXPECT_FALSE(std::filesystem::exists(m_mission / "mission_1.db3-wal"));
     const std::string metadata = test::readText(m_mission / "metadata.yaml");
     EXPECT_THAT(metadata, HasSubstr("message_count: 301"));
-    EXPECT_THAT(metadata, HasSubstr("- mission_0.db3"));
-    EXPECT_THAT(metadata, HasSubstr("- mission_1.db3"));
+    EXPECT_THAT(metadata, HasSubstr("- " + nameOfFile(0)));
+    EXPECT_THAT(metadata, HasSubstr("- " + nameOfFile(1)));
 }
 
-TEST_F(BagRoundTrip, CountsKnowOfGapsWhereEventsWereDropped) {
+TEST_P(BagRoundTrip, CountsKnowOfGapsWhereEventsWereDropped) {
     {
-        const auto writer = std::move(BagWriter::open(m_mission)).value();
+        const auto writer = newWriter();
         for (const std::uint64_t sequence : {1U, 2U, 70U}) {
             writer->write({sequence, at(1), "/a", "x/msg/A", test::payload(10, 1)});
         }
     }
-    test::writeSession(m_mission, 100, 104);
+    writeSession(100, 104);
     const auto reader = test::opened(m_mission);
     EXPECT_EQ(reader->sessions()[0].messages, 3U);
     EXPECT_EQ(reader->sessions()[1].messages, 5U);
@@ -141,16 +151,16 @@ TEST_F(BagRoundTrip, CountsKnowOfGapsWhereEventsWereDropped) {
     EXPECT_THAT(metadata, testing::Not(HasSubstr("message_count: 70")));
 }
 
-TEST_F(BagRoundTrip, AMissionHasOneWriter) {
-    const auto writer = std::move(BagWriter::open(m_mission)).value();
+TEST_P(BagRoundTrip, AMissionHasOneWriter) {
+    const auto writer = newWriter();
     const auto second = BagWriter::open(m_mission);
     ASSERT_FALSE(second.ok());
     EXPECT_THAT(second.error().text, HasSubstr("another program records"));
 }
 
-TEST_F(BagRoundTrip, IsReadWhileItIsWritten) {
-    test::writeSession(m_mission, 1, 100);
-    const auto writer = std::move(BagWriter::open(m_mission)).value();
+TEST_P(BagRoundTrip, IsReadWhileItIsWritten) {
+    writeSession(1, 100);
+    const auto writer = newWriter();
     for (std::uint64_t i = 101; i <= 400; ++i) writer->write(sampleEvent(i));
     ASSERT_TRUE(writer->flush().ok());
     {
@@ -167,10 +177,12 @@ TEST_F(BagRoundTrip, IsReadWhileItIsWritten) {
     EXPECT_EQ(readAll(*test::opened(m_mission)).size(), 500U);
 }
 
-TEST_F(BagRoundTrip, WhatAKilledWriterLeftIsReadAndNothingIsChanged) {
-    test::writeSession(m_mission, 1, 200);
-    test::writeUnclosedSession(m_mission, 201, 900);
-    ASSERT_GT(std::filesystem::file_size(m_mission / "mission_1.db3-wal"), 100'000U);
+TEST_P(BagRoundTrip, WhatAKilledWriterLeftIsReadAndNothingIsChanged) {
+    writeSession(1, 200);
+    test::writeUnclosedSession(m_mission, 201, 900, {.storage = GetParam()});
+    if (GetParam() == BagStorage::Sqlite) {
+        ASSERT_GT(std::filesystem::file_size(m_mission / "mission_1.db3-wal"), 100'000U);
+    }
     const std::string before = test::fingerprint(m_mission);
     {
         const auto reader = test::opened(m_mission);
@@ -184,13 +196,13 @@ TEST_F(BagRoundTrip, WhatAKilledWriterLeftIsReadAndNothingIsChanged) {
     }
     EXPECT_EQ(test::fingerprint(m_mission), before);
 
-    test::writeSession(m_mission, 901, 950);
+    writeSession(901, 950);
     EXPECT_EQ(sequences(readAll(*test::opened(m_mission))), numbers(1, 950));
     EXPECT_THAT(test::readText(m_mission / "metadata.yaml"), HasSubstr("message_count: 950"));
 }
 
-TEST_F(BagRoundTrip, ManyThreadsWriteAndNothingWaitsOrIsLost) {
-    const auto writer = std::move(BagWriter::open(m_mission)).value();
+TEST_P(BagRoundTrip, ManyThreadsWriteAndNothingWaitsOrIsLost) {
+    const auto writer = newWriter();
     {
         std::vector<std::jthread> threads;
         for (int t = 0; t < 4; ++t) {
@@ -203,6 +215,35 @@ TEST_F(BagRoundTrip, ManyThreadsWriteAndNothingWaitsOrIsLost) {
     ASSERT_TRUE(writer->close().ok());
     EXPECT_EQ(readAll(*test::opened(m_mission)).size(), 2'000U);
 }
+
+TEST_P(BagRoundTrip, TheNextSessionIsStoredAsTheEarlierOnesAre) {
+    writeSession(1, 10);
+    {
+        const auto writer = std::move(BagWriter::open(m_mission)).value();
+        EXPECT_EQ(writer->file().filename(), nameOfFile(1));
+    }
+    const BagStorage other = GetParam() == BagStorage::Mcap ? BagStorage::Sqlite : BagStorage::Mcap;
+    const std::string before = test::fingerprint(m_mission);
+    const auto refused = BagWriter::open(m_mission, {.storage = other});
+    ASSERT_FALSE(refused.ok());
+    EXPECT_THAT(refused.error().text, HasSubstr("all sessions of a mission are stored alike"));
+    EXPECT_EQ(test::fingerprint(m_mission), before);
+}
+
+TEST_P(BagRoundTrip, TimesThatFallAreReadByRisingSequence) {
+    {
+        const auto writer = newWriter();
+        for (const auto& [sequence, time] : {std::pair{1U, 500}, std::pair{2U, 100}, std::pair{3U, 300}})
+            writer->write({sequence, at(time), "/a", "x/msg/A", test::payload(10, sequence)});
+    }
+    const auto reader = test::opened(m_mission);
+    EXPECT_THAT(sequences(readAll(*reader)), ElementsAre(1, 2, 3));
+    EXPECT_THAT(sequences(readAll(*reader, {.to = at(400)})), ElementsAre(2, 3));
+    EXPECT_EQ(reader->sequenceAt(at(200)), 3U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Storage, BagRoundTrip, testing::Values(BagStorage::Sqlite, BagStorage::Mcap),
+                         [](const auto& one) { return std::string(nameOf(one.param)); });
 
 }  // namespace
 }  // namespace leitstand

@@ -97,7 +97,8 @@ void writeUnclosedSession(const fs::path& mission, std::uint64_t first, std::uin
         const auto writer = std::move(opening).value();
         for (const TopicInfo& topic : sampleTopics()) writer->addTopic(topic);
         for (std::uint64_t i = first; i <= last; ++i) {
-            if (i == last && !(writer->flush().ok() && readOn(mission))) _exit(2);
+            const bool logged = i == last && settings.storage != BagStorage::Mcap;
+            if (logged && !(writer->flush().ok() && readOn(mission))) _exit(2);
             writer->write(sampleEvent(i));
             if (flushEvery != 0 && i % flushEvery == 0 && !writer->flush().ok()) _exit(1);
         }

@@ -27,8 +27,8 @@ namespace leitstand::test {
 /// Writes a session of events @p first to @p last into @p mission, and closes it.
 void writeSession(const std::filesystem::path& mission, std::uint64_t first, std::uint64_t last,
                   const BagWriterSettings& settings = {});
-/// The same, but as a killed writer leaves it: the write-ahead log has what came last. Each @p flushEvery
-/// events are a commit of their own (0: as the writer likes).
+/// The same, but as a killed writer leaves it: a database's write-ahead log has what came last. Each @p
+/// flushEvery events are a commit of their own (0: as the writer likes).
 void writeUnclosedSession(const std::filesystem::path& mission, std::uint64_t first, std::uint64_t last,
                           const BagWriterSettings& settings = {}, std::uint64_t flushEvery = 0);
 

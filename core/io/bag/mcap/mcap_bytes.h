@@ -38,6 +38,7 @@ public:
     /// whose checksum is wrong without any records.
     [[nodiscard]] McapRecords recordsAt(const McapChunkPlace& place);
     [[nodiscard]] std::uint64_t size() const { return m_file.size(); }
+    void lookAgain() { m_file.lookAgain(); }  ///< as FileWindow::lookAgain()
 
 private:
     explicit McapBytes(FileWindow file) : m_file(std::move(file)) {}

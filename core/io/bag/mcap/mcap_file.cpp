@@ -30,11 +30,21 @@ TopicInfo infoOf(const McapChannel& channel, const McapIndex& index) {
 }  // namespace
 
 McapFile::McapFile(std::filesystem::path file, McapBytes bytes)
-    : IndexedFile(std::move(file)), m_bytes(std::move(bytes)) {
-    McapIndex index = mcapIndexOf(m_bytes);
+    : IndexedFile(std::move(file)), m_bytes(std::move(bytes)) {}
+
+void McapFile::takeTopics(const McapIndex& index) {
     for (const auto& [id, channel] : index.channels)
-        m_facts.topics[id] = {.info = infoOf(channel, index), .messages = 0};
-    setEntries(std::move(index.entries));
+        m_facts.topics.try_emplace(id, FileTopic{.info = infoOf(channel, index), .messages = 0});
+}
+
+void McapFile::readWhole() {
+    McapIndex index = mcapIndexOf(m_bytes);
+    takeTopics(index);
+    if (index.ours) {
+        setEntries(std::move(index.entries), std::move(index.sequences));
+    } else {
+        setEntries(std::move(index.entries));
+    }
     m_places = std::move(index.chunks);
     m_facts.closed = index.closed;
     m_facts.expected = index.stated.value_or(0);
@@ -42,10 +52,30 @@ McapFile::McapFile(std::filesystem::path file, McapBytes bytes)
         m_facts.problems.push_back(this->file().string() + ": " + problem);
 }
 
-Result<std::unique_ptr<BagFile>> McapFile::open(const std::filesystem::path& file) {
+Result<std::unique_ptr<BagFile>> McapFile::open(const std::filesystem::path& file, bool live) {
     auto bytes = McapBytes::open(file);
     if (!bytes) return bytes.error();
-    return std::unique_ptr<BagFile>(new McapFile(file, std::move(bytes).value()));
+    std::unique_ptr<McapFile> opened(new McapFile(file, std::move(bytes).value()));
+    if (live) {
+        opened->m_live.emplace();
+        opened->m_read = McapMagic.size();
+        opened->m_facts.closed = false;
+        opened->setEntries({}, {});
+        opened->lookAgain();
+    } else {
+        opened->readWhole();
+    }
+    return std::unique_ptr<BagFile>(std::move(opened));
+}
+
+void McapFile::lookAgain() {
+    if (!m_live) return;
+    m_bytes.lookAgain();
+    if (m_bytes.size() <= m_read) return;
+    m_read = extendMcapIndex(m_bytes, *m_live, m_read);
+    takeTopics(*m_live);
+    m_places = m_live->chunks;
+    addEntries(std::exchange(m_live->entries, {}), std::exchange(m_live->sequences, {}));
 }
 
 std::vector<std::byte> McapFile::unpackedChunk(std::uint32_t chunk) {

@@ -1,9 +1,11 @@
 #include "core/io/bag/mcap/mcap_index.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "core/base/words.h"
+#include "core/io/bag/mcap/mcap_sequences.h"
 
 namespace leitstand::detail {
 namespace {
@@ -14,12 +16,14 @@ constexpr std::size_t FooterLength = 20;            ///< of its content [B]
 /// Builds the index of a file.
 class Indexing {
 public:
-    explicit Indexing(McapBytes& bytes) : m_bytes(bytes) {}
+    explicit Indexing(McapBytes& bytes, McapIndex index = {}) : m_bytes(bytes), m_index(std::move(index)) {}
 
     /// Reads by the summary; false when there is none, or it does not show all messages.
     [[nodiscard]] bool bySummary();
     /// Reads the file record by record.
     void byRecords();
+    /// See extendMcapIndex().
+    [[nodiscard]] std::uint64_t extend(std::uint64_t from);
     [[nodiscard]] McapIndex finish();
 
 private:
@@ -29,14 +33,20 @@ private:
         std::uint64_t at = 0;  ///< offset of its record in the file [B]
         bool indexed = false;
         std::vector<IndexEntry> entries;
+        McapSequences sequences;
     };
     void describe(McapOp op, std::span<const std::byte> content);
     void add(std::vector<IndexEntry>& entries, std::span<const std::byte> messageIndex,
              std::uint32_t chunk) const;
     void keep(std::vector<IndexEntry> entries);
+    /// Keeps @p entries of one chunk, in our missions with their @p sequences.
+    void keep(std::vector<IndexEntry> entries, const McapSequences& sequences, std::uint64_t at);
+    /// Gives all entries of a mission the sequences in the summary; false when there is one too many or too
+    /// few.
+    [[nodiscard]] bool takeSequences(const McapSequences& sequences);
     /// Reads the messages of @p open, when no index shows them; always what it describes.
     void close(Open& open);
-    void scan(std::uint32_t chunk, std::uint64_t at, bool messages);
+    [[nodiscard]] std::vector<IndexEntry> scan(std::uint32_t chunk, std::uint64_t at, bool messages);
     void problem(std::uint64_t at, const std::string& what);
 
     McapBytes& m_bytes;
@@ -83,6 +93,32 @@ void Indexing::keep(std::vector<IndexEntry> entries) {
     m_index.entries.insert(m_index.entries.end(), entries.begin(), entries.end());
 }
 
+void Indexing::keep(std::vector<IndexEntry> entries, const McapSequences& sequences, std::uint64_t at) {
+    if (!m_index.ours) return keep(std::move(entries));
+    std::sort(entries.begin(), entries.end(),
+              [](const IndexEntry& a, const IndexEntry& b) { return a.offset < b.offset; });
+    if (entries.size() > sequences.count()) {
+        problem(at, leitstand::fill(
+                        translate("leitstand::Error",
+                                  "expected sequences of {} messages, found {}; the others are left out"),
+                        entries.size(), sequences.count()));
+        entries.resize(sequences.count());
+    }
+    const std::size_t before = m_index.entries.size();
+    keep(std::move(entries));
+    const auto numbers = sequences.first(m_index.entries.size() - before);
+    m_index.sequences.insert(m_index.sequences.end(), numbers.begin(), numbers.end());
+}
+
+bool Indexing::takeSequences(const McapSequences& sequences) {
+    if (sequences.count() != m_index.entries.size()) return false;
+    std::sort(m_index.entries.begin(), m_index.entries.end(), [](const IndexEntry& a, const IndexEntry& b) {
+        return std::tie(a.chunk, a.offset) < std::tie(b.chunk, b.offset);
+    });
+    m_index.sequences = sequences.first(sequences.count());
+    return true;
+}
+
 bool Indexing::bySummary() {
     constexpr std::size_t Tail = McapRecordHead + FooterLength + McapMagic.size();
     if (m_bytes.size() < Tail + McapMagic.size()) return false;
@@ -99,12 +135,16 @@ bool Indexing::bySummary() {
     if (!footer || footer->summary == 0 || footer->summary >= end || end - footer->summary > MostSummary)
         return false;
     std::vector<McapChunkIndex> chunks;
+    std::optional<McapSequences> sequences;
     forEachRecord(m_bytes.at(footer->summary, end - footer->summary),
                   [&](McapOp op, std::size_t, std::span<const std::byte> content) {
                       describe(op, content);
+                      if (op == McapOp::Sequences && !sequences)
+                          sequences = McapSequences::parse(content, MostEntries);
                       if (op != McapOp::ChunkIndex) return;
                       if (const auto one = mcapChunkIndex(content)) chunks.push_back(*one);
                   });
+    m_index.ours = sequences.has_value();
     if (chunks.empty()) return m_index.stated == 0U;
     std::sort(chunks.begin(), chunks.end(),
               [](const McapChunkIndex& a, const McapChunkIndex& b) { return a.chunk < b.chunk; });
@@ -119,7 +159,7 @@ bool Indexing::bySummary() {
         const auto number = static_cast<std::uint32_t>(m_index.chunks.size());
         m_index.chunks.push_back({one.chunk + McapRecordHead, one.length - McapRecordHead});
         if (one.indexes == 0) {
-            scan(number, one.chunk, true);
+            keep(scan(number, one.chunk, true));
             continue;
         }
         std::vector<IndexEntry> entries;
@@ -133,10 +173,11 @@ bool Indexing::bySummary() {
         std::all_of(m_index.entries.begin(), m_index.entries.end(), [&](const IndexEntry& one) {
             return m_index.channels.contains(static_cast<std::uint16_t>(one.topic));
         });
-    return known && (m_full || m_index.entries.size() >= m_index.stated.value_or(0));
+    if (!known || (!m_full && m_index.entries.size() < m_index.stated.value_or(0))) return false;
+    return !sequences || takeSequences(*sequences);
 }
 
-void Indexing::scan(std::uint32_t chunk, std::uint64_t at, bool messages) {
+std::vector<IndexEntry> Indexing::scan(std::uint32_t chunk, std::uint64_t at, bool messages) {
     const McapRecords records = m_bytes.recordsAt(m_index.chunks[chunk]);
     if (!records.problem.empty()) problem(at, records.problem);
     std::vector<IndexEntry> entries;
@@ -145,15 +186,18 @@ void Indexing::scan(std::uint32_t chunk, std::uint64_t at, bool messages) {
         const auto message = messages && op == McapOp::Message ? mcapMessage(content) : std::nullopt;
         if (message) entries.push_back({message->logged, offset, chunk, message->channel});
     });
-    keep(std::move(entries));
+    return entries;
 }
 
 void Indexing::close(Open& open) {
     const bool unknown = std::any_of(open.entries.begin(), open.entries.end(), [&](const IndexEntry& one) {
         return !m_index.channels.contains(static_cast<std::uint16_t>(one.topic));
     });
-    if (!open.indexed || unknown) scan(open.chunk, open.at, !open.indexed);
-    keep(std::move(open.entries));
+    if (!open.indexed || unknown) {
+        auto found = scan(open.chunk, open.at, !open.indexed);
+        if (!open.indexed) open.entries = std::move(found);
+    }
+    keep(std::move(open.entries), open.sequences, open.at);
 }
 
 void Indexing::byRecords() {
@@ -163,6 +207,7 @@ void Indexing::byRecords() {
     m_index = std::move(begun);
     m_full = false;
     std::optional<Open> open;
+    McapSequences sequences;        // of the chunk that comes next
     std::vector<IndexEntry> loose;  // messages outside of chunks
     std::uint64_t at = McapMagic.size();
     while (at < m_bytes.size() && !m_full) {
@@ -181,10 +226,19 @@ void Indexing::byRecords() {
         const std::uint64_t length = std::min(head.length, left);
         if (head.op == McapOp::Chunk) {
             m_index.chunks.push_back({at + McapRecordHead, length});
-            open = Open{static_cast<std::uint32_t>(m_index.chunks.size() - 1), at, false, {}};
+            open = Open{static_cast<std::uint32_t>(m_index.chunks.size() - 1),
+                        at,
+                        false,
+                        {},
+                        std::exchange(sequences, {})};
         } else if (!cut && open && head.op == McapOp::MessageIndex) {
             open->indexed = true;
             add(open->entries, m_bytes.at(at + McapRecordHead, length), open->chunk);
+        } else if (!cut && head.op == McapOp::Sequences) {
+            if (auto found = McapSequences::parse(m_bytes.at(at + McapRecordHead, length), MostEntries)) {
+                sequences = std::move(*found);
+                m_index.ours = true;
+            }
         } else if (!cut && head.op == McapOp::Message) {
             constexpr std::uint64_t Fields = 22;  // before a message's data [B]
             const auto message = mcapMessage(m_bytes.at(at + McapRecordHead, std::min(length, Fields)));
@@ -207,9 +261,46 @@ void Indexing::byRecords() {
         open->entries.clear();
         close(*open);
     }
-    keep(std::move(loose));
-    if (!m_index.closed && m_index.problems.empty())
+    keep(std::move(loose), {}, 0);
+    // Of a mission, the session says so, and nothing needs to be missing.
+    if (!m_index.closed && !m_index.ours && m_index.problems.empty())
         m_index.problems.push_back(translate("leitstand::Error", "its writer did not finish it"));
+}
+
+std::uint64_t Indexing::extend(std::uint64_t from) {
+    McapSequences sequences;
+    std::optional<Open> open;
+    std::uint64_t whole = from;  // up to where everything was taken
+    for (std::uint64_t at = from;;) {
+        const auto bytes = m_bytes.at(at, McapRecordHead);
+        const McapHead head = bytes.size() == McapRecordHead ? mcapHead(bytes) : McapHead{McapOp::DataEnd, 0};
+        const std::uint64_t content = at + McapRecordHead;
+        if (head.op == McapOp::DataEnd || head.length > m_bytes.size() - content) break;
+        if (head.op == McapOp::Sequences) {
+            auto found = McapSequences::parse(m_bytes.at(content, head.length), MostEntries);
+            sequences = found ? std::move(*found) : McapSequences();
+        } else if (head.op == McapOp::Chunk) {
+            m_index.chunks.push_back({content, head.length});
+            open = Open{static_cast<std::uint32_t>(m_index.chunks.size() - 1),
+                        at,
+                        true,
+                        {},
+                        std::exchange(sequences, {})};
+        } else if (head.op == McapOp::MessageIndex && open) {
+            add(open->entries, m_bytes.at(content, head.length), open->chunk);
+        }
+        at = content + head.length;
+        if (head.op == McapOp::Sequences || (open && open->entries.size() < open->sequences.count()))
+            continue;
+        if (open) {
+            open->indexed = open->sequences.count() > 0;  // one without messages describes topics
+            close(*open);
+            open.reset();
+        }
+        whole = at;
+    }
+    if (open) m_index.chunks.pop_back();  // it is not whole yet
+    return whole;
 }
 
 McapIndex Indexing::finish() {
@@ -229,6 +320,14 @@ std::size_t forEachRecord(std::span<const std::byte> records,
         at += McapRecordHead + length;
     }
     return at;
+}
+
+std::uint64_t extendMcapIndex(McapBytes& bytes, McapIndex& index, std::uint64_t from) {
+    index.ours = true;
+    Indexing indexing(bytes, std::move(index));
+    const std::uint64_t end = indexing.extend(from);
+    index = indexing.finish();
+    return end;
 }
 
 McapIndex mcapIndexOf(McapBytes& bytes) {

@@ -30,6 +30,7 @@ enum class McapOp : std::uint8_t {
     ChunkIndex = 0x08,
     Statistics = 0x0B,
     DataEnd = 0x0F,
+    Sequences = 0x80,  ///< ours: mcap_sequences.h
 };
 
 /// Reads the fields of a record one after the other. After a field that the record is too short for, all

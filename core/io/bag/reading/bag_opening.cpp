@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "core/base/words.h"
+#include "core/io/bag/bag_storage.h"
 #include "core/io/bag/detail/mission_folder.h"
 #include "core/io/bag/mcap/mcap_file.h"
 #include "core/io/bag/reading/other_kinds.h"
@@ -194,8 +195,8 @@ Result<std::shared_ptr<BagFile>> openFile(const fs::path& path, bool live, std::
             translate("leitstand::Error", "{}: expected a bag's file, found an empty one"), path.string())};
     // Closing any other descriptor of a file that this process writes would drop SQLite's locks on it.
     if (!live && isPacked(path)) return openPacked(path, problems, damaged);
-    if (!live && isMcap(path)) {
-        auto opened = McapFile::open(path);
+    if (live ? path.extension() == endingOf(BagStorage::Mcap) : isMcap(path)) {
+        auto opened = McapFile::open(path, live);
         if (!opened) return opened.error();
         return std::shared_ptr<BagFile>(std::move(opened).value());
     }
@@ -232,7 +233,7 @@ Result<OpenBag> openBag(const fs::path& path, Writer writer) {
         const fs::path folder = fs::absolute(path, problem).parent_path();
         std::vector<NumberedFile> alone = {{path, std::nullopt}};
         if (FolderLock::isTaken(folder)) {  // is it the one that is written?
-            const auto files = databaseFiles(folder);
+            const auto files = databaseFiles(folder, path.extension().string());
             for (const NumberedFile& file : files ? *files : std::vector<NumberedFile>{}) {
                 if (file.number)
                     alone[0].number = fs::equivalent(file.path, path, problem) ? file.number : std::nullopt;

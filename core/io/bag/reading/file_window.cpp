@@ -15,6 +15,11 @@ Result<FileWindow> FileWindow::open(const std::filesystem::path& path) {
     return FileWindow(std::move(file).value());
 }
 
+void FileWindow::lookAgain() {
+    m_file.lookAgain();
+    m_window.clear();
+}
+
 std::span<const std::byte> FileWindow::at(std::uint64_t offset, std::uint64_t count) {
     if (offset >= m_file.size()) return {};
     count = std::min(count, m_file.size() - offset);

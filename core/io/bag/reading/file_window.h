@@ -22,6 +22,8 @@ public:
     /// They stay valid until the next call.
     [[nodiscard]] std::span<const std::byte> at(std::uint64_t offset, std::uint64_t count);
     [[nodiscard]] std::uint64_t size() const { return m_file.size(); }  ///< [B]
+    /// Looks how large the file is now, for one that is being written.
+    void lookAgain();
 
 private:
     explicit FileWindow(InputFile file) : m_file(std::move(file)) {}

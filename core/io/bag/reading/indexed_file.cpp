@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <tuple>
 
 #include "core/base/words.h"
@@ -19,18 +20,60 @@ void IndexedFile::setEntries(std::vector<IndexEntry> entries) {
     std::stable_sort(m_entries.begin(), m_entries.end(), [](const IndexEntry& a, const IndexEntry& b) {
         return std::tie(a.received, a.chunk, a.offset) < std::tie(b.received, b.chunk, b.offset);
     });
-    for (std::size_t number = 0; number < m_entries.size(); ++number)
+    m_facts.idsByTime = true;
+    listFrom(0);
+}
+
+void IndexedFile::setEntries(std::vector<IndexEntry> entries, std::vector<std::uint64_t> ids) {
+    std::vector<std::uint32_t> order(std::min(entries.size(), ids.size()));
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return ids[a] < ids[b]; });
+    for (const std::uint32_t number : order) {
+        if (!m_ids.empty() && ids[number] == m_ids.back()) continue;
+        m_ids.push_back(ids[number]);
+        m_entries.push_back(entries[number]);
+    }
+    if (m_ids.size() < entries.size())
+        m_facts.problems.push_back(
+            leitstand::fill(translate("leitstand::Error",
+                                      "{}: expected a sequence of its own for each message; {} are left out"),
+                            m_file.string(), entries.size() - m_ids.size()));
+    m_facts.ours = true;
+    listFrom(0);
+}
+
+void IndexedFile::addEntries(const std::vector<IndexEntry>& entries, const std::vector<std::uint64_t>& ids) {
+    const std::size_t before = m_entries.size();
+    for (std::size_t i = 0; i < entries.size() && i < ids.size(); ++i) {
+        if (!m_ids.empty() && ids[i] <= m_ids.back()) continue;
+        m_ids.push_back(ids[i]);
+        m_entries.push_back(entries[i]);
+    }
+    listFrom(before);
+}
+
+void IndexedFile::listFrom(std::size_t first) {
+    for (std::size_t number = first; number < m_entries.size(); ++number)
         m_ofTopic[m_entries[number].topic].push_back(static_cast<std::uint32_t>(number));
     for (auto& [id, topic] : m_facts.topics) {
         const auto numbers = m_ofTopic.find(id);
         topic.messages = numbers == m_ofTopic.end() ? 0 : numbers->second.size();
     }
-    m_facts.idsByTime = true;
     if (m_entries.empty()) return;
-    m_facts.firstId = 1;
-    m_facts.lastId = m_entries.size();
+    m_facts.firstId = idOf(0);
+    m_facts.lastId = idOf(m_entries.size() - 1);
     m_facts.first = m_entries.front().received;
     m_facts.last = m_entries.back().received;
+}
+
+std::uint64_t IndexedFile::idOf(std::size_t number) const {
+    return m_ids.empty() ? number + 1 : m_ids[number];
+}
+
+std::size_t IndexedFile::countUpTo(std::uint64_t id) const {
+    if (m_ids.empty()) return static_cast<std::size_t>(std::min<std::uint64_t>(id, m_entries.size()));
+    return static_cast<std::size_t>(std::upper_bound(m_ids.begin(), m_ids.end(), id) - m_ids.begin());
 }
 
 void IndexedFile::report(const std::string& what) {
@@ -68,23 +111,31 @@ std::optional<BagRow> IndexedFile::rowAt(std::size_t number) {
             report(
                 leitstand::fill(translate("leitstand::Error",
                                           "message {}: expected a message where the index says, found none"),
-                                number + 1));
+                                idOf(number)));
         return std::nullopt;
     }
-    return BagRow{number + 1, entry.topic, entry.received, std::move(*payload)};
+    return BagRow{idOf(number), entry.topic, entry.received, std::move(*payload)};
 }
 
 BagFile::Outcome IndexedFile::fetch(const RowQuery& query, std::vector<BagRow>& rows) {
-    const auto first =
-        std::lower_bound(m_entries.begin(), m_entries.end(), query.afterTime,
-                         [](const IndexEntry& entry, Time time) { return entry.received < time; });
-    std::uint64_t number = std::max(static_cast<std::uint64_t>(first - m_entries.begin()), query.afterId);
+    lookAgain();
+    std::size_t number = countUpTo(query.afterId);
+    if (!m_facts.ours) {
+        const auto first =
+            std::lower_bound(m_entries.begin(), m_entries.end(), query.afterTime,
+                             [](const IndexEntry& entry, Time time) { return entry.received < time; });
+        number = std::max(number, static_cast<std::size_t>(first - m_entries.begin()));
+    }
+    const std::size_t end = countUpTo(query.lastId);
     std::size_t bytes = 0, taken = 0;
-    for (; number < m_entries.size() && number < query.lastId; ++number) {
+    for (; number < end; ++number) {
         const IndexEntry& entry = m_entries[number];
-        if (entry.received > query.lastTime) return Outcome::End;
+        if (entry.received > query.lastTime) {
+            if (!m_facts.ours) return Outcome::End;
+            continue;
+        }
         if (query.topics && !query.topics->contains(entry.topic)) continue;
-        auto row = rowAt(static_cast<std::size_t>(number));
+        auto row = rowAt(number);
         if (!row) continue;
         bytes += row->cdr->size();
         rows.push_back(std::move(*row));
@@ -94,31 +145,43 @@ BagFile::Outcome IndexedFile::fetch(const RowQuery& query, std::vector<BagRow>& 
 }
 
 std::optional<BagRow> IndexedFile::row(std::uint64_t id, bool& /*broken*/) {
-    return id == 0 || id > m_entries.size() ? std::nullopt : rowAt(static_cast<std::size_t>(id - 1));
+    lookAgain();
+    const std::size_t count = countUpTo(id);
+    return count == 0 || idOf(count - 1) != id ? std::nullopt : rowAt(count - 1);
 }
 
 std::optional<BagRow> IndexedFile::lastUpTo(const std::set<std::int64_t>& topics, std::uint64_t id,
                                             bool& /*broken*/) {
-    for (std::uint64_t upTo = id; upTo > 0;) {
-        std::uint64_t newest = 0;  // id of the newest message of one of the topics
+    lookAgain();
+    for (std::size_t upTo = countUpTo(id); upTo > 0;) {
+        std::size_t newest = 0;  // how many entries there are up to the newest of one of the topics
         for (const std::int64_t topic : topics) {
             const auto numbers = m_ofTopic.find(topic);
             if (numbers == m_ofTopic.end()) continue;
             const auto after = std::lower_bound(numbers->second.begin(), numbers->second.end(), upTo);
             if (after != numbers->second.begin())
-                newest = std::max<std::uint64_t>(newest, *std::prev(after) + 1ULL);
+                newest = std::max<std::size_t>(newest, *std::prev(after) + std::size_t{1});
         }
         if (newest == 0) return std::nullopt;
-        if (auto row = rowAt(static_cast<std::size_t>(newest - 1))) return row;
+        if (auto row = rowAt(newest - 1)) return row;
         upTo = newest - 1;  // it cannot be read: the one before
     }
     return std::nullopt;
 }
 
 std::uint64_t IndexedFile::idAt(Time time, bool& /*broken*/) {
-    const auto found = std::lower_bound(m_entries.begin(), m_entries.end(), time,
-                                        [](const IndexEntry& entry, Time at) { return entry.received < at; });
-    return found == m_entries.end() ? 0 : static_cast<std::uint64_t>(found - m_entries.begin()) + 1;
+    lookAgain();
+    auto found = m_entries.end();
+    if (!m_facts.ours) {
+        found = std::lower_bound(m_entries.begin(), m_entries.end(), time,
+                                 [](const IndexEntry& entry, Time at) { return entry.received < at; });
+    } else {  // a clock that was set back lets times fall: the earliest one from then on
+        for (auto one = m_entries.begin(); one != m_entries.end(); ++one) {
+            if (one->received >= time && (found == m_entries.end() || one->received < found->received))
+                found = one;
+        }
+    }
+    return found == m_entries.end() ? 0 : idOf(static_cast<std::size_t>(found - m_entries.begin()));
 }
 
 }  // namespace leitstand::detail

@@ -21,10 +21,10 @@ namespace {
 /// No log loses more messages. A larger gap to metadata.yaml is not believed.
 constexpr std::uint64_t MostLost = 100'000'000;
 
-fs::path nextFile(const fs::path& folder, const std::vector<NumberedFile>& earlier) {
+fs::path nextFile(const fs::path& folder, const std::vector<NumberedFile>& earlier, BagStorage storage) {
     unsigned long next = 0;
     for (const auto& file : earlier) next = std::max(next, file.number ? *file.number + 1 : 0);
-    return folder / fmt::format("{}_{}.db3", folder.filename().string(), next);
+    return folder / fmt::format("{}_{}{}", folder.filename().string(), next, endingOf(storage));
 }
 
 BagMetadata summaryOf(const ReaderCore& reader) {
@@ -78,11 +78,23 @@ bool anyDamaged(const ReaderCore& reader) {
 
 }  // namespace
 
-Result<EarlierSessions> earlierSessions(const fs::path& folder) {
-    const auto files = databaseFiles(folder);
-    if (!files) return files.error();
+Result<EarlierSessions> earlierSessions(const fs::path& folder, std::optional<BagStorage> storage) {
+    const auto databases = databaseFiles(folder, endingOf(BagStorage::Sqlite));
+    const auto mcaps = databaseFiles(folder, endingOf(BagStorage::Mcap));
+    if (!databases) return databases.error();
+    if (!mcaps) return mcaps.error();
     EarlierSessions earlier;
-    earlier.nextFile = nextFile(folder, *files);
+    earlier.storage =
+        storage.value_or(databases->empty() && !mcaps->empty() ? BagStorage::Mcap : BagStorage::Sqlite);
+    const bool inMcap = earlier.storage == BagStorage::Mcap;
+    if (!(inMcap ? databases : mcaps)->empty())
+        return Error{
+            fmt::format("{}: expected a mission in files {}, found files {}: all sessions of a mission "
+                        "are stored alike",
+                        folder.string(), endingOf(earlier.storage),
+                        endingOf(inMcap ? BagStorage::Sqlite : BagStorage::Mcap))};
+    const auto& files = inMcap ? mcaps : databases;
+    earlier.nextFile = nextFile(folder, *files, earlier.storage);
     std::optional<ReaderCore> reader;
     if (!files->empty()) {
         if (auto opened = openBag(folder, Writer::Nobody)) reader.emplace(std::move(opened).value());

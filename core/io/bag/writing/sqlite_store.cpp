@@ -1,20 +1,12 @@
 #include "core/io/bag/writing/sqlite_store.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <system_error>
-
-#include <sys/statvfs.h>
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "core/io/bag/writing/earlier_sessions.h"
-#include "core/io/detail/output_file.h"
-
 namespace leitstand::detail {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -36,37 +28,19 @@ INSERT INTO schema VALUES (4, '');
 
 constexpr int MaxWalFrames = 512;  // 4 MiB until a checkpoint: a lost log costs no more
 
-fs::path normal(const fs::path& folder) {
-    std::error_code ignored;
-    fs::path whole = fs::absolute(folder, ignored).lexically_normal();
-    return whole.has_filename() ? whole : whole.parent_path();
-}
-
 }  // namespace
 
-Result<std::unique_ptr<BagStore>> SqliteStore::create(const fs::path& given) {
-    const fs::path folder = normal(given);
-    std::error_code problem;
-    fs::create_directories(folder, problem);
-    if (problem) return Error{fmt::format("{}: cannot be made: {}", folder.string(), problem.message())};
-    auto lock = FolderLock::take(folder);
-    if (!lock) return lock.error();
-    auto found = earlierSessions(folder);
-    if (!found) return found.error();
-    EarlierSessions earlier = std::move(found).value();
-    std::unique_ptr<SqliteStore> store(new SqliteStore(folder, earlier.nextFile, std::move(lock).value()));
-    store->m_earlierSequence = earlier.lastSequence;
-    store->m_earlier = std::move(earlier.metadata);
+Result<std::unique_ptr<BagStore>> SqliteStore::create(SessionFolder folder) {
+    std::unique_ptr<SqliteStore> store(new SqliteStore(std::move(folder)));
     if (const auto failed = store->createTables()) return Error{failed->text};
-    store->writeMetadataFile();
-    syncFolder(folder.parent_path());
-    syncFolder(folder);
+    store->m_folder.writeMetadata(store->m_books);
+    store->m_folder.sync();
     return std::unique_ptr<BagStore>(std::move(store));
 }
 
 std::optional<StoreProblem> SqliteStore::createTables() {
-    auto opened = Database::open(m_file.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-    if (!opened) return StoreProblem{.text = m_file.string() + ": cannot be made: " + opened.error().text};
+    auto opened = Database::open(file().string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    if (!opened) return StoreProblem{.text = file().string() + ": cannot be made: " + opened.error().text};
     m_database = std::move(opened).value();
     sqlite3_busy_timeout(m_database.handle(), 2'000);
     // The tables are written before the write-ahead log is switched on, since SQLite discards the log of a
@@ -94,8 +68,6 @@ std::optional<StoreProblem> SqliteStore::createTables() {
         "INSERT INTO message_definitions(topic_type, encoding, encoded_message_definition, "
         "type_description_hash) VALUES (?, 'ros2msg', ?, ?)");
     m_metadata = m_database.prepare("INSERT OR REPLACE INTO metadata VALUES (1, ?, ?)");
-    m_books.lastSequence = m_earlierSequence;
-    m_books.metadata.files = {{m_file.filename().string(), {}, {}, 0}};
     return commit({.topics = {}, .events = {}, .metadata = true});
 }
 
@@ -118,7 +90,7 @@ std::optional<StoreProblem> SqliteStore::checked(int code, std::size_t event) co
         default:
             break;
     }
-    problem.text = fmt::format("{}: cannot be written: {}", m_file.string(), m_database.problem());
+    problem.text = fmt::format("{}: cannot be written: {}", file().string(), m_database.problem());
     if ((code & 0xff) == SQLITE_IOERR && reason != 0) {
         problem.text += fmt::format(" ({})", std::generic_category().message(reason));
     }
@@ -137,7 +109,7 @@ std::optional<StoreProblem> SqliteStore::commit(const BagBatch& batch) {
     }
     m_books = std::move(books);
     checkpointWhenLong();
-    if (batch.metadata) writeMetadataFile();
+    if (batch.metadata) m_folder.writeMetadata(m_books);
     return std::nullopt;
 }
 
@@ -152,10 +124,8 @@ std::optional<StoreProblem> SqliteStore::writeAll(const BagBatch& batch, Books& 
 }
 
 std::optional<StoreProblem> SqliteStore::insertTopic(const TopicInfo& topic, Books& books) {
-    const auto id = static_cast<std::int64_t>(books.ids.size() + 1);
-    if (!books.ids.try_emplace({topic.name, topic.type}, id).second) return std::nullopt;
-    books.metadata.topics.push_back({topic, 0});
-    m_insertTopic.bind(1, id);
+    if (!books.add(topic)) return std::nullopt;
+    m_insertTopic.bind(1, static_cast<std::int64_t>(books.ids.size()));
     m_insertTopic.bind(2, topic.name);
     m_insertTopic.bind(3, topic.type);
     m_insertTopic.bind(4, topic.serialization);
@@ -170,25 +140,14 @@ std::optional<StoreProblem> SqliteStore::insertTopic(const TopicInfo& topic, Boo
 }
 
 std::optional<StoreProblem> SqliteStore::insertEvent(const RawEvent& event, std::size_t index, Books& books) {
-    const auto topic = books.ids.find({event.topic, event.type});
-    if (topic == books.ids.end() || event.sequence <= books.lastSequence || !event.cdr) {
-        return StoreProblem{
-            StoreProblem::Kind::Refused,
-            fmt::format("{}: event {} of {}: expected a known topic, bytes and a sequence above {}",
-                        m_file.string(), event.sequence, event.topic, books.lastSequence),
-            index};
-    }
+    const auto topic = books.topicOfNext(event);
+    if (!topic) return m_folder.refusal(event, index, books);
     m_insert.bind(1, static_cast<std::int64_t>(event.sequence));
-    m_insert.bind(2, topic->second);
+    m_insert.bind(2, *topic);
     m_insert.bind(3, static_cast<std::int64_t>(event.received.time_since_epoch().count()));
     m_insert.bind(4, std::span<const std::byte>(*event.cdr));
     if (auto failed = checked(m_insert.run(), index)) return failed;
-    books.lastSequence = event.sequence;
-    ++books.metadata.topics[static_cast<std::size_t>(topic->second - 1)].messages;
-    auto& file = books.metadata.files.front();
-    if (file.messages++ == 0) file.first = file.last = event.received;
-    file.first = std::min(file.first, event.received);
-    file.last = std::max(file.last, event.received);
+    books.count(event, *topic);
     return std::nullopt;
 }
 
@@ -205,34 +164,6 @@ void SqliteStore::checkpointWhenLong() {
     if (m_walFrames < MaxWalFrames) return;
     // On a full disk this fails. The log stays, nothing is lost, and the next commit tries again.
     sqlite3_wal_checkpoint_v2(m_database.handle(), nullptr, SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
-}
-
-BagMetadata SqliteStore::wholeMetadata() const {
-    BagMetadata whole = m_earlier;
-    whole.files.insert(whole.files.end(), m_books.metadata.files.begin(), m_books.metadata.files.end());
-    for (const auto& topic : m_books.metadata.topics) {
-        const auto same = std::find_if(whole.topics.begin(), whole.topics.end(), [&](const auto& other) {
-            return other.info.name == topic.info.name && other.info.type == topic.info.type;
-        });
-        if (same == whole.topics.end()) {
-            whole.topics.push_back(topic);
-        } else {
-            same->messages += topic.messages;
-        }
-    }
-    whole.custom[std::string(CountedKey)] = std::to_string(m_books.lastSequence);
-    return whole;
-}
-
-void SqliteStore::writeMetadataFile() {
-    // Only a convenience for others: the database holds the same. The next attempt may succeed.
-    (void)writeWhole(m_folder / "metadata.yaml", yamlOf(wholeMetadata(), /*bare=*/false));
-}
-
-std::uint64_t SqliteStore::freeBytes() {
-    struct statvfs disk {};
-    if (::statvfs(m_folder.c_str(), &disk) != 0) return 0;
-    return static_cast<std::uint64_t>(disk.f_bavail) * disk.f_frsize;
 }
 
 std::optional<StoreProblem> SqliteStore::close() {

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -10,38 +9,32 @@
 #include <utility>
 
 #include "core/base/result.h"
-#include "core/io/bag/detail/bag_metadata.h"
-#include "core/io/bag/detail/mission_folder.h"
 #include "core/io/bag/detail/sqlite.h"
 #include "core/io/bag/writing/bag_store.h"
+#include "core/io/bag/writing/session_folder.h"
 
 namespace leitstand::detail {
 
 /// One session as a new rosbag2 file (schema version 4) in a mission's folder.
 class SqliteStore final : public BagStore {
 public:
-    /// Makes @p folder if it is missing, and the next numbered file in it.
-    [[nodiscard]] static Result<std::unique_ptr<BagStore>> create(const std::filesystem::path& folder);
+    [[nodiscard]] static Result<std::unique_ptr<BagStore>> create(SessionFolder folder);
     ~SqliteStore() override = default;
 
     [[nodiscard]] std::optional<StoreProblem> commit(const BagBatch& batch) override;
-    [[nodiscard]] std::uint64_t freeBytes() override;
+    [[nodiscard]] std::uint64_t freeBytes() override { return m_folder.freeBytes(); }
     [[nodiscard]] std::optional<StoreProblem> close() override;
-    [[nodiscard]] const std::filesystem::path& file() const override { return m_file; }
-    [[nodiscard]] std::uint64_t earlierSequence() const override { return m_earlierSequence; }
+    [[nodiscard]] const std::filesystem::path& file() const override { return m_folder.file(); }
+    [[nodiscard]] std::uint64_t earlierSequence() const override { return m_folder.earlierSequence(); }
 
 private:
-    using TopicKey = std::pair<std::string, std::string>;  // name, type
     /// Counts and ids while a transaction changes them. They become valid when the transaction is on the
     /// disk.
-    struct Books {
-        std::map<TopicKey, std::int64_t> ids;
+    struct Books : SessionBooks {
         std::set<std::string> definitions;  // types
-        BagMetadata metadata;               // of this file alone; topics in the order of their ids
-        std::uint64_t lastSequence = 0;
     };
-    SqliteStore(std::filesystem::path folder, std::filesystem::path file, FolderLock lock)
-        : m_folder(std::move(folder)), m_file(std::move(file)), m_lock(std::move(lock)) {}
+    explicit SqliteStore(SessionFolder folder)
+        : m_folder(std::move(folder)), m_books{m_folder.newBooks(), {}} {}
 
     [[nodiscard]] std::optional<StoreProblem> createTables();
     [[nodiscard]] std::optional<StoreProblem> writeAll(const BagBatch& batch, Books& books);
@@ -51,13 +44,8 @@ private:
     [[nodiscard]] std::optional<StoreProblem> storeMetadata(const Books& books);
     [[nodiscard]] std::optional<StoreProblem> checked(int code, std::size_t event = 0) const;
     void checkpointWhenLong();
-    void writeMetadataFile();
-    [[nodiscard]] BagMetadata wholeMetadata() const;
 
-    std::filesystem::path m_folder, m_file;
-    FolderLock m_lock;
-    BagMetadata m_earlier;  // of the sessions before this one
-    std::uint64_t m_earlierSequence = 0;
+    SessionFolder m_folder;
     Books m_books;
     int m_walFrames = 0;     // in the write-ahead log
     bool m_closing = false;  // the next metadata are the last ones
