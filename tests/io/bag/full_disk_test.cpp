@@ -52,7 +52,9 @@ protected:
 };
 
 TEST_P(FullDisk, TheBagStaysReadableAndWritingGoesOnWhenThereIsSpaceAgain) {
-    test::writeText(m_disk / "ballast", std::string(12'000'000, 'b'));
+    std::string ballast;
+    ballast.resize(12'000'000, 'b');
+    test::writeText(m_disk / "ballast", ballast);
     std::atomic<bool> full = false;
     const auto mission = m_disk / "mission";
     BagWriterSettings settings;

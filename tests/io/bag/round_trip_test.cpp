@@ -205,6 +205,7 @@ TEST_P(BagRoundTrip, ManyThreadsWriteAndNothingWaitsOrIsLost) {
     const auto writer = newWriter();
     {
         std::vector<std::jthread> threads;
+        threads.reserve(4);
         for (int t = 0; t < 4; ++t) {
             threads.emplace_back([&writer] {
                 for (int i = 0; i < 500; ++i)

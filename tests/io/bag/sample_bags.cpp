@@ -124,6 +124,7 @@ std::unique_ptr<BagReader> opened(const fs::path& bag) {
 
 std::vector<std::uint64_t> sequences(const std::vector<RawEvent>& events) {
     std::vector<std::uint64_t> all;
+    all.reserve(events.size());
     for (const RawEvent& event : events) all.push_back(event.sequence);
     return all;
 }

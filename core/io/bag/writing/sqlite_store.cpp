@@ -50,7 +50,7 @@ std::optional<StoreProblem> SqliteStore::createTables() {
           "PRAGMA cache_size = -16000", "PRAGMA temp_store = MEMORY", "BEGIN", Tables, "COMMIT",
           "PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", "PRAGMA wal_autocheckpoint = 0",
           "PRAGMA journal_size_limit = 16777216"}) {
-        if (const auto failed = checked(m_database.run(sql))) return failed;
+        if (auto failed = checked(m_database.run(sql))) return failed;
     }
     sqlite3_wal_hook(
         m_database.handle(),
@@ -99,7 +99,7 @@ std::optional<StoreProblem> SqliteStore::checked(int code, std::size_t event) co
 
 std::optional<StoreProblem> SqliteStore::commit(const BagBatch& batch) {
     if (batch.empty()) return std::nullopt;
-    if (const auto failed = checked(m_begin.run())) return failed;
+    if (auto failed = checked(m_begin.run())) return failed;
     Books books = m_books;
     auto failed = writeAll(batch, books);
     if (!failed) failed = checked(m_commit.run());
