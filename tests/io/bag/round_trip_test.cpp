@@ -231,6 +231,18 @@ TEST_P(BagRoundTrip, TheNextSessionIsStoredAsTheEarlierOnesAre) {
     EXPECT_EQ(test::fingerprint(m_mission), before);
 }
 
+TEST_P(BagRoundTrip, AFileOfTheOtherKindBesideASessionHindersNobody) {
+    writeSession(1, 10);
+    const BagStorage other = GetParam() == BagStorage::Mcap ? BagStorage::Sqlite : BagStorage::Mcap;
+    test::writeText(m_mission / ("copy" + std::string(endingOf(other))), "of whatever");
+    {
+        const auto writer = std::move(BagWriter::open(m_mission)).value();
+        EXPECT_EQ(writer->file().filename(), nameOfFile(1));
+        EXPECT_EQ(writer->earlierSequence(), 10U);
+    }
+    EXPECT_EQ(sequences(readAll(*test::opened(m_mission))), numbers(1, 10));
+}
+
 TEST_P(BagRoundTrip, TimesThatFallAreReadByRisingSequence) {
     {
         const auto writer = newWriter();

@@ -55,6 +55,16 @@ std::optional<Result<BagMetadata>> metadataOf(const fs::path& folder) {
     return parseMetadata(text.str(), "metadata.yaml");
 }
 
+/// Returns how the sessions are stored; empty when there are none. A file of the other kind that lies beside
+/// them (a copy, say) is none of the mission's, as for readers.
+std::optional<BagStorage> storageOf(const std::vector<NumberedFile>& databases,
+                                    const std::vector<NumberedFile>& mcaps,
+                                    const std::optional<Result<BagMetadata>>& stated) {
+    const bool statedMcap = stated && *stated && (*stated)->storage == nameOf(BagStorage::Mcap);
+    if (!mcaps.empty() && (databases.empty() || statedMcap)) return BagStorage::Mcap;
+    return databases.empty() ? std::nullopt : std::optional(BagStorage::Sqlite);
+}
+
 /// Whether @p stated shows that others wrote it. Without any file, unreadable metadata count as theirs too.
 bool isOfOthers(const std::optional<Result<BagMetadata>>& stated, bool anyFile) {
     if (!stated) return false;
@@ -83,17 +93,15 @@ Result<EarlierSessions> earlierSessions(const fs::path& folder, std::optional<Ba
     const auto mcaps = databaseFiles(folder, endingOf(BagStorage::Mcap));
     if (!databases) return databases.error();
     if (!mcaps) return mcaps.error();
+    const auto stated = metadataOf(folder);
+    const auto found = storageOf(*databases, *mcaps, stated);
     EarlierSessions earlier;
-    earlier.storage =
-        storage.value_or(databases->empty() && !mcaps->empty() ? BagStorage::Mcap : BagStorage::Sqlite);
-    const bool inMcap = earlier.storage == BagStorage::Mcap;
-    if (!(inMcap ? databases : mcaps)->empty())
-        return Error{
-            fmt::format("{}: expected a mission in files {}, found files {}: all sessions of a mission "
-                        "are stored alike",
-                        folder.string(), endingOf(earlier.storage),
-                        endingOf(inMcap ? BagStorage::Sqlite : BagStorage::Mcap))};
-    const auto& files = inMcap ? mcaps : databases;
+    earlier.storage = storage.value_or(found.value_or(BagStorage::Sqlite));
+    if (found && *found != earlier.storage)
+        return Error{fmt::format(
+            "{}: expected a mission in files {}, found files {}: all sessions of a mission are stored alike",
+            folder.string(), endingOf(earlier.storage), endingOf(*found))};
+    const auto& files = earlier.storage == BagStorage::Mcap ? mcaps : databases;
     earlier.nextFile = nextFile(folder, *files, earlier.storage);
     std::optional<ReaderCore> reader;
     if (!files->empty()) {
@@ -101,7 +109,6 @@ Result<EarlierSessions> earlierSessions(const fs::path& folder, std::optional<Ba
     }
     const bool ours = reader && reader->ours();
     const bool whole = reader && !anyDamaged(*reader);
-    const auto stated = metadataOf(folder);
     if (!ours && (whole || isOfOthers(stated, !files->empty()))) {
         return Error{folder.string() +
                      ": expected a mission or an empty folder, found a bag of others; it is left as it is"};
